@@ -22,6 +22,21 @@ ContactAssembly::ContactAssembly(const Model& model, const ThreadTeam& team, con
         rubs_ = rubs_ || obstacle.friction > 0.0;
         moves_ = moves_ || obstacle.motion.has_value();
     }
+    if (!model.contact.exceptions.empty()) find_exceptions();
+}
+
+void ContactAssembly::find_exceptions() {
+    const ContactExceptions exceptions(model_->contact, places_);
+    rubs_ = false;
+    for (const ObstacleSurface& surface : surfaces_) {
+        for (std::size_t e = 0; e < places_.elements.size(); ++e) {
+            const ContactException* own = exceptions.find_at_obstacle(e, surface.obstacle);
+            off_.push_back(own != nullptr && own->is_off ? 1 : 0);
+            coefficients_.push_back(own != nullptr ? own->friction.value_or(surface.body->friction)
+                                                   : surface.body->friction);
+            rubs_ = rubs_ || (off_.back() == 0 && coefficients_.back() > 0.0);
+        }
+    }
 }
 
 void ContactAssembly::lay_out(const EquationNumbers& equations, const SparsePattern& pattern) {
@@ -52,6 +67,7 @@ bool ContactAssembly::is_far(const At& at,
                              const ContactElement& element,
                              const State& state,
                              double reach) const {
+    if (is_element_off(obstacle, element)) return true;
     // What an impact gives back acts in the step that leaves the obstacle too, however far that goes.
     const bool gives_back = at.has_impacts && model_->contact.dissipation < 1.0;
     return is_far(at.now[obstacle], obstacle, element, state.trial, reach) &&
@@ -103,9 +119,11 @@ double ContactAssembly::gap_before(const At& at,
 }
 
 CoulombFriction ContactAssembly::friction(std::size_t obstacle, std::size_t place, const State& state) const {
-    const double coefficient = surfaces_[obstacle].body->friction;
+    const ContactElement& element = places_.element_of(place);
+    const double coefficient =
+        coefficients_.empty() ? surfaces_[obstacle].body->friction
+                              : coefficients_[obstacle * places_.elements.size() + places_.index_of(element)];
     if (coefficient == 0.0) return {};
-    const ContactElement& element = places_.elements[static_cast<std::size_t>(places_.places[place].element)];
     return {coefficient,
             element.law.stiffness / element.law.skin,
             state.contact_memory.on_obstacles[pair(obstacle, place)]};

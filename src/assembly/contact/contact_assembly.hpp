@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "assembly/contact/contact_exceptions.hpp"
 #include "assembly/contact/contact_limits.hpp"
 #include "assembly/contact/contact_overlap.hpp"
 #include "assembly/contact/contact_pairs.hpp"
@@ -111,7 +112,16 @@ class ContactAssembly {
         return obstacle * places_.places.size() + place;
     }
     At find_obstacles(const State& state, double time, double progress) const;
-    // Whether an element is so far from an obstacle that it does not touch it within this distance.
+    // Of an obstacle's surface and a place: whether they pass through each other.
+    bool is_off(std::size_t surface, std::size_t place) const {
+        return !off_.empty() && is_element_off(surface, places_.element_of(place));
+    }
+    bool is_element_off(std::size_t surface, const ContactElement& element) const {
+        return !off_.empty() && off_[surface * places_.elements.size() + places_.index_of(element)] != 0;
+    }
+    void find_exceptions();
+    // Whether an element passes through an obstacle, or is so far from it that it does not touch it within
+    // this distance.
     bool is_far(const At& at,
                 std::size_t obstacle,
                 const ContactElement& element,
@@ -159,6 +169,9 @@ class ContactAssembly {
     std::vector<ObstacleSurface> surfaces_;
     ContactPlaces places_;
     ContactPairs pairs_;
+    // By surface and element; empty without Contact::exceptions at obstacles.
+    std::vector<char> off_;
+    std::vector<double> coefficients_;
     bool rubs_ = false;
     bool moves_ = false;
 };

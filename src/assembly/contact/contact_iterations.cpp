@@ -131,7 +131,9 @@ ContactLimits ContactAssembly::limit(const std::vector<Vec3>& displacements,
             };
             std::vector<std::size_t> near;
             for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
-                if (!surfaces_[obstacle].body->stiffness && !is_clear(obstacle)) near.push_back(obstacle);
+                if (!surfaces_[obstacle].body->stiffness && !is_element_off(obstacle, element) &&
+                    !is_clear(obstacle))
+                    near.push_back(obstacle);
             }
             if (near.empty()) continue;
             for (std::size_t p = element.first_place; p < element.end_place; ++p) {
@@ -179,6 +181,7 @@ void ContactAssembly::commit(State& state, double time) const {
             const ContactPlace& place = places_.places[p];
             const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
             for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
+                if (is_off(obstacle, p)) continue;
                 const SurfaceTouch surface = touch(at, obstacle, p, position);
                 state.contact_memory.on_obstacles[pair(obstacle, p)] =
                     compute_place_force(surface,

@@ -52,13 +52,20 @@ PairMotion ContactPairs::motion_of(const NearPieces& near, const State& state) c
     return motion;
 }
 
+double ContactPairs::coefficient_of(const NearPieces& near) const {
+    const ContactException* one =
+        lines_.find_exception(lines_.pieces[near.first], lines_.pieces[near.second]);
+    return one != nullptr ? one->friction.value_or(model_->contact.friction) : model_->contact.friction;
+}
+
 CoulombFriction ContactPairs::friction_of(std::size_t index, const State& state) const {
     const NearPieces& near = state.contact.pieces[index];
     const PairLaw pair = law_of(near);
     // What sticks is as stiff for parallel rods, however short their pieces are.
     const double reach = std::sqrt(pair.law.skin * (2.0 * pair.radii + pair.law.skin));
     const double length = std::min(lines_.pieces[near.first].length, lines_.pieces[near.second].length);
-    CoulombFriction friction{friction_, pair.law.stiffness / pair.law.skin * std::min(1.0, length / reach)};
+    CoulombFriction friction{coefficient_of(near),
+                             pair.law.stiffness / pair.law.skin * std::min(1.0, length / reach)};
     const std::vector<PairTraction>& memory = state.contact_memory.of_pairs;
     const auto own = std::ranges::lower_bound(memory, near, {}, &PairTraction::pieces);
     if (own != memory.end() && own->pieces == near) friction.traction = own->traction;

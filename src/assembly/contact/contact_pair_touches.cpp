@@ -48,12 +48,12 @@ void ContactPairs::add_touches(const State& state, std::vector<ContactTouch>& to
         for (std::size_t side = 0; side < 2; ++side) own.places[side] += at.force * places[side];
         own.gap = std::min(own.gap, least_gap(near, state.trial));
         if (!rub()) continue;
-        const Vec3 traction =
-            compute_pair_friction(touching.energy, motion, friction_of(touching.index, state)).traction.value;
+        const CoulombFriction friction = friction_of(touching.index, state);
+        const Vec3 traction = compute_pair_friction(touching.energy, motion, friction).traction.value;
         own.friction += traction;
         // What slides has a traction on the cone, as far as rounding lets it be.
         constexpr double rounding = 1e-9;
-        own.slides = own.slides && traction.norm() >= (1.0 - rounding) * friction_ * at.force;
+        own.slides = own.slides && traction.norm() >= (1.0 - rounding) * friction.coefficient * at.force;
     }
     for (const auto& [elements, own] : of_elements) {
         const auto rod_of = [&](int element) {

@@ -32,7 +32,7 @@ class ContactPairs {
     ContactPairs(const Model& model, const ThreadTeam& team, const ScaleGroups& groups);
 
     bool empty() const { return lines_.pieces.empty(); }
-    bool rub() const { return friction_ > 0.0; }
+    bool rub() const { return rubs_; }
 
     // Finds what is near the trial, if nodes can move by this much from there.
     void search(double reach, State& state) const;
@@ -89,6 +89,7 @@ class ContactPairs {
         return lines_.places.places[lines_.pieces[piece].place].element;
     }
     PairMotion motion_of(const NearPieces& near, const State& state) const;
+    double coefficient_of(const NearPieces& near) const;
     // As the law has it, or as an iteration takes it for granted.
     CoulombFriction friction_of(std::size_t index, const State& state) const;
     CoulombFriction taken_friction_of(std::size_t index, const State& state) const;
@@ -102,7 +103,7 @@ class ContactPairs {
     const ThreadTeam* team_;
     const ScaleGroups* groups_;
     ContactLines lines_;
-    double friction_ = 0.0;
+    bool rubs_ = false;
 };
 
 }  // namespace gxrod

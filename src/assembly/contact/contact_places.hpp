@@ -40,6 +40,12 @@ struct ContactPlaces {
     std::vector<ContactElement> elements;
     std::vector<ContactPlace> places;
 
+    const ContactElement& element_of(std::size_t place) const {
+        return elements[static_cast<std::size_t>(places[place].element)];
+    }
+    std::size_t index_of(const ContactElement& element) const {
+        return static_cast<std::size_t>(&element - elements.data());
+    }
     template <class Member>
     Vec3 interpolate(const ContactPlace& place, const std::vector<NodeMotion>& motions, Member member) const {
         const ContactElement& element = elements[static_cast<std::size_t>(place.element)];

@@ -90,7 +90,7 @@ double ContactAssembly::find_least_gap(const ContactWatch& watch, const State& s
         const int index = -1 - static_cast<int>(surfaces_[obstacle].obstacle);
         if (watch.other.value_or(index) != index) continue;
         for (const ContactElement& element : places_.elements) {
-            if (element.rod != watch.rod) continue;
+            if (element.rod != watch.rod || is_element_off(obstacle, element)) continue;
             for (std::size_t p = element.first_place; p < element.end_place; ++p) {
                 const Vec3 position = places_.interpolate(places_.places[p], state.trial, &NodeMotion::r);
                 least = std::min(least, touch(at, obstacle, p, position).gap);

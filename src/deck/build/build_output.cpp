@@ -10,6 +10,7 @@
 
 #include "deck/build/build_output_times.hpp"
 #include "deck/build/part.hpp"
+#include "deck/contact/build_contact_exceptions.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "deck/sections/section_axes.hpp"
@@ -410,15 +411,25 @@ void set_contact(const CheckedTable& table,
     request.with = table.get<std::string>("with");
     if (const std::optional<int> obstacle = find_tie(model.contact.obstacles, request.with)) {
         request.contact->other = -1 - *obstacle;
+        if (is_left_out(model.contact, point.touching_rod, -1 - *obstacle))
+            context.add_fault(
+                table,
+                "with",
+                fmt::format(
+                    "\"{}\" does not touch \"{}\": [[contact.pair]] leaves it out", rod.name, request.with));
     } else if (const std::optional<int> other = find_tie(model.rods, request.with)) {
         request.contact->other = *other;
         const bool is_itself = *other == point.touching_rod;
-        if (is_itself ? !model.contact.within_rods : !model.contact.between_rods)
+        const bool is_off = is_left_out(model.contact, point.touching_rod, *other);
+        if (is_off || (is_itself ? !model.contact.within_rods : !model.contact.between_rods))
             context.add_fault(table,
                               "with",
-                              fmt::format("\"{}\" does not touch {}: [contact] leaves it out",
+                              fmt::format("\"{}\" does not touch {}: {} leaves it out",
                                           rod.name,
-                                          is_itself ? "itself" : "other rods"));
+                                          is_itself ? "itself"
+                                          : is_off  ? "\"" + request.with + "\""
+                                                    : "other rods",
+                                          is_off ? "[[contact.pair]]" : "[contact]"));
     } else {
         std::vector<std::string> names;
         for (const Obstacle& one : model.contact.obstacles) names.push_back(one.name);

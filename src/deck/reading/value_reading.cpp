@@ -518,6 +518,7 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
         case ValueType::points:
         case ValueType::ends:
         case ValueType::joints:
+        case ValueType::partners:
             return wrap(read_points(node, path, key, context));
         case ValueType::matrix:
             return wrap(reader.square_matrix(node, path));
