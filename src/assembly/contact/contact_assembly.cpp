@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "assembly/scatter.hpp"
-#include "contact/impact_law.hpp"
 #include "rotation/tangent_map.hpp"
 
 namespace gxrod {
@@ -51,6 +50,8 @@ void ContactAssembly::lay_out(const EquationNumbers& equations, const SparsePatt
 ContactAssembly::At ContactAssembly::find_obstacles(const State& state, double time, double progress) const {
     At at;
     at.has_impacts = model_->has_inertia && model_->has_time;
+    const double elapsed = time - state.time;
+    if (at.has_impacts && elapsed > 0.0) at.damping = model_->contact.damping / elapsed;
     at.now.resize(surfaces_.size());
     at.before.resize(surfaces_.size());
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
@@ -140,17 +141,27 @@ CoulombFriction ContactAssembly::tangent_friction(std::size_t obstacle,
     return taken;
 }
 
+ImpactLaw ContactAssembly::impact_law(const At& at,
+                                      std::size_t obstacle,
+                                      std::size_t place,
+                                      const State& state) const {
+    ImpactLaw law{places_.element_of(place).law, at.has_impacts ? model_->contact.dissipation : 1.0};
+    law.damping = at.damping;
+    if (law.dissipation < 1.0 || law.damping > 0.0) law.gap_before = gap_before(at, obstacle, place, state);
+    return law;
+}
+
 NormalForce ContactAssembly::law_force(
     const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const {
-    if (const std::optional<double>& stiffness = surfaces_[obstacle].body->stiffness)
-        return gap < 0.0 ? NormalForce{-*stiffness * gap, *stiffness} : NormalForce{};
-    const ContactLaw& law = places_.elements[static_cast<std::size_t>(places_.places[place].element)].law;
-    const double dissipation = at.has_impacts ? model_->contact.dissipation : 1.0;
-    if (dissipation == 1.0) {
-        if (gap >= law.skin) return {};
-        return compute_impact_force({law}, gap);
+    if (const std::optional<double>& stiffness = surfaces_[obstacle].body->stiffness) {
+        if (gap >= 0.0) return {};
+        const NormalForce normal{-*stiffness * gap, *stiffness};
+        return at.damping == 0.0 ? normal
+                                 : damp(normal, at.damping, gap, gap_before(at, obstacle, place, state));
     }
-    return compute_impact_force({law, dissipation, gap_before(at, obstacle, place, state)}, gap);
+    const double dissipation = at.has_impacts ? model_->contact.dissipation : 1.0;
+    if (dissipation == 1.0 && gap >= places_.element_of(place).law.skin) return {};
+    return compute_impact_force(impact_law(at, obstacle, place, state), gap);
 }
 
 // λ and D of the point of the curve that the state's parameter names, continued to the gap.

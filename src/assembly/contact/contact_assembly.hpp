@@ -13,6 +13,7 @@
 #include "assembly/equation_numbers.hpp"
 #include "assembly/residual.hpp"
 #include "assembly/scale_groups.hpp"
+#include "contact/impact_law.hpp"
 #include "contact/obstacle_surface.hpp"
 #include "linear/sparse_pattern.hpp"
 #include "loads/distributed_load.hpp"
@@ -85,6 +86,9 @@ class ContactAssembly {
     // Of the trial motions: all that touches, sorted by rods and places. One for each place at an obstacle,
     // and one for two elements of rods.
     std::vector<ContactTouch> list_touches(const State& state, double time) const;
+    // Of each node: the least gap of the places next to it, or its skin where nothing is nearer; where no rod
+    // is, the largest skin.
+    std::vector<double> compute_gaps(const State& state, double time) const;
     // On a rod, by what touches; the least gap if it is wanted.
     ObstacleValues compute_watched(const ContactWatch& watch,
                                    const std::vector<ContactTouch>& touches,
@@ -102,6 +106,7 @@ class ContactAssembly {
     struct At {
         std::vector<ObstaclePlacement> now, before;
         bool has_impacts = false;
+        double damping = 0.0;  // of a change of the gap in the step: 0 without inertia, or at its start
     };
     struct Touching {
         NormalForce normal;
@@ -135,6 +140,8 @@ class ContactAssembly {
     SurfaceTouch touch(const At& at, std::size_t obstacle, std::size_t place, const Vec3& position) const;
     double gap_before(const At& at, std::size_t obstacle, std::size_t place, const State& state) const;
     CoulombFriction friction(std::size_t obstacle, std::size_t place, const State& state) const;
+    // Of the step, where the obstacle is rigid.
+    ImpactLaw impact_law(const At& at, std::size_t obstacle, std::size_t place, const State& state) const;
     NormalForce law_force(
         const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const;
     NormalForce tangent_force(

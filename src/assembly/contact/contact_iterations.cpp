@@ -2,7 +2,6 @@
 #include <limits>
 
 #include "assembly/contact/contact_assembly.hpp"
-#include "contact/impact_law.hpp"
 #include "rotation/tangent_map.hpp"
 
 // What contact does in Newton's iterations: parameters, limits of increments, and what is remembered.
@@ -54,7 +53,6 @@ void ContactAssembly::start(State& state, double time) const {
 
 void ContactAssembly::advance(const std::vector<Vec6>& deltas, double time, State& state) const {
     const At at = find_obstacles(state, time, 1.0);
-    const double theta = at.has_impacts ? model_->contact.dissipation : 1.0;
     pairs_.advance(deltas, state);
     double reach = 0.0;
     for (const Vec6& delta : deltas) reach = std::max(reach, delta.head<3>().norm());
@@ -85,8 +83,7 @@ void ContactAssembly::advance(const std::vector<Vec6>& deltas, double time, Stat
             if (surfaces_[obstacle].body->stiffness) {
                 parameter = gap;
             } else {
-                const double before = theta == 1.0 ? 0.0 : gap_before(at, obstacle, p, state);
-                parameter = find_gap_on_curve({element.law, theta, before}, normal.force, gap);
+                parameter = find_gap_on_curve(impact_law(at, obstacle, p, state), normal.force, gap);
             }
             if (rubs_)
                 keep_slip(advance_slip(surface, motion, normal, tangent_friction(obstacle, p, state)),

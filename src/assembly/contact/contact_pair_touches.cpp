@@ -69,6 +69,21 @@ void ContactPairs::add_touches(const State& state, std::vector<ContactTouch>& to
     }
 }
 
+void ContactPairs::lower_gaps(const State& state, std::vector<double>& gaps) const {
+    for (const NearPieces& near : state.contact.pieces) {
+        const ClosestPoints closest =
+            find_closest_points(segment_of(near.first, state.trial), segment_of(near.second, state.trial));
+        const PairLaw pair = law_of(near);
+        const double gap = closest.distance - pair.radii;
+        if (gap >= pair.law.skin) continue;
+        for (const auto& [index, t] : {std::pair(near.first, closest.s), std::pair(near.second, closest.t)}) {
+            const ContactPlace* place = &lines_.places.places[lines_.pieces[index].place];
+            double& own = gaps[static_cast<std::size_t>(lines_.places.nearest_node(place[0], place[1], t))];
+            own = std::min(own, gap);
+        }
+    }
+}
+
 double ContactPairs::find_least_gap(const ContactWatch& watch, const State& state) const {
     const auto rod_of = [&](std::size_t piece) { return lines_.element_of(lines_.pieces[piece]).rod; };
     const auto is_watched = [&](std::size_t a, std::size_t b) {

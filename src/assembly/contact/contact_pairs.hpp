@@ -66,6 +66,8 @@ class ContactPairs {
     void count(const State& state, ContactCount& result) const;
     // One for two elements that touch.
     void add_touches(const State& state, std::vector<ContactTouch>& touches) const;
+    // Lowers those of nodes next to what is nearer.
+    void lower_gaps(const State& state, std::vector<double>& gaps) const;
     // Of the rod; infinite where nothing can touch it.
     double find_least_gap(const ContactWatch& watch, const State& state) const;
     void add_overlaps(const State& state, std::vector<ContactOverlap>& overlaps) const;
@@ -81,7 +83,7 @@ class ContactPairs {
         std::size_t index = 0;
         PairEnergy energy;
     };
-    std::vector<Touching> find_touching(const State& state) const;
+    std::vector<Touching> find_touching(const State& state) const;  // with damped forces
     // Of nodes in the four ends.
     using Shares = Eigen::Matrix<double, 4, Eigen::Dynamic>;
     Shares find_shares(const NearPieces& near, const NodeGroup& nodes) const;
@@ -89,6 +91,7 @@ class ContactPairs {
         return lines_.places.places[lines_.pieces[piece].place].element;
     }
     PairMotion motion_of(const NearPieces& near, const State& state) const;
+    Vec12 find_way(const NearPieces& near, const State& state) const;  // of the ends since the last step
     double coefficient_of(const NearPieces& near) const;
     // As the law has it, or as an iteration takes it for granted.
     CoulombFriction friction_of(std::size_t index, const State& state) const;
@@ -104,6 +107,7 @@ class ContactPairs {
     const ScaleGroups* groups_;
     ContactLines lines_;
     bool rubs_ = false;
+    double damping_ = 0.0;  // where there is inertia
 };
 
 }  // namespace gxrod

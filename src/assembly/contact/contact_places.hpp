@@ -55,6 +55,8 @@ struct ContactPlaces {
                    (motions[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])].*member);
         return sum;
     }
+    // The node nearest to the place a part t of the way from one place of an element to another.
+    int nearest_node(const ContactPlace& from, const ContactPlace& to, double t) const;
     // Since the last accepted step.
     PlaceMotion motion_of(const ContactPlace& place, const State& state) const;
 };

@@ -210,6 +210,7 @@ void build_contact(BuildContext& context) {
         contact.within_rods = is_on("self");
         contact.skin = table->get<double>("skin");
         contact.dissipation = table->get<double>("dissipation");
+        contact.damping = table->get<double>("damping");
         contact.friction = table->get<double>("friction");
     }
     set_radii(table, contact, context);

@@ -209,6 +209,13 @@ const TableSpec& contact_table() {
               .sentence =
                   "Of impacts on obstacles: with 0 they keep their energy at every step size, with 1 contact "
                   "gives back least."},
+             {.name = "damping",
+              .type = ValueType::number,
+              .dimension = "time/length",
+              .range = not_negative,
+              .default_value = 0.0,
+              .sentence = "Of impacts: the force is multiplied by 1 − damping times the rate of the gap, and "
+                          "never pulls. Next to `dissipation`, whose loss depends on the step."},
              {.name = "pair",
               .type = ValueType::table_list,
               .sentence = "Exceptions.",

@@ -118,6 +118,7 @@ constexpr KeySynonyms keys[] = {
     {"contact", "friction", "mu friction_coefficient"},
     {"contact", "skin", "gap thickness margin range"},
     {"contact", "dissipation", "restitution loss"},
+    {"contact", "damping", "hunt_crossley damper viscosity c"},
     {"contact", "pair", "pairs exceptions exclude ignore"},
     {"contact.pair", "between", "rods names of"},
     {"contact.pair", "friction", "mu friction_coefficient"},

@@ -185,6 +185,9 @@ std::vector<RoundTrip> contact_trips() {
         {"contact.dissipation",
          wires("[contact]\ndissipation = 0.25\n"),
          [](const Problem& p) { return p.model.contact.dissipation == 0.25; }},
+        {"contact.damping",
+         wires("[contact]\ndamping = 0.5\n"),
+         [](const Problem& p) { return p.model.contact.damping == 0.5; }},
         {"contact.pair.between",
          wires("[contact]\n[[contact.pair]]\nbetween = [\"*@0.5..1\", \"b\"]\noff = true\n"),
          [](const Problem& p) {
