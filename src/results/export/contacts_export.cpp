@@ -15,34 +15,65 @@ namespace {
 
 using Integers = std::vector<std::int64_t>;
 
+constexpr hsize_t cell_kinds = 4;
+
 Integers count_from(std::int64_t first, std::size_t count) {
     Integers numbers(count);
     std::iota(numbers.begin(), numbers.end(), first);
     return numbers;
 }
 
-// Every frame has as many of the vertices 0, 1 … as it has points.
-void add_cells(const Integers& counts, FrameCopy& copies) {
-    const std::int64_t most = *std::ranges::max_element(counts);
-    const hsize_t frames = counts.size();
-    for (const char* kind : {"Vertices", "Lines", "Polygons", "Strips"}) {
-        const bool has_points = kind == std::string("Vertices");
-        const Integers numbers = has_points ? counts : Integers(frames, 0);
-        const auto cells = static_cast<std::size_t>(has_points ? most : 0);
-        const auto add = [&](const char* name, const char* description, const Integers& values) {
+// Numbers of what stands before each frame.
+Integers add_up(const Integers& counts) {
+    Integers before{0};
+    for (const std::int64_t count : counts) before.push_back(before.back() + count);
+    before.pop_back();
+    return before;
+}
+
+// A vertex for each point. A frame without points has a vertex without points: VTK 9.7 takes frames that
+// start at the same cell for one.
+Integers count_vertices(const Integers& points) {
+    Integers counts = points;
+    for (std::int64_t& count : counts) count = std::max<std::int64_t>(count, 1);
+    return counts;
+}
+
+// A frame is a part: its cells number its own points.
+void add_cells(const Integers& points, FrameCopy& copies) {
+    const auto add =
+        [&](const char* kind, const char* name, const char* description, const Integers& values) {
             copies.push_back(
                 make_copy(std::string("/VTKHDF/") + kind + "/" + name, description, {values.size()}, values));
         };
-        add("NumberOfCells", "cells of each frame", numbers);
-        add("NumberOfConnectivityIds", "points of these cells", numbers);
-        add("Connectivity", "point of each cell, in all frames", count_from(0, cells));
-        add("Offsets", "where each cell begins in Connectivity", count_from(0, cells + 1));
+    Integers connectivity, offsets;
+    for (const std::int64_t count : points) {
+        const auto ends = count_from(0, static_cast<std::size_t>(count) + 1);
+        connectivity.insert(connectivity.end(), ends.begin(), ends.end() - 1);
+        offsets.insert(offsets.end(), ends.begin(), ends.end());
+        if (count == 0) offsets.push_back(0);
+    }
+    const Integers none(points.size(), 0);
+    for (const char* kind : {"Vertices", "Lines", "Polygons", "Strips"}) {
+        const bool has_cells = kind == std::string("Vertices");
+        add(kind, "NumberOfCells", "cells of each frame", has_cells ? count_vertices(points) : none);
+        add(kind, "NumberOfConnectivityIds", "points of these cells", has_cells ? points : none);
+        add(kind, "Connectivity", "point of each cell, in its frame", has_cells ? connectivity : Integers());
+        add(kind, "Offsets", "where each cell begins in Connectivity", has_cells ? offsets : none);
     }
 }
 
-void add_steps(const Hdf5Reader& file, const Integers& offsets, FrameCopy& copies) {
-    const hsize_t frames = offsets.size() - 1;
-    const Integers first(offsets.begin(), offsets.end() - 1);
+// Of a table with a row for each frame and a column for each kind of cells, of which there are vertices.
+Integers in_first_column(const Integers& values) {
+    Integers table;
+    for (const std::int64_t value : values) {
+        for (hsize_t kind = 0; kind < cell_kinds; ++kind) table.push_back(kind == 0 ? value : 0);
+    }
+    return table;
+}
+
+void add_steps(const Hdf5Reader& file, const Integers& points, FrameCopy& copies) {
+    const hsize_t frames = points.size();
     const auto add =
         [&](const std::string& name, const char* description, const Integers& values, hsize_t columns) {
             std::vector<hsize_t> size{frames};
@@ -52,11 +83,15 @@ void add_steps(const Hdf5Reader& file, const Integers& offsets, FrameCopy& copie
     copies.push_back(copy_rows(file, "/VTKHDF/Steps/Values", 0, frames));
     add("PartOffsets", "the part of each frame", count_from(0, frames), 1);
     add("NumberOfParts", "parts of each frame: 1", Integers(frames, 1), 1);
-    add("PointOffsets", "first point of each frame", first, 1);
-    constexpr hsize_t kinds = 4;
-    const Integers none(frames * kinds, 0);
-    add("CellOffsets", "one topology serves all frames: 0", none, kinds);
-    add("ConnectivityIdOffsets", "one topology serves all frames: 0", none, kinds);
+    add("PointOffsets", "first point of each frame", add_up(points), 1);
+    add("CellOffsets",
+        "first cell of each frame",
+        in_first_column(add_up(count_vertices(points))),
+        cell_kinds);
+    add("ConnectivityIdOffsets",
+        "where each frame begins in Connectivity",
+        in_first_column(add_up(points)),
+        cell_kinds);
 }
 
 FrameCopy read_contacts(const Hdf5Reader& file, hsize_t frames) {
@@ -72,15 +107,14 @@ FrameCopy read_contacts(const Hdf5Reader& file, hsize_t frames) {
     FrameCopy copies;
     copies.push_back(make_copy("/VTKHDF/NumberOfPoints", "points of each frame", {frames}, counts));
     add_cells(counts, copies);
-    add_steps(file, offsets, copies);
-    const Integers first(offsets.begin(), offsets.end() - 1);
+    add_steps(file, counts, copies);
     copies.push_back(copy_rows(file, "/contacts/point", 0, touches));
     copies.back().path = "/VTKHDF/Points";
     for (const std::string name : {"normal_force", "friction_force", "gap", "slides", "rods", "places"}) {
         copies.push_back(copy_rows(file, "/contacts/" + name, 0, touches));
         copies.back().path = "/VTKHDF/PointData/" + name;
         copies.push_back(make_copy(
-            "/VTKHDF/Steps/PointDataOffsets/" + name, "first point of each frame", {frames}, first));
+            "/VTKHDF/Steps/PointDataOffsets/" + name, "first point of each frame", {frames}, add_up(counts)));
     }
     return copies;
 }
