@@ -49,7 +49,7 @@ TEST_CASE("impacts: a force and a gap belong to the curve's point with the same 
     RandomValues random(9);
     for (int sample = 0; sample < 500; ++sample) {
         const ImpactLaw law{{0.2, 7.0},
-                            random.number(0.0, 1.0),
+                            sample % 3 == 0 ? 1.0 : random.number(0.0, 1.0),
                             random.number(1e-3, 0.3),
                             sample % 2 == 0 ? 0.0 : random.number(0.0, 30.0)};
         const double gap = random.number(-0.3, 0.3);
