@@ -41,7 +41,7 @@ end_time = {}
                        end);
 }
 
-const std::string floor = "[obstacle.floor]\nplane = { point = [0, 0, 0], normal = [0, 0, 1] }\n";
+const std::string ground = "[obstacle.floor]\nplane = { point = [0, 0, 0], normal = [0, 0, 1] }\n";
 
 // Two parallel rods; only the first one moves.
 std::string collision(double tau_speed) {
@@ -61,7 +61,7 @@ TEST_CASE("Rebounds are as high as damping leaves them, at any step", "[analyses
     for (const double tau_speed : {0.014, 0.14, 1.4, 14.0}) {
         for (const double step : {5e-6, 2e-5}) {
             INFO(tau_speed << " " << step);
-            ContactRun run(impact(tau_speed / speed, step, 0.02) + floor +
+            ContactRun run(impact(tau_speed / speed, step, 0.02) + ground +
                            rod("a", "0, 0, 0.0512", "1, 0, 0.0512", 1));
             run.finish();
             const double left = run.at("a.start").v.z() / speed;
@@ -91,7 +91,7 @@ TEST_CASE("Damping never gives energy and never pulls, however long steps are", 
     for (const double step : {1e-3, 5e-2}) {
         for (const double damping : {0.1, 100.0}) {
             INFO(step << " " << damping);
-            ContactRun run("gravity = [0, 0, -9.81]\n" + impact(damping, step, 2.0) + floor +
+            ContactRun run("gravity = [0, 0, -9.81]\n" + impact(damping, step, 2.0) + ground +
                            rod("a", "0, 0, 0.1", "1, 0, 0.1", 4));
             double before = 1e300;
             while (!run.is_finished()) {

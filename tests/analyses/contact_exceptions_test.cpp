@@ -4,15 +4,14 @@
 namespace gxrod::test {
 namespace {
 
-constexpr double angle = 0.25, gravity = 9.81;
+constexpr double tilt = 0.25, fall = 9.81;
 
 std::string incline() {
-    return fmt::format(
-        "gravity = [{:.15g}, 0, {:.15g}]\n", gravity * std::sin(angle), -gravity * std::cos(angle));
+    return fmt::format("gravity = [{:.15g}, 0, {:.15g}]\n", fall * std::sin(tilt), -fall * std::cos(tilt));
 }
 
 double find_way(double friction, double time) {
-    return 0.5 * gravity * (std::sin(angle) - friction * std::cos(angle)) * time * time;
+    return 0.5 * fall * (std::sin(tilt) - friction * std::cos(tilt)) * time * time;
 }
 
 // Rods next to each other on an incline, along which they slide with friction below tan 0.25 = 0.255.
@@ -80,8 +79,8 @@ TEST_CASE("Rods slide on an obstacle, hold or pass through it as their pairs say
     // 0.1 on one half, 0.3 on the other one.
     CHECK(run.at("part.start").r.x() == Approx(find_way(0.2, 0.5)).epsilon(1e-2));
     const Vec3 fallen = run.at("falls.start").r - Vec3(0, 2, 0.050979);
-    CHECK(fallen.x() == Approx(0.5 * gravity * std::sin(angle) * 0.25));
-    CHECK(fallen.z() == Approx(-0.5 * gravity * std::cos(angle) * 0.25));
+    CHECK(fallen.x() == Approx(0.5 * fall * std::sin(tilt) * 0.25));
+    CHECK(fallen.z() == Approx(-0.5 * fall * std::cos(tilt) * 0.25));
     CHECK(run.least_gap() > 0.0);
 
     for (const ContactTouch& touch : run.touches()) {
@@ -113,7 +112,7 @@ TEST_CASE("A rod slides on rods with the friction of their pairs", "[analyses][t
         run.finish();
         CHECK(run.at("top.start").r.x() + 0.5 == Approx(find_way(0.2, 0.4)).epsilon(5e-3));
         CHECK(run.ledger().contact_loss ==
-              Approx(0.2 * mass * gravity * std::cos(angle) * find_way(0.2, 0.4)).epsilon(0.05));
+              Approx(0.2 * mass * fall * std::cos(tilt) * find_way(0.2, 0.4)).epsilon(0.05));
         for (const ContactTouch& touch : run.touches()) CHECK(touch.slides);
     }
     SECTION("of each, and of none with itself") {
@@ -126,7 +125,7 @@ TEST_CASE("A rod slides on rods with the friction of their pairs", "[analyses][t
         ContactRun run(crossing(pair("top", "r*", "off = true")));
         run.finish();
         CHECK(run.at("top.start").r.z() - 0.0403917 ==
-              Approx(-0.5 * gravity * std::cos(angle) * 0.16).epsilon(1e-6));
+              Approx(-0.5 * fall * std::cos(tilt) * 0.16).epsilon(1e-6));
         CHECK(run.touches().empty());
     }
 }
