@@ -4,6 +4,7 @@
 
 #include "exit_code.hpp"
 #include "results/export/along_export.hpp"
+#include "results/export/contacts_export.hpp"
 #include "results/export/csv_export.hpp"
 #include "results/export/series_export.hpp"
 #include "results/file/guarded_reading.hpp"
@@ -21,6 +22,7 @@ struct ExportArguments {
     std::string along;
     std::string folder = ".";
     std::optional<double> time;
+    bool contacts = false;
     bool all = false;
     bool force = false;
 };
@@ -57,6 +59,9 @@ int export_results(const ExportArguments& arguments) {
     if (!arguments.series.empty()) {
         write([&] { return export_series(arguments.results, arguments.series, existing).string() + "\n"; });
     }
+    if (arguments.contacts) {
+        write([&] { return export_contacts(arguments.results, arguments.series, existing).string() + "\n"; });
+    }
     if (!arguments.along.empty()) write([&] { return export_along_rod(arguments, existing); });
     return exit_done;
 }
@@ -71,11 +76,17 @@ void add_export_verb(CLI::App& program, int& exit_code) {
         ->required();
     verb->add_option(
         "--csv", arguments->csv, "Folder for ledger.csv, solver.csv and a history_NAME.csv for each history");
-    verb->add_option(
+    CLI::Option* series = verb->add_option(
         "--series",
         arguments->series,
         "Folder for NAME_0000.hdf …, a file for each frame, and NAME.hdf.series with their times, "
         "which ParaView 5.11 opens");
+    verb->add_flag(
+            "--contacts",
+            arguments->contacts,
+            "Also contacts.vtkhdf in the folder of --series: what touches in each frame, as points with "
+            "their forces, for ParaView 5.12 or later")
+        ->needs(series);
     CLI::Option* along = verb->add_option(
         "--along",
         arguments->along,

@@ -9,6 +9,7 @@ void ContactRecord::show_in(Snapshot& snapshot) const {
     snapshot.watched_contacts = watched;
     snapshot.touches = touches;
     snapshot.contact_forces = forces;
+    snapshot.contact_gaps = gaps;
 }
 
 ContactRecord record_contacts(const System& system,
@@ -23,7 +24,9 @@ ContactRecord record_contacts(const System& system,
     if (is_for_frame || !watched.empty()) record.touches = contact->list_touches(state, time);
     for (const ContactWatch& one : watched)
         record.watched.push_back(contact->compute_watched(one, record.touches, state, time));
-    if (is_for_frame) record.forces = contact->compute_forces(state, time);
+    if (!is_for_frame) return record;
+    record.forces = contact->compute_forces(state, time);
+    record.gaps = contact->compute_gaps(state, time);
     return record;
 }
 

@@ -12,11 +12,12 @@ struct ContactRecord {
     std::vector<ObstacleValues> obstacles, watched;
     std::vector<ContactTouch> touches;
     std::vector<Vec6> forces;
+    std::vector<double> gaps;
 
     void show_in(Snapshot& snapshot) const;
 };
 
-// Of an accepted state at this time; touches and forces if they are for a frame.
+// Of an accepted state at this time; touches, forces and gaps if they are for a frame.
 ContactRecord record_contacts(const System& system,
                               const State& state,
                               double time,

@@ -1,6 +1,7 @@
 #include "check/contact_findings.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,9 @@
 #include "assembly/contact/contact_lines.hpp"
 #include "assembly/element_geometry.hpp"
 #include "assembly/system.hpp"
+#include "check/free_parts.hpp"
 #include "loads/shape_functions.hpp"
+#include "model/analysis_traits.hpp"
 #include "numerics/lagrange.hpp"
 
 namespace gxrod {
@@ -82,8 +85,7 @@ void find_overlaps(const ContactAssembly& contact, const State& state, std::vect
     if (!overlap.empty()) findings.push_back({Severity::error, "at the start " + overlap});
 }
 
-void note_touches(const ContactAssembly& contact, const State& state, std::vector<Finding>& findings) {
-    const std::vector<ContactTouch> touches = contact.list_touches(state, 0.0);
+void note_touches(const std::vector<ContactTouch>& touches, std::vector<Finding>& findings) {
     if (touches.empty()) return;
     const auto at_obstacles =
         std::ranges::count_if(touches, [](const ContactTouch& one) { return one.rods[1] < 0; });
@@ -102,6 +104,44 @@ void note_touches(const ContactAssembly& contact, const State& state, std::vecto
                                     first.empty() || second.empty() ? "" : " and ",
                                     second,
                                     nearest)});
+}
+
+// A static analysis has no stiffness for what contact is to hold but does not touch yet.
+void find_held_by_contact(const Model& model,
+                          const std::vector<ContactTouch>& touches,
+                          std::vector<Finding>& findings) {
+    std::vector<std::string> far;
+    for (const auto& [part, motions] : find_free_parts(model)) {
+        if (!can_contact_hold(part, model)) continue;
+        const auto has = [&, &rods = part.rods](int index) {
+            return index >= 0 && std::ranges::binary_search(rods, index);
+        };
+        const bool touches_others = std::ranges::any_of(
+            touches, [&](const ContactTouch& one) { return has(one.rods[0]) != has(one.rods[1]); });
+        if (!touches_others) {
+            far.push_back(name_part(part, model));
+        } else {
+            findings.push_back({Severity::note,
+                                fmt::format("contact alone holds {}, from the first step on: with friction "
+                                            "or in a hollow, or it slides away",
+                                            name_part(part, model))});
+        }
+    }
+    if (far.empty()) return;
+    constexpr std::size_t most_named = 4;
+    const std::size_t named = std::min(far.size(), most_named);
+    std::string names =
+        fmt::format("{}", fmt::join(far.begin(), far.begin() + static_cast<std::ptrdiff_t>(named), ", "));
+    if (far.size() > named) names += fmt::format(" and {} more", far.size() - named);
+    const char* touch = far.size() == 1 ? "touches" : "touch";
+    findings.push_back(
+        {Severity::warning,
+         fmt::format("{} {} nothing at the start, and contact alone is to hold {}: a static analysis has no "
+                     "stiffness for that until it touches; use kind = \"dynamic\", support it, or start "
+                     "within the skin",
+                     names,
+                     touch,
+                     far.size() == 1 ? "it" : "them")});
 }
 
 void note_meetings(const Model& model, std::vector<Finding>& findings) {
@@ -151,6 +191,12 @@ void note_speed(const Model& model, const AnalysisSettings& analysis, std::vecto
 
 }  // namespace
 
+bool can_contact_hold(const ModelPart& part, const Model& model) {
+    return !model.contact.is_empty() && std::ranges::any_of(part.rods, [&](int rod) {
+        return model.contact.radii[static_cast<std::size_t>(rod)] > 0.0;
+    });
+}
+
 std::vector<Finding> examine_contact(const Model& model, const AnalysisSettings& analysis) {
     std::vector<Finding> findings;
     if (model.contact.is_empty()) return findings;
@@ -159,7 +205,12 @@ std::vector<Finding> examine_contact(const Model& model, const AnalysisSettings&
     if (const ContactAssembly* contact = system.contact()) {
         contact->search(state);
         find_overlaps(*contact, state, findings);
-        if (findings.empty()) note_touches(*contact, state, findings);
+        if (findings.empty()) {
+            const std::vector<ContactTouch> touches = contact->list_touches(state, 0.0);
+            note_touches(touches, findings);
+            const bool is_static = has_steps(analysis) && !needs_inertia(analysis);
+            if (is_static && model.surroundings.is_empty()) find_held_by_contact(model, touches, findings);
+        }
     }
     note_kinks(model, findings);
     note_meetings(model, findings);

@@ -42,13 +42,16 @@ std::string list_motions(const Model& model,
 }
 
 // Equilibrium does not say where a part is that can move without being strained, unless what is around holds
-// it: as a current does a towed cable, and the surface what floats.
-void find_drifting_parts(const Model& model, std::vector<Finding>& findings) {
+// it: as a current does a towed cable, and the surface what floats. Of what contact can hold at the start of
+// a run examine_contact says more.
+void find_drifting_parts(const Model& model, bool begins_at_rest, std::vector<Finding>& findings) {
     const bool has_springs = !model.springs.empty() || !model.bushings.empty();
     const char* holds = has_springs ? "supports or springs" : "supports";
     for (const auto& [part, motions] : find_free_parts(model)) {
         const bool is_surrounded = !model.surroundings.is_empty();
-        if (is_surrounded || !model.contact.is_empty()) {
+        const bool can_touch = can_contact_hold(part, model);
+        if (can_touch && begins_at_rest && !is_surrounded) continue;
+        if (is_surrounded || can_touch) {
             findings.push_back({Severity::note,
                                 fmt::format("{} can {}; in statics, {} to hold it where it is in equilibrium",
                                             name_part(part, model),
@@ -275,7 +278,7 @@ std::vector<Finding> examine_model(const Model& model,
     const std::vector<ModelPart> parts = find_parts(model);
     std::vector<Finding> findings;
     if (has_steps(analysis) && !needs_inertia(analysis)) {
-        find_drifting_parts(model, findings);
+        find_drifting_parts(model, begins_at_rest, findings);
         find_free_joints(model, findings);
         note_lack_of_potential(model, findings);
     }

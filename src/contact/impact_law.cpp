@@ -22,9 +22,8 @@ NormalForce compute_mean_force(const ContactLaw& law, double before, double gap)
     return {mean, (mean - compute_contact_force(law, gap)) / change};
 }
 
-}  // namespace
-
-NormalForce compute_impact_force(const ImpactLaw& law, double gap) {
+// Without damping.
+NormalForce compute_undamped_force(const ImpactLaw& law, double gap) {
     const NormalForce at_end = compute_law_force(law.law, gap);
     if (law.dissipation == 1.0) return at_end;
     const NormalForce mean = compute_mean_force(law.law, law.gap_before, gap);
@@ -33,12 +32,25 @@ NormalForce compute_impact_force(const ImpactLaw& law, double gap) {
             (1.0 - theta) * mean.stiffness + theta * at_end.stiffness};
 }
 
+}  // namespace
+
+NormalForce damp(const NormalForce& normal, double damping, double gap, double gap_before) {
+    const double factor = 1.0 - damping * (gap - gap_before);
+    if (factor <= 0.0) return {};
+    return {factor * normal.force, factor * normal.stiffness + damping * normal.force};
+}
+
+NormalForce compute_impact_force(const ImpactLaw& law, double gap) {
+    const NormalForce undamped = compute_undamped_force(law, gap);
+    return law.damping == 0.0 ? undamped : damp(undamped, law.damping, gap, law.gap_before);
+}
+
 double find_gap_on_curve(const ImpactLaw& law, double force, double gap) {
     const double kappa = law.law.stiffness;
     const double skin = law.law.skin;
     const double zeta = force / kappa - gap / skin;
     double found = find_contact_point(law.law, zeta).gap;
-    if (law.dissipation == 1.0) return found;
+    if (law.dissipation == 1.0 && law.damping == 0.0) return found;
     // h(g) = λ(g)/κ − g/ĝ falls from ∞: by Newton's method between bounds, in ln g.
     double low = 0.0, high = 0.0;
     for (int iteration = 0; iteration < 80; ++iteration) {

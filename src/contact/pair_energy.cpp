@@ -5,13 +5,13 @@
 #include <limits>
 #include <numbers>
 
+#include "contact/line_integral.hpp"
 #include "contact/second_order.hpp"
 #include "numerics/gauss_legendre.hpp"
 
 // Legend: A, B vectors of the segments, r from the start of b to that of a. A point x(s) of a, s in [0, 1],
 // has the squared distance G + R² from the line of b; z runs along b from its foot there, z0 and z1 are the
-// ends of b, lo and hi the ends of the part in range, |z| ≤ √(w − G); u = G + z². J_k = ∫ dz/u^k from lo to
-// hi.
+// ends of b.
 //
 // The integral over b is a closed form; that over a is Gauss' rule in η, s = centre + width sinh η, which
 // puts the points where the lines are near each other. Points and limits follow the ends, and so do the
@@ -22,86 +22,6 @@ namespace {
 
 constexpr int outer_points = 8;
 using Real = SecondOrder<6>;  // by A·A, A·B, B·B, A·r, B·r, r·r
-
-// ∫ dζ/(y + ζ²)^k from 1 to ∞, k = 1 … 4; y > −1.
-struct TailIntegrals {
-    double first, second, third, fourth;
-};
-
-TailIntegrals integrate_tails(double y) {
-    if (std::abs(y) < 0.1) {
-        // Σ binomial(−k, j) y^j/(2k − 1 + 2j)
-        TailIntegrals tails{0.0, 0.0, 0.0, 0.0};
-        double power = 1.0;
-        for (int j = 0; j < 18; ++j, power *= -y) {
-            tails.first += power / (1 + 2 * j);
-            tails.second += power * (j + 1) / (3 + 2 * j);
-            tails.third += power * (j + 1) * (j + 2) / (2 * (5 + 2 * j));
-            tails.fourth += power * (j + 1) * (j + 2) * (j + 3) / (6 * (7 + 2 * j));
-        }
-        return tails;
-    }
-    const double root = std::sqrt(std::abs(y)), inverse = 1.0 / (1.0 + y);
-    const double first = (y > 0.0 ? std::atan(root) : std::atanh(root)) / root;
-    const double second = (first - inverse) / (2.0 * y);
-    const double third = (3.0 * second - inverse * inverse) / (4.0 * y);
-    return {first, second, third, (5.0 * third - inverse * inverse * inverse) / (6.0 * y)};
-}
-
-// Antiderivatives of u^−k at z, for k = 1 … 4: from 0, or, where lo and hi lie on one side of the foot,
-// from the infinite end of that side, which keeps their digits for all G.
-TailIntegrals integrate_inverses(double G, double z, double u, bool from_foot) {
-    if (from_foot) {
-        const double root = std::sqrt(G), first = std::atan(z / root) / root;
-        const double second = (z / u + first) / (2.0 * G);
-        const double third = (z / (u * u) + 3.0 * second) / (4.0 * G);
-        return {first, second, third, (z / (u * u * u) + 5.0 * third) / (6.0 * G)};
-    }
-    const TailIntegrals tails = integrate_tails(G / (z * z));
-    const double square = z * z, cube = square * z;
-    return {-tails.first / z,
-            -tails.second / cube,
-            -tails.third / (cube * square),
-            -tails.fourth / (cube * square * square)};
-}
-
-// ∫Φ dz and its derivatives by G, z0 and z1.
-struct LineIntegral {
-    double value = 0.0;
-    double by_G = 0.0, by_low = 0.0, by_high = 0.0;
-    double by_GG = 0.0, by_G_low = 0.0, by_G_high = 0.0, by_low_low = 0.0, by_high_high = 0.0;
-};
-
-LineIntegral integrate_line(double w, double G, double z0, double z1) {
-    LineIntegral integral;
-    if (G >= w) return integral;
-    const double reach = std::sqrt(w - G);
-    const bool low_free = z0 > -reach, high_free = z1 < reach;
-    const double lo = low_free ? z0 : -reach, hi = high_free ? z1 : reach;
-    if (lo >= hi) return integral;
-    const double u_lo = low_free ? G + lo * lo : w, u_hi = high_free ? G + hi * hi : w;
-    const bool from_foot = lo <= 0.0 && hi >= 0.0;
-    const TailIntegrals low = integrate_inverses(G, lo, u_lo, from_foot);
-    const TailIntegrals high = integrate_inverses(G, hi, u_hi, from_foot);
-    const double length = hi - lo;
-    // Φ = w²/u² − 3 w/u + 3 − u/w
-    integral.value = w * w * (high.second - low.second) - 3.0 * w * (high.first - low.first) +
-                     length * (3.0 - (G + (hi * hi + hi * lo + lo * lo) / 3.0) / w);
-    integral.by_G =
-        -2.0 * w * w * (high.third - low.third) + 3.0 * w * (high.second - low.second) - length / w;
-    integral.by_GG = 6.0 * w * w * (high.fourth - low.fourth) - 6.0 * w * (high.third - low.third);
-    const auto add_end =
-        [w](double z, double u, double& first, double& by_G_end, double& second, double sign) {
-            const double x = u / w;
-            const double slope = -(1.0 - x) * (1.0 - x) * (2.0 + x) / (w * x * x * x);
-            first = sign * (1.0 - x) * (1.0 - x) * (1.0 - x) / (x * x);
-            by_G_end = sign * slope;
-            second = sign * slope * 2.0 * z;
-        };
-    if (low_free) add_end(lo, u_lo, integral.by_low, integral.by_G_low, integral.by_low_low, -1.0);
-    if (high_free) add_end(hi, u_hi, integral.by_high, integral.by_G_high, integral.by_high_high, 1.0);
-    return integral;
-}
 
 // Six products of the vectors, and what follows from them: α = |A × B|²/|B|² and so on, G = α s² + 2 β s + γ
 // − R².
@@ -377,6 +297,25 @@ PairEnergy compute_pair_energy(
     result.energy = energy.value;
     spread_to_ends(energy, A, B, r, result);
     return result;
+}
+
+void damp(PairEnergy& pair, const Vec12& motion, double damping) {
+    const Vec3 force = pair.force();
+    const double size = force.norm();
+    if (size == 0.0) return;
+    const double work = pair.gradient.dot(motion);
+    const double factor = 1.0 + damping * work / size;
+    if (factor <= 0.0) {
+        pair.gradient.setZero();
+        pair.hessian.setZero();
+        return;
+    }
+    const Vec12 size_by =
+        -(pair.hessian.middleRows<3>(0) + pair.hessian.middleRows<3>(3)).transpose() * force / size;
+    const Vec12 factor_by =
+        (damping / size) * (pair.hessian.transpose() * motion + pair.gradient - (work / size) * size_by);
+    pair.hessian = (factor * pair.hessian + pair.gradient * factor_by.transpose()).eval();
+    pair.gradient *= factor;
 }
 
 PairEnergy compute_closest_energy(const PairLaw& pair, const Segment& a, const Segment& b) {

@@ -61,15 +61,30 @@ struct ContactWatch {
     bool wants_gap = false;      // which takes a search where nothing is near
 };
 
+// A rod between two fractions of its length, or the obstacle j: −1 − j.
+struct ContactPart {
+    int index = 0;
+    double from = 0.0, to = 1.0;
+};
+
+// What is different where something of one side touches something of the other.
+struct ContactException {
+    std::array<std::vector<ContactPart>, 2> between;
+    bool is_off = false;               // they pass through each other
+    std::optional<double> friction{};  // without it, what it is otherwise
+};
+
 struct Contact {
     std::vector<double> radii;       // of each rod; 0: it touches nothing
     std::vector<double> bend_radii;  // of each rod: the tightest bend to expect
     double skin = 0.02;              // below this gap contact acts, times the smaller radius
     double dissipation = 1.0;        // of impacts, 0 … 1
-    double friction = 0.0;           // of obstacles, unless they have their own
+    double damping = 0.0;   // time per length: force × (1 − damping × rate of the gap), never pulling
+    double friction = 0.0;  // of rods with each other, and of obstacles that have none of their own
     bool between_rods = false;
     bool within_rods = false;  // a rod touches itself
     std::vector<Obstacle> obstacles;
+    std::vector<ContactException> exceptions;  // the last one that fits counts
 
     bool is_empty() const { return obstacles.empty() && !between_rods && !within_rods; }
 };

@@ -17,7 +17,7 @@ constexpr double numbers_of_cell = 4.0 * 3.0 + 1.0;
 double count_frame_numbers(const Model& model) {
     double cells = static_cast<double>(model.bodies.size());
     for (const Rod& rod : model.rods) cells += rod.element_count();
-    const double of_point = numbers_of_point + (model.contact.is_empty() ? 0.0 : 3.0);
+    const double of_point = numbers_of_point + (model.contact.is_empty() ? 0.0 : 4.0);
     return of_point * static_cast<double>(model.nodes.size()) + numbers_of_cell * cells;
 }
 

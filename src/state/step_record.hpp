@@ -66,9 +66,10 @@ struct Snapshot {
     std::span<const TendonValues> tendons = {};  // in the order of Model::tendons; empty if no history asks
     std::span<const ObstacleValues> obstacles = {};         // of Contact::obstacles; empty without contact
     std::span<const ObstacleValues> watched_contacts = {};  // on rods, as list_contact_watches orders them
-    // For frames of models with contact: all that touch, and the forces on the nodes.
+    // For frames of models with contact: all that touch, the forces on the nodes, and the least gap of each.
     std::span<const ContactTouch> touches = {};
     std::span<const Vec6> contact_forces = {};
+    std::span<const double> contact_gaps = {};
 };
 
 }  // namespace gxrod

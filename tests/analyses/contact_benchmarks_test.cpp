@@ -1,72 +1,16 @@
 // Rods that touch, against exact solutions.
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "analyses/static.hpp"
-#include "deck/decks.hpp"
-#include "tools/catch.hpp"
+#include "analyses/contact_run.hpp"
 
 namespace gxrod::test {
 namespace {
 
-// A deck, run to its end.
-class Run {
-  public:
-    explicit Run(const std::string& deck)
-        : problem_(read(deck)), analysis_(make_analysis(problem_.model, problem_.analysis, 1)) {
-        REQUIRE(analysis_->start().converged());
-    }
-    void finish() {
-        while (!analysis_->finished()) step();
-    }
-    void step() {
-        REQUIRE(analysis_->advance().converged());
-        least_gap_ = std::min(least_gap_, analysis_->solver_row().least_gap);
-        rejected_ += analysis_->solver_row().rejected_steps;
-    }
-    bool is_finished() const { return analysis_->finished(); }
-    const NodeMotion& at(const std::string& node) const {
-        const auto& nodes = problem_.model.nodes;
-        const auto found = std::ranges::find(nodes, node, &Node::name);
-        REQUIRE(found != nodes.end());
-        return analysis_->state().trial[static_cast<std::size_t>(found - nodes.begin())];
-    }
-    ObstacleValues obstacle(std::size_t index = 0) const {
-        return analysis_->snapshot(false).obstacles[index];
-    }
-    Vec6 reaction(const std::string& node) const {
-        const auto& nodes = problem_.model.nodes;
-        const auto found = std::ranges::find(nodes, node, &Node::name);
-        return analysis_->snapshot(false).reactions[static_cast<std::size_t>(found - nodes.begin())];
-    }
-    LedgerRow ledger() const { return analysis_->ledger_row(); }
-    double time() const { return analysis_->state().time; }
-    double least_gap() const { return least_gap_; }
-    int rejected() const { return rejected_; }
-
-  private:
-    Problem problem_;
-    std::unique_ptr<SteppedAnalysis> analysis_;
-    double least_gap_ = 1.0;
-    int rejected_ = 0;
-};
+using Run = ContactRun;
 
 const std::string rubber = R"(
 [section.s]
 shape = { circle = { radius = 0.01 } }
 material = { E = 1e9, nu = 0.3 }
 )";
-
-std::string rod(const char* name, const char* from, const char* to, int elements, int order = 2) {
-    return fmt::format(
-        "[rod.{}]\nsection = \"s\"\nline = {{ from = [{}], to = [{}] }}\nelements = {}\norder = {}\n",
-        name,
-        from,
-        to,
-        elements,
-        order);
-}
 
 // On the ground, from gaps in the skin: rods of a length of 1 and a radius of 0.05.
 std::string slider(const std::string& more, double friction, double density = 1000.0) {

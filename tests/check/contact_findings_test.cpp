@@ -56,6 +56,50 @@ TEST_CASE("Check: what touches already at the start", "[check][touch]") {
                         "obstacles; the least gap is 0.00015\n"));
 }
 
+TEST_CASE("Check: what contact alone is to hold in statics", "[check][touch]") {
+    const auto all = [&](const std::string& rest, const std::string& kind = "static") {
+        const Problem problem = read(
+            "[section.s]\nshape = { circle = { radius = 0.01 } }\n"
+            "material = { E = 1e9, nu = 0.3, density = 1000 }\n" +
+            rest + "[analysis]\nkind = \"" + kind + "\"\n" +
+            (kind == "static" ? "" : "end_time = 1\ntime_step = 0.1\n"));
+        std::string text;
+        for (const Finding& finding : examine_model(problem.model, problem.analysis)) {
+            if (finding.severity == Severity::warning) text += "warning: " + finding.message + "\n";
+            if (finding.severity == Severity::error) text += "error: " + finding.message + "\n";
+            if (finding.severity == Severity::note) text += finding.message + "\n";
+        }
+        return text;
+    };
+    const std::string advice =
+        ": a static analysis has no stiffness for that until it touches; use kind = \"dynamic\", support it, "
+        "or "
+        "start within the skin\n";
+    const std::string clamp = "[[support]]\nat = \"a.start\"\nfix = \"all\"\n";
+    CHECK_THAT(
+        all(floor + level),
+        Contains("warning: rod a touches nothing at the start, and contact alone is to hold it" + advice));
+    CHECK_THAT(all(floor + level, "dynamic"), !Contains("contact alone"));
+    CHECK_THAT(all(floor + level + clamp), !Contains("contact alone"));
+    const std::string near = wire("a", "[0, 0, 0.01015]", "[1, 0, 0.01015]", 4);
+    CHECK_THAT(all(floor + near), Contains("contact alone holds rod a, from the first step on"));
+    CHECK_THAT(all(floor + near), !Contains("warning"));
+    std::string heap = floor;
+    for (int i = 0; i < 6; ++i) {
+        const std::string y = std::to_string(i);
+        heap += wire("w" + y, "[0, " + y + ", 1]", "[1, " + y + ", 1]", 2);
+    }
+    CHECK_THAT(
+        all(heap),
+        Contains("warning: rod w0, rod w1, rod w2, rod w3 and 2 more touch nothing at the start, and contact "
+                 "alone is to hold them" +
+                 advice));
+    // What touches nothing at all is not to be held by it.
+    CHECK_THAT(
+        all(floor + level + wire("b", "[0, 1, 1]", "[1, 1, 1]") + "[contact]\nrods = \"b\"\n"),
+        Contains("error: rod a can move and turn in every direction; a static analysis needs supports"));
+}
+
 TEST_CASE("Check: elements that are long for the bend of contact", "[check][touch]") {
     const std::string drum =
         "[obstacle.drum]\ncylinder = { from = [0, -1, 0], to = [0, 1, 0], radius = 0.1 }\n";

@@ -13,11 +13,14 @@ TEST_CASE("impacts: the slope is the derivative of the force", "[contact]") {
     for (const double theta : {0.0, 0.3, 1.0}) {
         for (const double before : {0.05, 0.11, 0.19, 0.4}) {
             for (const double gap : {0.03, 0.110000001, 0.17, 0.25}) {
-                const ImpactLaw law{{0.2, 7.0}, theta, before};
-                const double slope = differentiate(
-                    [&](double x) { return compute_impact_force(law, gap + x).force; }, 1e-3 * gap);
-                INFO(theta << " " << before << " " << gap);
-                CHECK(compute_impact_force(law, gap).stiffness == Approx(-slope).epsilon(1e-6).margin(1e-7));
+                for (const double damping : {0.0, 3.0, 20.0}) {
+                    const ImpactLaw law{{0.2, 7.0}, theta, before, damping};
+                    const double slope = differentiate(
+                        [&](double x) { return compute_impact_force(law, gap + x).force; }, 1e-3 * gap);
+                    INFO(theta << " " << before << " " << gap << " " << damping);
+                    CHECK(compute_impact_force(law, gap).stiffness ==
+                          Approx(-slope).epsilon(1e-6).margin(1e-7));
+                }
             }
         }
     }
@@ -32,16 +35,23 @@ TEST_CASE("impacts: the work on a gap is what the energy gives, or less", "[cont
             compute_contact_energy(law.law, law.gap_before) - compute_contact_energy(law.law, gap);
         const double work = compute_impact_force(law, gap).force * (gap - law.gap_before);
         CHECK(work == Approx(given).epsilon(1e-9).margin(1e-14));
-        law.dissipation = 1.0;
-        CHECK(compute_impact_force(law, gap).force * (gap - law.gap_before) <=
-              given + 1e-12 * std::abs(given));
+        for (const double dissipation : {1.0, 0.0}) {
+            law.dissipation = dissipation;
+            law.damping = random.number(0.0, 10.0);
+            const double force = compute_impact_force(law, gap).force;
+            CHECK(force * (gap - law.gap_before) <= given + 1e-9 * std::abs(given));
+            CHECK(force >= 0.0);
+        }
     }
 }
 
 TEST_CASE("impacts: a force and a gap belong to the curve's point with the same difference", "[contact]") {
     RandomValues random(9);
     for (int sample = 0; sample < 500; ++sample) {
-        const ImpactLaw law{{0.2, 7.0}, random.number(0.0, 1.0), random.number(1e-3, 0.3)};
+        const ImpactLaw law{{0.2, 7.0},
+                            sample % 3 == 0 ? 1.0 : random.number(0.0, 1.0),
+                            random.number(1e-3, 0.3),
+                            sample % 2 == 0 ? 0.0 : random.number(0.0, 30.0)};
         const double gap = random.number(-0.3, 0.3);
         const double force = random.number(-20.0, 40.0);
         const double found = find_gap_on_curve(law, force, gap);

@@ -188,6 +188,39 @@ TEST_CASE("A segment that is cut in two keeps its energy", "[contact]") {
             }
 }
 
+TEST_CASE("Damped forces of a pair have their derivative, and never do more work", "[contact]") {
+    RandomPairs random(11);
+    for (int sample = 0; sample < 200; ++sample) {
+        const FourEnds before = random.make(0.3);
+        const Vec12 way = 2e-3 * random.direction();
+        const FourEnds now = before.moved(way);
+        if (find_closest_points(now.a(), now.b()).distance <= wires.radii) continue;
+        for (const double damping : {10.0, 200.0, 2000.0}) {
+            INFO(sample << " " << damping);
+            const auto damped = [&](const Vec12& by) {
+                PairEnergy pair = compute_pair(now.moved(by));
+                damp(pair, way + by, damping);
+                return pair;
+            };
+            const PairEnergy pair = damped(Vec12::Zero()), plain = compute_pair(now);
+            CHECK(-pair.gradient.dot(way) <= -plain.gradient.dot(way) + 1e-15);
+            CHECK(pair.energy == plain.energy);
+            const double factor = pair.gradient.norm() / plain.gradient.norm();
+            CHECK((pair.gradient - factor * plain.gradient).norm() <= 1e-12 * plain.gradient.norm());
+            const Vec12 along = random.direction();
+            const double step = 1e-7;
+            const Vec12 difference =
+                (damped(step * along).gradient - damped(-step * along).gradient) / (2.0 * step);
+            if (factor == 0.0) {
+                CHECK(pair.hessian.isZero(0.0));
+                continue;
+            }
+            CHECK((pair.hessian * along - difference).norm() <
+                  1e-5 * (pair.hessian.norm() + plain.hessian.norm()));
+        }
+    }
+}
+
 TEST_CASE("The energy of the least distance has its derivatives", "[contact]") {
     RandomPairs random(45);
     const auto energy_of = [](const FourEnds& ends) {

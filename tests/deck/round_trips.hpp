@@ -16,6 +16,28 @@ struct RoundTrip {
     std::function<bool(const Problem&)> is_seen;
 };
 
+std::vector<RoundTrip> spring_trips();
+std::vector<RoundTrip> bushing_trips();
+std::vector<RoundTrip> joint_trips();
+std::vector<RoundTrip> gear_trips();
+std::vector<RoundTrip> coordinate_trips();
+std::vector<RoundTrip> section_trips();
+std::vector<RoundTrip> shape_trips();
+std::vector<RoundTrip> matrix_trips();
+std::vector<RoundTrip> geometry_trips();
+std::vector<RoundTrip> rod_trips();
+std::vector<RoundTrip> body_trips();
+std::vector<RoundTrip> action_trips();
+std::vector<RoundTrip> load_trips();
+std::vector<RoundTrip> support_trips();
+std::vector<RoundTrip> connection_and_initial_trips();
+std::vector<RoundTrip> response_trips();
+std::vector<RoundTrip> sweep_trips();
+std::vector<RoundTrip> rotation_trips();
+std::vector<RoundTrip> analysis_trips();
+std::vector<RoundTrip> path_trips();
+std::vector<RoundTrip> stage_trips();
+std::vector<RoundTrip> follow_trips();
 std::vector<RoundTrip> law_trips();
 std::vector<RoundTrip> drive_trips();
 std::vector<RoundTrip> surroundings_trips();
@@ -25,5 +47,14 @@ std::vector<RoundTrip> section_frame_trips();
 std::vector<RoundTrip> spin_trips();
 std::vector<RoundTrip> rest_trips();
 std::vector<RoundTrip> history_frame_trips();
+
+// Decks of decks.hpp with a line more.
+std::string with_body_key(const std::string& line);
+std::string with_rod_key(const std::string& line);
+std::string with_history(const std::string& line);
+// Two stages, whose first is the deck's analysis.
+std::string staged(std::string deck);
+// Of an analysis that finds shapes.
+std::string shape_deck(const std::string& kind, const std::string& key);
 
 }  // namespace gxrod::test

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "assembly/scatter.hpp"
-#include "contact/impact_law.hpp"
 #include "rotation/tangent_map.hpp"
 
 namespace gxrod {
@@ -22,6 +21,21 @@ ContactAssembly::ContactAssembly(const Model& model, const ThreadTeam& team, con
         rubs_ = rubs_ || obstacle.friction > 0.0;
         moves_ = moves_ || obstacle.motion.has_value();
     }
+    if (!model.contact.exceptions.empty()) find_exceptions();
+}
+
+void ContactAssembly::find_exceptions() {
+    const ContactExceptions exceptions(model_->contact, places_);
+    rubs_ = false;
+    for (const ObstacleSurface& surface : surfaces_) {
+        for (std::size_t e = 0; e < places_.elements.size(); ++e) {
+            const ContactException* own = exceptions.find_at_obstacle(e, surface.obstacle);
+            off_.push_back(own != nullptr && own->is_off ? 1 : 0);
+            coefficients_.push_back(own != nullptr ? own->friction.value_or(surface.body->friction)
+                                                   : surface.body->friction);
+            rubs_ = rubs_ || (off_.back() == 0 && coefficients_.back() > 0.0);
+        }
+    }
 }
 
 void ContactAssembly::lay_out(const EquationNumbers& equations, const SparsePattern& pattern) {
@@ -36,6 +50,8 @@ void ContactAssembly::lay_out(const EquationNumbers& equations, const SparsePatt
 ContactAssembly::At ContactAssembly::find_obstacles(const State& state, double time, double progress) const {
     At at;
     at.has_impacts = model_->has_inertia && model_->has_time;
+    const double elapsed = time - state.time;
+    if (at.has_impacts && elapsed > 0.0) at.damping = model_->contact.damping / elapsed;
     at.now.resize(surfaces_.size());
     at.before.resize(surfaces_.size());
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
@@ -52,6 +68,7 @@ bool ContactAssembly::is_far(const At& at,
                              const ContactElement& element,
                              const State& state,
                              double reach) const {
+    if (is_element_off(obstacle, element)) return true;
     // What an impact gives back acts in the step that leaves the obstacle too, however far that goes.
     const bool gives_back = at.has_impacts && model_->contact.dissipation < 1.0;
     return is_far(at.now[obstacle], obstacle, element, state.trial, reach) &&
@@ -103,9 +120,11 @@ double ContactAssembly::gap_before(const At& at,
 }
 
 CoulombFriction ContactAssembly::friction(std::size_t obstacle, std::size_t place, const State& state) const {
-    const double coefficient = surfaces_[obstacle].body->friction;
+    const ContactElement& element = places_.element_of(place);
+    const double coefficient =
+        coefficients_.empty() ? surfaces_[obstacle].body->friction
+                              : coefficients_[obstacle * places_.elements.size() + places_.index_of(element)];
     if (coefficient == 0.0) return {};
-    const ContactElement& element = places_.elements[static_cast<std::size_t>(places_.places[place].element)];
     return {coefficient,
             element.law.stiffness / element.law.skin,
             state.contact_memory.on_obstacles[pair(obstacle, place)]};
@@ -122,17 +141,27 @@ CoulombFriction ContactAssembly::tangent_friction(std::size_t obstacle,
     return taken;
 }
 
+ImpactLaw ContactAssembly::impact_law(const At& at,
+                                      std::size_t obstacle,
+                                      std::size_t place,
+                                      const State& state) const {
+    ImpactLaw law{places_.element_of(place).law, at.has_impacts ? model_->contact.dissipation : 1.0};
+    law.damping = at.damping;
+    if (law.dissipation < 1.0 || law.damping > 0.0) law.gap_before = gap_before(at, obstacle, place, state);
+    return law;
+}
+
 NormalForce ContactAssembly::law_force(
     const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const {
-    if (const std::optional<double>& stiffness = surfaces_[obstacle].body->stiffness)
-        return gap < 0.0 ? NormalForce{-*stiffness * gap, *stiffness} : NormalForce{};
-    const ContactLaw& law = places_.elements[static_cast<std::size_t>(places_.places[place].element)].law;
-    const double dissipation = at.has_impacts ? model_->contact.dissipation : 1.0;
-    if (dissipation == 1.0) {
-        if (gap >= law.skin) return {};
-        return compute_impact_force({law}, gap);
+    if (const std::optional<double>& stiffness = surfaces_[obstacle].body->stiffness) {
+        if (gap >= 0.0) return {};
+        const NormalForce normal{-*stiffness * gap, *stiffness};
+        return at.damping == 0.0 ? normal
+                                 : damp(normal, at.damping, gap, gap_before(at, obstacle, place, state));
     }
-    return compute_impact_force({law, dissipation, gap_before(at, obstacle, place, state)}, gap);
+    const double dissipation = at.has_impacts ? model_->contact.dissipation : 1.0;
+    if (dissipation == 1.0 && gap >= places_.element_of(place).law.skin) return {};
+    return compute_impact_force(impact_law(at, obstacle, place, state), gap);
 }
 
 // λ and D of the point of the curve that the state's parameter names, continued to the gap.

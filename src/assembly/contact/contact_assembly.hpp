@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "assembly/contact/contact_exceptions.hpp"
 #include "assembly/contact/contact_limits.hpp"
 #include "assembly/contact/contact_overlap.hpp"
 #include "assembly/contact/contact_pairs.hpp"
@@ -12,6 +13,7 @@
 #include "assembly/equation_numbers.hpp"
 #include "assembly/residual.hpp"
 #include "assembly/scale_groups.hpp"
+#include "contact/impact_law.hpp"
 #include "contact/obstacle_surface.hpp"
 #include "linear/sparse_pattern.hpp"
 #include "loads/distributed_load.hpp"
@@ -84,6 +86,9 @@ class ContactAssembly {
     // Of the trial motions: all that touches, sorted by rods and places. One for each place at an obstacle,
     // and one for two elements of rods.
     std::vector<ContactTouch> list_touches(const State& state, double time) const;
+    // Of each node: the least gap of the places next to it, or its skin where nothing is nearer; where no rod
+    // is, the largest skin.
+    std::vector<double> compute_gaps(const State& state, double time) const;
     // On a rod, by what touches; the least gap if it is wanted.
     ObstacleValues compute_watched(const ContactWatch& watch,
                                    const std::vector<ContactTouch>& touches,
@@ -101,6 +106,7 @@ class ContactAssembly {
     struct At {
         std::vector<ObstaclePlacement> now, before;
         bool has_impacts = false;
+        double damping = 0.0;  // of a change of the gap in the step: 0 without inertia, or at its start
     };
     struct Touching {
         NormalForce normal;
@@ -111,7 +117,16 @@ class ContactAssembly {
         return obstacle * places_.places.size() + place;
     }
     At find_obstacles(const State& state, double time, double progress) const;
-    // Whether an element is so far from an obstacle that it does not touch it within this distance.
+    // Of an obstacle's surface and a place: whether they pass through each other.
+    bool is_off(std::size_t surface, std::size_t place) const {
+        return !off_.empty() && is_element_off(surface, places_.element_of(place));
+    }
+    bool is_element_off(std::size_t surface, const ContactElement& element) const {
+        return !off_.empty() && off_[surface * places_.elements.size() + places_.index_of(element)] != 0;
+    }
+    void find_exceptions();
+    // Whether an element passes through an obstacle, or is so far from it that it does not touch it within
+    // this distance.
     bool is_far(const At& at,
                 std::size_t obstacle,
                 const ContactElement& element,
@@ -125,6 +140,8 @@ class ContactAssembly {
     SurfaceTouch touch(const At& at, std::size_t obstacle, std::size_t place, const Vec3& position) const;
     double gap_before(const At& at, std::size_t obstacle, std::size_t place, const State& state) const;
     CoulombFriction friction(std::size_t obstacle, std::size_t place, const State& state) const;
+    // Of the step, where the obstacle is rigid.
+    ImpactLaw impact_law(const At& at, std::size_t obstacle, std::size_t place, const State& state) const;
     NormalForce law_force(
         const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const;
     NormalForce tangent_force(
@@ -159,6 +176,9 @@ class ContactAssembly {
     std::vector<ObstacleSurface> surfaces_;
     ContactPlaces places_;
     ContactPairs pairs_;
+    // By surface and element; empty without Contact::exceptions at obstacles.
+    std::vector<char> off_;
+    std::vector<double> coefficients_;
     bool rubs_ = false;
     bool moves_ = false;
 };

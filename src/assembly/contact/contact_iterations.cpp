@@ -2,7 +2,6 @@
 #include <limits>
 
 #include "assembly/contact/contact_assembly.hpp"
-#include "contact/impact_law.hpp"
 #include "rotation/tangent_map.hpp"
 
 // What contact does in Newton's iterations: parameters, limits of increments, and what is remembered.
@@ -54,7 +53,6 @@ void ContactAssembly::start(State& state, double time) const {
 
 void ContactAssembly::advance(const std::vector<Vec6>& deltas, double time, State& state) const {
     const At at = find_obstacles(state, time, 1.0);
-    const double theta = at.has_impacts ? model_->contact.dissipation : 1.0;
     pairs_.advance(deltas, state);
     double reach = 0.0;
     for (const Vec6& delta : deltas) reach = std::max(reach, delta.head<3>().norm());
@@ -85,8 +83,7 @@ void ContactAssembly::advance(const std::vector<Vec6>& deltas, double time, Stat
             if (surfaces_[obstacle].body->stiffness) {
                 parameter = gap;
             } else {
-                const double before = theta == 1.0 ? 0.0 : gap_before(at, obstacle, p, state);
-                parameter = find_gap_on_curve({element.law, theta, before}, normal.force, gap);
+                parameter = find_gap_on_curve(impact_law(at, obstacle, p, state), normal.force, gap);
             }
             if (rubs_)
                 keep_slip(advance_slip(surface, motion, normal, tangent_friction(obstacle, p, state)),
@@ -131,7 +128,9 @@ ContactLimits ContactAssembly::limit(const std::vector<Vec3>& displacements,
             };
             std::vector<std::size_t> near;
             for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
-                if (!surfaces_[obstacle].body->stiffness && !is_clear(obstacle)) near.push_back(obstacle);
+                if (!surfaces_[obstacle].body->stiffness && !is_element_off(obstacle, element) &&
+                    !is_clear(obstacle))
+                    near.push_back(obstacle);
             }
             if (near.empty()) continue;
             for (std::size_t p = element.first_place; p < element.end_place; ++p) {
@@ -179,6 +178,7 @@ void ContactAssembly::commit(State& state, double time) const {
             const ContactPlace& place = places_.places[p];
             const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
             for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
+                if (is_off(obstacle, p)) continue;
                 const SurfaceTouch surface = touch(at, obstacle, p, position);
                 state.contact_memory.on_obstacles[pair(obstacle, p)] =
                     compute_place_force(surface,

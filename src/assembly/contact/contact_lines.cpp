@@ -92,6 +92,7 @@ bool ContactLines::can_touch(const ContactPiece& a, const ContactPiece& b) const
     } else if (!is_between_rods) {
         return false;
     }
+    if (const ContactException* one = find_exception(a, b); one != nullptr && one->is_off) return false;
     return std::ranges::none_of(meetings, [&](const RodMeeting& meeting) {
         const auto is_near = [&](const ContactPiece& one, double at, const ContactPiece& two, double other) {
             return std::abs(one.middle - at) - 0.5 * one.length < meeting.reach &&
@@ -111,6 +112,7 @@ ContactLines find_contact_lines(const Model& model) {
     lines.is_within_rods = model.contact.within_rods;
     if (!lines.is_between_rods && !lines.is_within_rods) return lines;
     lines.places = find_chord_places(model);
+    lines.exceptions = ContactExceptions(model.contact, lines.places);
     for (std::size_t p = 0; p + 1 < lines.places.places.size(); ++p) {
         const ContactPlace& from = lines.places.places[p];
         const ContactPlace& to = lines.places.places[p + 1];

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "assembly/contact/contact_places.hpp"
+#include "assembly/contact/contact_exceptions.hpp"
 #include "contact/cells.hpp"
 
 namespace gxrod {
@@ -28,18 +28,23 @@ struct ContactLines {
     std::vector<ContactPiece> pieces;
     std::vector<RodMeeting> meetings;
     std::vector<double> round;  // the length of each rod that is closed, else 0
+    ContactExceptions exceptions;
     bool is_within_rods = false;
     bool is_between_rods = false;
 
     const ContactElement& element_of(const ContactPiece& piece) const {
         return places.elements[static_cast<std::size_t>(places.places[piece.place].element)];
     }
+    const ContactException* find_exception(const ContactPiece& a, const ContactPiece& b) const {
+        return exceptions.find(static_cast<std::size_t>(places.places[a.place].element),
+                               static_cast<std::size_t>(places.places[b.place].element));
+    }
     // Whether two pieces can touch: not neighbours on one rod, where a round rod bent as much as it can be
     // comes no nearer (Schur's theorem), nor next to where rods meet.
     bool can_touch(const ContactPiece& a, const ContactPiece& b) const;
 };
 
-// Of a model whose rods touch each other or themselves; else empty.
+// Of a model, which must outlive them, whose rods touch each other or themselves; else empty.
 ContactLines find_contact_lines(const Model& model);
 
 }  // namespace gxrod

@@ -14,6 +14,7 @@ double ContactAssembly::compute_energy(const State& state, double time) const {
         const ContactLaw& law = places_.elements[static_cast<std::size_t>(place.element)].law;
         const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
         for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
+            if (is_off(obstacle, p)) continue;
             const SurfaceTouch surface = touch(at, obstacle, p, position);
             const CoulombFriction rubbing = friction(obstacle, p, state);
             if (const std::optional<double>& stiffness = surfaces_[obstacle].body->stiffness) {
@@ -44,6 +45,7 @@ ContactWork ContactAssembly::compute_work(const State& state, double time, doubl
         const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
         const PlaceMotion motion = places_.motion_of(place, state);
         for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
+            if (is_off(obstacle, p)) continue;
             const SurfaceTouch surface = touch(at, obstacle, p, position);
             const Touching touching = touch_by_law(at, obstacle, p, surface.gap, state);
             const PlaceForce after = compute_place_force(surface, motion, touching.normal, touching.friction);
@@ -82,6 +84,7 @@ std::vector<ObstacleValues> ContactAssembly::compute_obstacle_values(const State
         const ContactPlace& place = places_.places[p];
         const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
         for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
+            if (is_off(obstacle, p)) continue;
             ObstacleValues& own = values[surfaces_[obstacle].obstacle];
             const SurfaceTouch surface = touch(at, obstacle, p, position);
             own.least_gap = std::min(own.least_gap, surface.gap);
@@ -105,6 +108,7 @@ ContactCount ContactAssembly::count(const State& state, double time) const {
         const ContactLaw& law = places_.elements[static_cast<std::size_t>(places_.places[p].element)].law;
         const Vec3 position = places_.interpolate(places_.places[p], state.trial, &NodeMotion::r);
         for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
+            if (is_off(obstacle, p)) continue;
             const double gap = touch(at, obstacle, p, position).gap;
             const double range = surfaces_[obstacle].body->stiffness ? 0.0 : law.skin;
             if (gap < range) ++result.touching;

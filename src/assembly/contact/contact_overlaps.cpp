@@ -84,7 +84,7 @@ std::vector<ContactOverlap> ContactAssembly::list_overlaps(const State& state, d
                               : position;
         for (std::size_t s = 0; s < surfaces_.size(); ++s) {
             const ObstacleSurface& surface = surfaces_[s];
-            if (surface.body->stiffness) continue;
+            if (surface.body->stiffness || is_off(s, p)) continue;
             ContactOverlap own{{element.rod, -1 - static_cast<int>(surface.obstacle)}, {place.fraction, 0.0}};
             if (const std::optional<int> crossed = surface.find_crossed(at.now[s], position, next)) {
                 own.gap = -std::numeric_limits<double>::infinity();

@@ -33,11 +33,25 @@ std::vector<ContactPairs::Touching> ContactPairs::find_touching(const State& sta
     for (std::size_t i = 0; i < near.size(); ++i) {
         if (touches[i] != 0) touching.push_back({i, {}});
     }
+    const double elapsed = state.trial_time - state.time;
+    const bool is_damped = damping_ > 0.0 && elapsed > 0.0;
     team_->for_each_range(touching.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i)
-            touching[i].energy = find_energy(near[touching[i].index], state.trial);
+        for (std::size_t i = first; i < last; ++i) {
+            const NearPieces& pieces = near[touching[i].index];
+            touching[i].energy = find_energy(pieces, state.trial);
+            if (is_damped) damp(touching[i].energy, find_way(pieces, state), damping_ / elapsed);
+        }
     });
     return touching;
+}
+
+Vec12 ContactPairs::find_way(const NearPieces& near, const State& state) const {
+    const PairMotion motion = motion_of(near, state);
+    Vec12 way;
+    for (std::size_t end = 0; end < 4; ++end)
+        way.segment<3>(static_cast<Eigen::Index>(3 * end)) =
+            motion.positions[end] - motion.positions_before[end];
+    return way;
 }
 
 PairMotion ContactPairs::motion_of(const NearPieces& near, const State& state) const {
@@ -56,11 +70,18 @@ PairMotion ContactPairs::motion_of(const NearPieces& near, const State& state) c
     return motion;
 }
 
+double ContactPairs::coefficient_of(const NearPieces& near) const {
+    const ContactException* one =
+        lines_.find_exception(lines_.pieces[near.first], lines_.pieces[near.second]);
+    return one != nullptr ? one->friction.value_or(model_->contact.friction) : model_->contact.friction;
+}
+
 CoulombFriction ContactPairs::friction_of(std::size_t index, const State& state) const {
     const NearPieces& near = state.contact.pieces[index];
     const PairLaw pair = law_of(near);
     // What sticks is as stiff for parallel rods, however short their pieces are.
-    CoulombFriction friction{friction_, pair.law.stiffness / pair.law.skin * find_share_of_crossing(near)};
+    CoulombFriction friction{coefficient_of(near),
+                             pair.law.stiffness / pair.law.skin * find_share_of_crossing(near)};
     const std::vector<PairTraction>& memory = state.contact_memory.of_pairs;
     const auto own = std::ranges::lower_bound(memory, near, {}, &PairTraction::pieces);
     if (own != memory.end() && own->pieces == near) friction.traction = own->traction;

@@ -48,12 +48,12 @@ void ContactPairs::add_touches(const State& state, std::vector<ContactTouch>& to
         for (std::size_t side = 0; side < 2; ++side) own.places[side] += at.force * places[side];
         own.gap = std::min(own.gap, least_gap(near, state.trial));
         if (!rub()) continue;
-        const Vec3 traction =
-            compute_pair_friction(touching.energy, motion, friction_of(touching.index, state)).traction.value;
+        const CoulombFriction friction = friction_of(touching.index, state);
+        const Vec3 traction = compute_pair_friction(touching.energy, motion, friction).traction.value;
         own.friction += traction;
         // What slides has a traction on the cone, as far as rounding lets it be.
         constexpr double rounding = 1e-9;
-        own.slides = own.slides && traction.norm() >= (1.0 - rounding) * friction_ * at.force;
+        own.slides = own.slides && traction.norm() >= (1.0 - rounding) * friction.coefficient * at.force;
     }
     for (const auto& [elements, own] : of_elements) {
         const auto rod_of = [&](int element) {
@@ -66,6 +66,21 @@ void ContactPairs::add_touches(const State& state, std::vector<ContactTouch>& to
                            own.friction,
                            own.gap,
                            own.slides});
+    }
+}
+
+void ContactPairs::lower_gaps(const State& state, std::vector<double>& gaps) const {
+    for (const NearPieces& near : state.contact.pieces) {
+        const ClosestPoints closest =
+            find_closest_points(segment_of(near.first, state.trial), segment_of(near.second, state.trial));
+        const PairLaw pair = law_of(near);
+        const double gap = closest.distance - pair.radii;
+        if (gap >= pair.law.skin) continue;
+        for (const auto& [index, t] : {std::pair(near.first, closest.s), std::pair(near.second, closest.t)}) {
+            const ContactPlace* place = &lines_.places.places[lines_.pieces[index].place];
+            double& own = gaps[static_cast<std::size_t>(lines_.places.nearest_node(place[0], place[1], t))];
+            own = std::min(own, gap);
+        }
     }
 }
 

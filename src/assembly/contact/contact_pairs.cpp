@@ -28,7 +28,10 @@ ContactPairs::ContactPairs(const Model& model, const ThreadTeam& team, const Sca
     : model_(&model), team_(&team), groups_(&groups) {
     if (model.contact.radii.empty()) return;
     lines_ = find_contact_lines(model);
-    friction_ = model.contact.friction;
+    rubs_ = model.contact.friction > 0.0;
+    if (model.has_inertia && model.has_time) damping_ = model.contact.damping;
+    for (const ContactException& one : model.contact.exceptions)
+        rubs_ = rubs_ || one.friction.value_or(0.0) > 0.0;
     for (ContactElement& element : lines_.places.elements)
         element.part = groups.part_of_node(element.nodes[0]);
 }

@@ -33,7 +33,7 @@ class ContactPairs {
     ContactPairs(const Model& model, const ThreadTeam& team, const ScaleGroups& groups);
 
     bool empty() const { return lines_.pieces.empty(); }
-    bool rub() const { return friction_ > 0.0; }
+    bool rub() const { return rubs_; }
 
     // Finds what is near the trial, if nodes can move by this much from there.
     void search(double reach, State& state) const;
@@ -69,6 +69,8 @@ class ContactPairs {
     void count(const State& state, ContactCount& result) const;
     // One for two elements that touch.
     void add_touches(const State& state, std::vector<ContactTouch>& touches) const;
+    // Lowers those of nodes next to what is nearer.
+    void lower_gaps(const State& state, std::vector<double>& gaps) const;
     // Of the rod; infinite where nothing can touch it.
     double find_least_gap(const ContactWatch& watch, const State& state) const;
     void add_overlaps(const State& state, std::vector<ContactOverlap>& overlaps) const;
@@ -113,7 +115,7 @@ class ContactPairs {
         std::size_t index = 0;
         PairEnergy energy;
     };
-    std::vector<Touching> find_touching(const State& state) const;
+    std::vector<Touching> find_touching(const State& state) const;  // with damped forces
     // Of what touches and what is expected to: derivatives of minus forces and moments at the ends by
     // positions and rotations there.
     struct EndTangent {
@@ -131,6 +133,8 @@ class ContactPairs {
         return lines_.places.places[lines_.pieces[piece].place].element;
     }
     PairMotion motion_of(const NearPieces& near, const State& state) const;
+    Vec12 find_way(const NearPieces& near, const State& state) const;  // of the ends since the last step
+    double coefficient_of(const NearPieces& near) const;
     // As the law has it, or as an iteration takes it for granted.
     CoulombFriction friction_of(std::size_t index, const State& state) const;
     CoulombFriction taken_friction_of(std::size_t index, const State& state) const;
@@ -144,7 +148,8 @@ class ContactPairs {
     const ThreadTeam* team_;
     const ScaleGroups* groups_;
     ContactLines lines_;
-    double friction_ = 0.0;
+    bool rubs_ = false;
+    double damping_ = 0.0;  // where there is inertia
 };
 
 }  // namespace gxrod

@@ -125,6 +125,20 @@ ContactPlaces find_places(const Model& model, const FindSpacing& find) {
 
 }  // namespace
 
+int ContactPlaces::nearest_node(const ContactPlace& from, const ContactPlace& to, double t) const {
+    const ContactElement& element = elements[static_cast<std::size_t>(from.element)];
+    // Of nodes at equal distances of ξ, the nearest one has the largest shape function.
+    const auto shape = [&](int i) {
+        const auto at = static_cast<std::size_t>(i);
+        return (1.0 - t) * from.shapes[at] + t * to.shapes[at];
+    };
+    int nearest = 0;
+    for (int i = 1; i < element.count; ++i) {
+        if (shape(i) > shape(nearest)) nearest = i;
+    }
+    return element.nodes[static_cast<std::size_t>(nearest)];
+}
+
 PlaceMotion ContactPlaces::motion_of(const ContactPlace& place, const State& state) const {
     const ContactElement& element = elements[static_cast<std::size_t>(place.element)];
     return {

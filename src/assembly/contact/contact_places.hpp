@@ -40,6 +40,12 @@ struct ContactPlaces {
     std::vector<ContactElement> elements;
     std::vector<ContactPlace> places;
 
+    const ContactElement& element_of(std::size_t place) const {
+        return elements[static_cast<std::size_t>(places[place].element)];
+    }
+    std::size_t index_of(const ContactElement& element) const {
+        return static_cast<std::size_t>(&element - elements.data());
+    }
     template <class Member>
     Vec3 interpolate(const ContactPlace& place, const std::vector<NodeMotion>& motions, Member member) const {
         const ContactElement& element = elements[static_cast<std::size_t>(place.element)];
@@ -49,6 +55,8 @@ struct ContactPlaces {
                    (motions[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])].*member);
         return sum;
     }
+    // The node nearest to the place a part t of the way from one place of an element to another.
+    int nearest_node(const ContactPlace& from, const ContactPlace& to, double t) const;
     // Since the last accepted step.
     PlaceMotion motion_of(const ContactPlace& place, const State& state) const;
 };

@@ -90,7 +90,7 @@ double ContactAssembly::find_least_gap(const ContactWatch& watch, const State& s
         const int index = -1 - static_cast<int>(surfaces_[obstacle].obstacle);
         if (watch.other.value_or(index) != index) continue;
         for (const ContactElement& element : places_.elements) {
-            if (element.rod != watch.rod) continue;
+            if (element.rod != watch.rod || is_element_off(obstacle, element)) continue;
             for (std::size_t p = element.first_place; p < element.end_place; ++p) {
                 const Vec3 position = places_.interpolate(places_.places[p], state.trial, &NodeMotion::r);
                 least = std::min(least, touch(at, obstacle, p, position).gap);
@@ -98,6 +98,30 @@ double ContactAssembly::find_least_gap(const ContactWatch& watch, const State& s
         }
     }
     return least;
+}
+
+std::vector<double> ContactAssembly::compute_gaps(const State& state, double time) const {
+    const Contact& contact = model_->contact;
+    std::vector<double> gaps(state.trial.size(), contact.skin * std::ranges::max(contact.radii));
+    for (std::size_t rod = 0; rod < contact.radii.size(); ++rod) {
+        if (contact.radii[rod] == 0.0) continue;
+        for (const int node : model_->rods[rod].nodes)
+            gaps[static_cast<std::size_t>(node)] = contact.skin * contact.radii[rod];
+    }
+    const At at = find_obstacles(state, time, 1.0);
+    for (const ContactElement& element : places_.elements) {
+        for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
+            if (is_far(at, obstacle, element, state)) continue;
+            for (std::size_t p = element.first_place; p < element.end_place; ++p) {
+                const ContactPlace& place = places_.places[p];
+                const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+                double& gap = gaps[static_cast<std::size_t>(places_.nearest_node(place, place, 0.0))];
+                gap = std::min(gap, touch(at, obstacle, p, position).gap);
+            }
+        }
+    }
+    if (!pairs_.empty()) pairs_.lower_gaps(state, gaps);
+    return gaps;
 }
 
 ObstacleValues ContactAssembly::compute_watched(const ContactWatch& watch,

@@ -6,14 +6,14 @@
 #include <array>
 #include <cctype>
 #include <set>
-#include <span>
 
 #include "deck/build/build_output_times.hpp"
-#include "deck/build/part.hpp"
+#include "deck/build/history_place.hpp"
+#include "deck/build/history_quantities.hpp"
+#include "deck/contact/build_contact_exceptions.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "deck/sections/section_axes.hpp"
-#include "mesh/rod_mesh.hpp"
 #include "model/frame_interval.hpp"
 
 namespace gxrod {
@@ -38,324 +38,6 @@ void check_name(const CheckedTable& history, std::set<std::string>& taken, const
     }
     if (!taken.insert(name).second) {
         context.add_fault(history, "name", fmt::format("an earlier history is named \"{}\" too", name));
-    }
-}
-
-bool is_of_rods(Quantity quantity) {
-    switch (quantity) {
-        case Quantity::force:
-        case Quantity::moment:
-        case Quantity::force_spatial:
-        case Quantity::moment_spatial:
-        case Quantity::strain:
-        case Quantity::curvature:
-            return true;
-        default:
-            return false;
-    }
-}
-
-bool is_reaction(Quantity quantity) {
-    return quantity == Quantity::reaction_force || quantity == Quantity::reaction_moment;
-}
-
-bool is_of_joints(Quantity quantity) {
-    switch (quantity) {
-        case Quantity::angle:
-        case Quantity::angle_rate:
-        case Quantity::slide:
-        case Quantity::slide_rate:
-        case Quantity::force:
-        case Quantity::moment:
-        case Quantity::force_a:
-        case Quantity::moment_a:
-        case Quantity::drive:
-        case Quantity::friction:
-        case Quantity::gap:
-            return true;
-        default:
-            return false;
-    }
-}
-
-bool is_of_springs(Quantity quantity) {
-    return quantity == Quantity::elongation || quantity == Quantity::axial_force;
-}
-
-bool is_of_tendons(Quantity quantity) {
-    return quantity == Quantity::tendon_length || quantity == Quantity::tendon_tension ||
-           quantity == Quantity::tendon_end_tension;
-}
-
-bool is_of_obstacles(Quantity quantity) {
-    return quantity == Quantity::contact_force || quantity == Quantity::contact_friction ||
-           quantity == Quantity::least_gap;
-}
-
-bool is_of_bushings(Quantity quantity) {
-    switch (quantity) {
-        case Quantity::displacement:
-        case Quantity::rotation_vector:
-        case Quantity::force:
-        case Quantity::moment:
-        case Quantity::force_spatial:
-        case Quantity::moment_spatial:
-            return true;
-        default:
-            return false;
-    }
-}
-
-bool is_of_surroundings(Quantity quantity) {
-    switch (quantity) {
-        case Quantity::effective_tension:
-        case Quantity::wall_tension:
-        case Quantity::water_velocity:
-        case Quantity::wet_fraction:
-        case Quantity::fluid_force:
-        case Quantity::bed_force:
-            return true;
-        default:
-            return false;
-    }
-}
-
-// Where a history looks.
-struct HistoryPlace {
-    int node;  // -1: between nodes, a spring, a bushing, a joint or a tendon
-    int body;  // -1: of a rod, a spring, a bushing, a joint or a tendon
-    std::optional<RodPlace> place;
-    int spring = -1;
-    int bushing = -1;
-    int joint = -1;
-    int gear = -1;
-    int sleeve = -1;
-    int tendon = -1;
-    int obstacle = -1;
-    int touching_rod = -1;
-};
-
-// The index of what has the name, as the model is built; nullopt without it.
-template <class Tie>
-std::optional<int> find_tie(const std::vector<Tie>& ties, const std::string& name) {
-    const auto found = std::ranges::find(ties, name, &Tie::name);
-    if (found == ties.end()) return std::nullopt;
-    return static_cast<int>(found - ties.begin());
-}
-
-// A node's place in the rod; where elements meet, in the first of them.
-RodPlace place_in_rod(const PlacedPoint& point, const Rod& rod) {
-    const auto per_element = static_cast<std::size_t>(rod.order) + 1;
-    if (point.end_element >= 0) {
-        return {point.rod, point.end_element, point.is_end_of_rod ? 1.0 : -1.0};
-    }
-    const auto found = std::find(rod.element_nodes.begin(), rod.element_nodes.end(), point.node);
-    const auto entry = static_cast<std::size_t>(found - rod.element_nodes.begin());
-    const double fraction = compute_element_nodes(rod.order)[entry % per_element];
-    return {point.rod, static_cast<int>(entry / per_element), 2.0 * fraction - 1.0};
-}
-
-// The arc length at a fraction 0 … 1 of an element's interval of ξ; elements from meshes have their nodes at
-// any.
-double arc_length_at(const std::vector<double>& nodes, std::span<const double> arc_lengths, double fraction) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        double shape = 1.0;
-        for (std::size_t j = 0; j < nodes.size(); ++j) {
-            if (j != i) shape *= (fraction - nodes[j]) / (nodes[i] - nodes[j]);
-        }
-        sum += shape * arc_lengths[i];
-    }
-    return sum;
-}
-
-// At a fraction of the length where there is no node.
-RodPlace place_between_nodes(const RodPoint& point, const Rod& rod) {
-    const double at = point.fraction * rod.length;
-    const auto per_element = static_cast<std::size_t>(rod.order) + 1;
-    const auto arc_lengths_of = [&](int element) {
-        return std::span(rod.arc_length)
-            .subspan(static_cast<std::size_t>(element) * per_element, per_element);
-    };
-    int element = 0;
-    const auto has_it = [&](std::span<const double> s) { return s.front() <= at && at <= s.back(); };
-    while (element + 1 < rod.element_count() && !has_it(arc_lengths_of(element))) ++element;
-    const std::vector<double> nodes = compute_element_nodes(rod.order);
-    double low = 0.0;
-    double high = 1.0;
-    constexpr int halvings = 60;
-    for (int i = 0; i < halvings; ++i) {
-        const double middle = 0.5 * (low + high);
-        (arc_length_at(nodes, arc_lengths_of(element), middle) < at ? low : high) = middle;
-    }
-    return {point.rod, element, low + high - 1.0};
-}
-
-std::optional<HistoryPlace> find_place(const std::string& text, const BuildContext& context) {
-    if (find_index(context.deck.tables("spring"), text)) {
-        const std::optional<int> spring = find_tie(context.model.springs, text);
-        if (!spring) return std::nullopt;
-        return HistoryPlace{-1, -1, std::nullopt, *spring};
-    }
-    if (find_index(context.deck.tables("bushing"), text)) {
-        const std::optional<int> bushing = find_tie(context.model.bushings, text);
-        if (!bushing) return std::nullopt;
-        return HistoryPlace{-1, -1, std::nullopt, -1, *bushing};
-    }
-    if (find_index(context.deck.tables("joint"), text)) {
-        HistoryPlace place{-1, -1, std::nullopt};
-        if (const std::optional<int> joint = find_tie(context.model.joints, text)) {
-            place.joint = *joint;
-        } else if (const std::optional<int> sleeve = find_tie(context.model.sleeves, text)) {
-            place.sleeve = *sleeve;
-        } else {
-            return std::nullopt;
-        }
-        return place;
-    }
-    if (find_index(context.deck.tables("gear"), text)) {
-        const std::optional<int> gear = find_tie(context.model.gears, text);
-        if (!gear) return std::nullopt;
-        HistoryPlace place{-1, -1, std::nullopt};
-        place.gear = *gear;
-        return place;
-    }
-    if (find_index(context.deck.tables("tendon"), text)) {
-        const std::optional<int> tendon = find_tie(context.model.tendons, text);
-        if (!tendon) return std::nullopt;
-        HistoryPlace place{-1, -1, std::nullopt};
-        place.tendon = *tendon;
-        return place;
-    }
-    if (find_index(context.deck.tables("obstacle"), text)) {
-        const std::optional<int> obstacle = find_tie(context.model.contact.obstacles, text);
-        if (!obstacle) return std::nullopt;
-        HistoryPlace place{-1, -1, std::nullopt};
-        place.obstacle = *obstacle;
-        return place;
-    }
-    const std::optional<int> whole = find_tie(context.model.rods, text);
-    if (whole && !context.model.contact.is_empty()) {
-        HistoryPlace place{-1, -1, std::nullopt};
-        place.touching_rod = *whole;
-        return place;
-    }
-    const std::optional<PlacedPoint> placed = context.place(text);
-    if (!placed) return std::nullopt;
-    if (placed->body >= 0) return HistoryPlace{placed->node, placed->body, std::nullopt};
-    const Rod& rod = context.model.rods[static_cast<std::size_t>(placed->rod)];
-    if (!placed->between) return HistoryPlace{placed->node, -1, place_in_rod(*placed, rod)};
-    return HistoryPlace{-1, -1, place_between_nodes(*placed->between, rod)};
-}
-
-// Why the joint has no such quantity, or "".
-std::string explain_missing(Quantity quantity, const Joint& joint) {
-    const auto count = [&](const auto& has) { return int(has(joint.turn)) + int(has(joint.slide)); };
-    const int motors = count([](const JointCoordinate& one) { return one.motion.has_value(); });
-    const int frictions = count([](const JointCoordinate& one) { return one.friction.acts(); });
-    switch (quantity) {
-        case Quantity::angle:
-        case Quantity::angle_rate:
-            return joint.has_turn() ? "" : "this joint has no turn about one axis";
-        case Quantity::slide:
-        case Quantity::slide_rate:
-            return joint.has_slide() ? "" : "this joint has no slide";
-        case Quantity::drive:
-            if (motors > 1)
-                return "this joint has two motors; force_a and moment_a show both, along the axis";
-            return motors == 1 ? "" : "only a joint with a motor has it; this one has no `move`";
-        case Quantity::friction:
-            if (frictions > 1) return "this joint has two frictions; expected one";
-            return frictions == 1 ? "" : "this joint has no friction";
-        default:
-            if (is_of_joints(quantity)) return "";
-            return is_of_springs(quantity) ? "only springs have it; this is a joint"
-                                           : "only points have it; this is a joint";
-    }
-}
-
-std::string explain_missing(Quantity quantity, const Sleeve& sleeve) {
-    Joint joint;
-    joint.kind = JointKind::sleeve;
-    joint.slide = sleeve.slide;
-    return explain_missing(quantity, joint);
-}
-
-// Why the point of a rod or a body has no such quantity of water, air or ground, or "".
-std::string explain_missing_surroundings(Quantity quantity, const HistoryPlace& point, const Model& model) {
-    const bool is_of_body = point.body >= 0;
-    if (is_of_body && (quantity == Quantity::effective_tension || quantity == Quantity::wall_tension ||
-                       quantity == Quantity::water_velocity || quantity == Quantity::bed_force))
-        return "only points of rods have it; this one is a body";
-    if (quantity == Quantity::effective_tension) return "";
-    const Surroundings& around = model.surroundings;
-    if (quantity == Quantity::bed_force && !around.seabed) return "the deck has no [seabed]";
-    const bool needs_water = quantity == Quantity::wall_tension || quantity == Quantity::water_velocity ||
-                             quantity == Quantity::wet_fraction;
-    if (needs_water && !around.water) return "the deck has no [fluid]";
-    if (quantity == Quantity::fluid_force && !around.water && !around.air)
-        return "the deck has no [fluid] and no [air]";
-    if (is_of_body)
-        return model.bodies[static_cast<std::size_t>(point.body)].fluid ? "" : "this body has no `fluid`";
-    const auto rod = static_cast<std::size_t>(point.place->rod);
-    const Section& section = model.sections[static_cast<std::size_t>(model.rods[rod].section)];
-    return section.fluid ? "" : "the section of this rod has no `fluid`";
-}
-
-// Why the point has no such quantity, or "".
-std::string explain_missing(Quantity quantity, const HistoryPlace& point, const Model& model) {
-    if (point.tendon >= 0)
-        return is_of_tendons(quantity)
-                   ? ""
-                   : "a tendon has tendon_length, tendon_tension and tendon_end_tension only";
-    if (is_of_tendons(quantity)) return "only tendons have it";
-    if (point.obstacle >= 0)
-        return is_of_obstacles(quantity)
-                   ? ""
-                   : "an obstacle has contact_force, contact_friction and least_gap only";
-    if (point.touching_rod >= 0)
-        return is_of_obstacles(quantity) ? ""
-                                         : "a rod as a whole has contact_force, contact_friction and "
-                                           "least_gap only; expected a point of it, as in \"ROD@0.5\"";
-    if (is_of_obstacles(quantity)) return "only obstacles have it, and rods as a whole";
-    if (point.gear >= 0) {
-        const bool has_it = quantity == Quantity::drive || quantity == Quantity::gap;
-        return has_it ? "" : "a gear has drive and gap only; its joints have the rest";
-    }
-    if (point.bushing >= 0) return is_of_bushings(quantity) ? "" : "a bushing does not have it";
-    if (point.joint >= 0)
-        return explain_missing(quantity, model.joints[static_cast<std::size_t>(point.joint)]);
-    if (point.sleeve >= 0)
-        return explain_missing(quantity, model.sleeves[static_cast<std::size_t>(point.sleeve)]);
-    if (point.spring >= 0) return is_of_springs(quantity) ? "" : "only points have it; this is a spring";
-    if (is_of_springs(quantity)) return "only springs have it; this is a point";
-    if (is_of_surroundings(quantity)) return explain_missing_surroundings(quantity, point, model);
-    if (is_of_joints(quantity) && !is_of_rods(quantity)) return "only joints have it; this is a point";
-    if (is_of_rods(quantity) && !point.place) return "only points of rods have it; this one is a body";
-    if (quantity == Quantity::centre_of_mass && point.body < 0) {
-        return "only bodies have it; this is a point of a rod";
-    }
-    if (!is_reaction(quantity)) return "";
-    const bool is_supported = std::any_of(model.supports.begin(),
-                                          model.supports.end(),
-                                          [&](const Support& support) { return support.node == point.node; });
-    return is_supported ? "" : "only a supported point has it; no [[support]] is at this one";
-}
-
-bool can_be_relative(Quantity quantity) {
-    switch (quantity) {
-        case Quantity::position:
-        case Quantity::displacement:
-        case Quantity::rotation_vector:
-        case Quantity::quaternion:
-        case Quantity::orientation:
-        case Quantity::velocity:
-        case Quantity::angular_velocity:
-        case Quantity::acceleration:
-        case Quantity::centre_of_mass:
-            return true;
-        default:
-            return false;
     }
 }
 
@@ -410,15 +92,25 @@ void set_contact(const CheckedTable& table,
     request.with = table.get<std::string>("with");
     if (const std::optional<int> obstacle = find_tie(model.contact.obstacles, request.with)) {
         request.contact->other = -1 - *obstacle;
+        if (is_left_out(model.contact, point.touching_rod, -1 - *obstacle))
+            context.add_fault(
+                table,
+                "with",
+                fmt::format(
+                    "\"{}\" does not touch \"{}\": [[contact.pair]] leaves it out", rod.name, request.with));
     } else if (const std::optional<int> other = find_tie(model.rods, request.with)) {
         request.contact->other = *other;
         const bool is_itself = *other == point.touching_rod;
-        if (is_itself ? !model.contact.within_rods : !model.contact.between_rods)
+        const bool is_off = is_left_out(model.contact, point.touching_rod, *other);
+        if (is_off || (is_itself ? !model.contact.within_rods : !model.contact.between_rods))
             context.add_fault(table,
                               "with",
-                              fmt::format("\"{}\" does not touch {}: [contact] leaves it out",
+                              fmt::format("\"{}\" does not touch {}: {} leaves it out",
                                           rod.name,
-                                          is_itself ? "itself" : "other rods"));
+                                          is_itself ? "itself"
+                                          : is_off  ? "\"" + request.with + "\""
+                                                    : "other rods",
+                                          is_off ? "[[contact.pair]]" : "[contact]"));
     } else {
         std::vector<std::string> names;
         for (const Obstacle& one : model.contact.obstacles) names.push_back(one.name);
@@ -486,7 +178,7 @@ OutputSettings build_output(const BuildContext& context) {
     std::set<std::string> taken;
     for (const CheckedTable& table : context.deck.tables("history")) {
         check_name(table, taken, context);
-        const std::optional<HistoryPlace> point = find_place(table.get<std::string>("at"), context);
+        const std::optional<HistoryPlace> point = find_history_place(table.get<std::string>("at"), context);
         if (point) output.histories.push_back(build_history(table, *point, context));
     }
     return output;

@@ -8,6 +8,7 @@
 #include "deck/build/acting.hpp"
 #include "deck/build/build_centreline.hpp"
 #include "deck/checks/check_moves.hpp"
+#include "deck/contact/build_contact_exceptions.hpp"
 #include "deck/joints/ends.hpp"
 #include "deck/schema/choices.hpp"
 
@@ -107,12 +108,15 @@ void set_shape(const CheckedTable& table, Obstacle& obstacle, const BuildContext
     }
 }
 
-void check_room(const CheckedTable& table,
-                const Obstacle& obstacle,
-                const Contact& contact,
-                const BuildContext& context) {
+void check_room(const CheckedTable& table, std::size_t index, const BuildContext& context) {
+    const Contact& contact = context.model.contact;
+    const Obstacle& obstacle = contact.obstacles[index];
     if (!obstacle.is_hollow) return;
-    const double thickest = *std::ranges::max_element(contact.radii);
+    double thickest = 0.0;
+    for (std::size_t rod = 0; rod < contact.radii.size(); ++rod) {
+        if (!is_left_out(contact, static_cast<int>(rod), -1 - static_cast<int>(index)))
+            thickest = std::max(thickest, contact.radii[rod]);
+    }
     if (thickest < obstacle.radius) return;
     context.faults.add(
         table.place,
@@ -206,6 +210,7 @@ void build_contact(BuildContext& context) {
         contact.within_rods = is_on("self");
         contact.skin = table->get<double>("skin");
         contact.dissipation = table->get<double>("dissipation");
+        contact.damping = table->get<double>("damping");
         contact.friction = table->get<double>("friction");
     }
     set_radii(table, contact, context);
@@ -219,10 +224,11 @@ void build_contact(BuildContext& context) {
         set_shape(given, obstacle, context);
         obstacle.friction = given.gives("friction") ? given.get<double>("friction") : contact.friction;
         if (given.gives("stiffness")) obstacle.stiffness = given.get<double>("stiffness");
-        check_room(given, obstacle, contact, context);
         set_motion(given, obstacle, context);
         contact.obstacles.push_back(std::move(obstacle));
     }
+    if (table != nullptr) contact.exceptions = build_contact_exceptions(*table, context);
+    for (std::size_t i = 0; i < obstacles.size(); ++i) check_room(obstacles[i], i, context);
     if (context.stage == 0 && contact.is_empty())
         context.faults.add(table->place, table->path, "nothing to touch: no rods, and no [obstacle.NAME]");
 }

@@ -115,8 +115,9 @@ std::optional<std::vector<CheckedWord>> read_points(const DeckNode& node,
         if (element.text() != nullptr) {
             points.push_back({*element.text(), element.place, element_path});
         } else {
-            const char* word =
-                key.type == ValueType::joints ? "joint, such as \"wheel\"" : "point, such as \"rod.end\"";
+            const char* word = key.type == ValueType::joints     ? "joint, such as \"wheel\""
+                               : key.type == ValueType::partners ? "rod or an obstacle, such as \"wire\""
+                                                                 : "point, such as \"rod.end\"";
             context.faults.add(element.place,
                                element_path,
                                fmt::format("expected a {}, found {}", word, describe_found(element)));

@@ -192,6 +192,10 @@ std::string describe_expected(const KeySpec& key) {
         case ValueType::joints:
             return "an array of 2 joints, such as [\"motor\", \"wheel\"], or of their coordinates, such as "
                    "\"nut.slide\"";
+        case ValueType::partners:
+            return "an array of 2 names of rods and obstacles, such as [\"wire\", \"vessel\"], with * for "
+                   "any "
+                   "letters, or of a part of a rod, such as \"wire@0.9..1\"";
         case ValueType::choice:
             return (key.choices.size() > 1 ? "one of " : "") + quoted_list(key.choices);
         case ValueType::choices:

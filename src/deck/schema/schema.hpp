@@ -21,6 +21,7 @@ enum class ValueType {
     points,     // a list of named points, two at least
     ends,       // 2 named points, or one and "ground"
     joints,     // 2 named joints, or coordinates of joints: wheel, nut.slide
+    partners,   // 2 names of what touches, * for any letters in them, or parts of rods: wire@0.9..1
     choice,     // one of the key's words
     choices,    // one of the key's words, or a list of them that is not empty
     names,      // the name of a table elsewhere in the deck, or a list of them that is not empty

@@ -130,6 +130,30 @@ const TableSpec& obstacle_move_table() {
     return table;
 }
 
+const TableSpec& contact_pair_table() {
+    static const TableSpec table{
+        .path = "contact.pair",
+        .heading = "[[contact.pair]]",
+        .sentence = "What is different for some of what touches; of those that fit, the last one counts.",
+        .keys = {{.name = "between",
+                  .type = ValueType::partners,
+                  .presence = Presence::required,
+                  .sentence = "Rods and obstacles; a rod twice for what touches itself. Of a part of a rod, "
+                              "the elements whose middle is in it."},
+                 {.name = "friction",
+                  .type = ValueType::number,
+                  .dimension = "1",
+                  .range = not_negative,
+                  .sentence = "Coulomb's coefficient there."},
+                 {.name = "off", .type = ValueType::flag, .sentence = "true: they pass through each other."}},
+        .groups = {{GroupRule::exactly_one, {"friction", "off"}}},
+        .example =
+            "[[contact.pair]]\n"
+            "between  = [\"bow\", \"floor\"]\n"
+            "friction = 0.6\n"};
+    return table;
+}
+
 KeySpec table_key(const char* name, const TableSpec& table, const char* sentence) {
     return {.name = name, .type = ValueType::table, .sentence = sentence, .table = &table};
 }
@@ -169,7 +193,8 @@ const TableSpec& contact_table() {
               .range = not_negative,
               .default_value = 0.0,
               .sentence =
-                  "Coulomb's coefficient of obstacles, on the surface. Rods have none with each other."},
+                  "Coulomb's coefficient of rods with each other, and of obstacles that have none of their "
+                  "own, on the surface."},
              {.name = "skin",
               .type = ValueType::number,
               .dimension = "1",
@@ -183,7 +208,18 @@ const TableSpec& contact_table() {
               .default_value = 1.0,
               .sentence =
                   "Of impacts on obstacles: with 0 they keep their energy at every step size, with 1 contact "
-                  "gives back least."}},
+                  "gives back least."},
+             {.name = "damping",
+              .type = ValueType::number,
+              .dimension = "time/length",
+              .range = not_negative,
+              .default_value = 0.0,
+              .sentence = "Of impacts: the force is multiplied by 1 − damping times the rate of the gap, and "
+                          "never pulls. Next to `dissipation`, whose loss depends on the step."},
+             {.name = "pair",
+              .type = ValueType::table_list,
+              .sentence = "Exceptions.",
+              .table = &contact_pair_table()}},
         .example =
             "[contact]\n"
             "rods       = [\"spring\", \"bow\"]\n"

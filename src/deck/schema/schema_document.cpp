@@ -68,6 +68,8 @@ std::string describe_type(const KeySpec& key) {
             return "2 points, or a point and `\"ground\"`";
         case ValueType::joints:
             return "2 joints, or `\"NAME.turn\"`, `\"NAME.slide\"`";
+        case ValueType::partners:
+            return "2 names with `*`, or `\"ROD@FROM..TO\"`";
         case ValueType::choice:
             return code_list(key.choices);
         case ValueType::choices:

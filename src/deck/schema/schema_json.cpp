@@ -62,6 +62,7 @@ Json make_type(const KeySpec& key) {
             return {{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 2}};
         case ValueType::ends:
         case ValueType::joints:
+        case ValueType::partners:
             return {{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 2}, {"maxItems", 2}};
         case ValueType::choice:
             return {{"enum", key.choices}};

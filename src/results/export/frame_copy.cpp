@@ -7,7 +7,9 @@
 #include <cerrno>
 #include <cstdint>
 #include <fstream>
+#include <span>
 #include <system_error>
+#include <utility>
 
 #include "machine/file_error.hpp"
 
@@ -29,27 +31,6 @@ void read_rows(const Hdf5Handle& dataset, hsize_t first, DatasetCopy& copy) {
     const Hdf5Handle memory(H5Screate_simple(rank, copy.size.data(), nullptr), H5Sclose, "dataspace");
     check_hdf5(H5Dread(dataset.id(), copy.type.id(), memory.id(), space.id(), H5P_DEFAULT, copy.bytes.data()),
                "reading rows");
-}
-
-DatasetCopy copy_rows(const Hdf5Reader& file, const std::string& path, hsize_t first, hsize_t count) {
-    DatasetCopy copy;
-    copy.path = path;
-    copy.label = {path.substr(path.rfind('/') + 1),
-                  file.text_attribute(path, "description"),
-                  file.text_attribute(path, "frame"),
-                  file.text_attribute(path, "dimension")};
-    copy.size = file.size(path);
-    if (first > copy.size.at(0) || count > copy.size[0] - first)
-        throw std::runtime_error(path + " is too short");
-    copy.size[0] = count;
-
-    const Hdf5Handle dataset = open_dataset(file.id(), path);
-    copy.type = Hdf5Handle(H5Dget_type(dataset.id()), H5Tclose, "type");
-    const H5T_class_t kind = H5Tget_class(copy.type.id());
-    if (kind != H5T_FLOAT && kind != H5T_INTEGER) throw std::runtime_error(path + " does not hold numbers");
-    copy.bytes.resize(file.count_values(path, copy.size) * H5Tget_size(copy.type.id()));
-    read_rows(dataset, first, copy);
-    return copy;
 }
 
 // All datasets of a group with `rows` rows a frame, or `rows` rows for all frames.
@@ -106,16 +87,62 @@ std::vector<char> image_of(const Hdf5Handle& file) {
     return bytes;
 }
 
-std::vector<char> make_image(const FrameCopy& frame) {
+void write_step_count(const Hdf5Handle& file, std::int64_t steps) {
+    const Hdf5Handle group(H5Gopen2(file.id(), "/VTKHDF/Steps", H5P_DEFAULT), H5Gclose, "opening a group");
+    const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "scalar dataspace");
+    const Hdf5Handle count(
+        H5Acreate2(group.id(), "NSteps", H5T_STD_I64LE, space.id(), H5P_DEFAULT, H5P_DEFAULT),
+        H5Aclose,
+        "creating an attribute");
+    check_hdf5(H5Awrite(count.id(), H5T_NATIVE_INT64, &steps), "counting the frames");
+}
+
+std::vector<char> make_image(const FrameCopy& copies, const VtkForm& form) {
     const Hdf5Handle file = create_image();
-    for (const DatasetCopy& dataset : frame) write_copy(file.id(), dataset);
+    for (const DatasetCopy& dataset : copies) write_copy(file.id(), dataset);
     const Hdf5Handle group(H5Gopen2(file.id(), "/VTKHDF", H5P_DEFAULT), H5Gclose, "opening a group");
-    write_attribute(group.id(), "Version", std::array<std::int64_t, 2>{1, 0});
-    write_fixed_attribute(group.id(), "Type", "UnstructuredGrid");
+    write_attribute(group.id(), "Version", std::array<std::int64_t, 2>{form.version, 0});
+    write_fixed_attribute(group.id(), "Type", form.type);
+    if (form.steps) write_step_count(file, *form.steps);
     return image_of(file);
 }
 
 }  // namespace
+
+DatasetCopy copy_rows(const Hdf5Reader& file, const std::string& path, hsize_t first, hsize_t count) {
+    DatasetCopy copy;
+    copy.path = path;
+    copy.label = {path.substr(path.rfind('/') + 1),
+                  file.text_attribute(path, "description"),
+                  file.text_attribute(path, "frame"),
+                  file.text_attribute(path, "dimension")};
+    copy.size = file.size(path);
+    if (first > copy.size.at(0) || count > copy.size[0] - first)
+        throw std::runtime_error(path + " is too short");
+    copy.size[0] = count;
+
+    const Hdf5Handle dataset = open_dataset(file.id(), path);
+    copy.type = Hdf5Handle(H5Dget_type(dataset.id()), H5Tclose, "type");
+    const H5T_class_t kind = H5Tget_class(copy.type.id());
+    if (kind != H5T_FLOAT && kind != H5T_INTEGER) throw std::runtime_error(path + " does not hold numbers");
+    copy.bytes.resize(file.count_values(path, copy.size) * H5Tget_size(copy.type.id()));
+    read_rows(dataset, first, copy);
+    return copy;
+}
+
+DatasetCopy make_copy(const std::string& path,
+                      const std::string& description,
+                      std::vector<hsize_t> size,
+                      const std::vector<std::int64_t>& values) {
+    DatasetCopy copy;
+    copy.path = path;
+    copy.label = {path.substr(path.rfind('/') + 1), description, "none", "1"};
+    copy.type = Hdf5Handle(H5Tcopy(H5T_NATIVE_INT64), H5Tclose, "type");
+    copy.size = std::move(size);
+    const auto bytes = std::as_bytes(std::span(values));
+    copy.bytes.assign(bytes.begin(), bytes.end());
+    return copy;
+}
 
 FrameCopy read_frame(const Hdf5Reader& results, hsize_t frame) {
     FrameCopy copy;
@@ -132,10 +159,10 @@ FrameCopy read_frame(const Hdf5Reader& results, hsize_t frame) {
     return copy;
 }
 
-void write_frame(const FrameCopy& frame, const std::filesystem::path& path) {
+void write_copies(const FrameCopy& copies, const VtkForm& form, const std::filesystem::path& path) {
     std::vector<char> bytes;
     try {
-        bytes = make_image(frame);
+        bytes = make_image(copies, form);
     } catch (const Hdf5Error& error) {  // if results were damaged: two fields of the same name, for example
         throw FileError(path, "cannot be made from the results", error.what());
     }

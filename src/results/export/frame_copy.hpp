@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,11 +24,24 @@ struct DatasetCopy {
 // A frame of results: topology, points, and all point and cell data.
 using FrameCopy = std::vector<DatasetCopy>;
 
+// Rows of a dataset. Throws Hdf5Error or std::runtime_error if there are none such.
+DatasetCopy copy_rows(const Hdf5Reader& file, const std::string& path, hsize_t first, hsize_t count);
+// Integers in memory, of this size in each direction.
+DatasetCopy make_copy(const std::string& path,
+                      const std::string& description,
+                      std::vector<hsize_t> size,
+                      const std::vector<std::int64_t>& values);
+
+// What VTK is to take a file for.
+struct VtkForm {
+    std::string type;
+    std::int64_t version = 1;
+    std::optional<std::int64_t> steps{};  // complete ones, of a file with times
+};
+// Writes datasets of /VTKHDF as a file of their own. Overwrites. Throws FileError.
+void write_copies(const FrameCopy& copies, const VtkForm& form, const std::filesystem::path& path);
+
 // Throws Hdf5Error or std::runtime_error if the file cannot be read, or has no such frame.
 FrameCopy read_frame(const Hdf5Reader& results, hsize_t frame);
-
-// Writes the frame as a file of its own, a VTKHDF 1.0 unstructured grid without times. Overwrites.
-// Throws FileError.
-void write_frame(const FrameCopy& frame, const std::filesystem::path& path);
 
 }  // namespace gxrod

@@ -90,7 +90,7 @@ std::filesystem::path export_series(const std::filesystem::path& results,
     for (std::size_t i = 0; i < files.size(); ++i) {
         FrameCopy frame;
         read_results(results, [&](const Hdf5Reader& file) { frame = read_frame(file, i); });
-        write_frame(frame, files[i]);
+        write_copies(frame, {"UnstructuredGrid"}, files[i]);
     }
     write_series(series, files, times);
     remove_stale(folder, earlier, files);

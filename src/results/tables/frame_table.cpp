@@ -40,6 +40,12 @@ const DatasetLabel point_radius_label{
 const DatasetLabel contact_force_label{
     "contact_force", "force of all that touches on the node", "spatial", "force"};
 
+const DatasetLabel contact_gap_label{
+    "contact_gap",
+    "least gap of what touches next to the node; the skin where nothing does",
+    "none",
+    "length"};
+
 constexpr RowShape number_in_row{1, true};  // [S,1]
 
 // One frame a chunk if compressed; else about that, within limits: small chunks cost time, large ones space
@@ -124,6 +130,12 @@ void FrameTable::create_fields(const Hdf5Handle& root) {
     if (!model_->contact.is_empty()) {
         points_.emplace_back(point_data, contact_force_label, vector_row, point_rows, point_chunks);
         link_dataset(point_offsets_.id(), point_data_offsets, contact_force_label.name);
+        points_.emplace_back(point_data,
+                             contact_gap_label,
+                             scalar_row,
+                             point_rows,
+                             chunks(model_->nodes.size(), sizeof(double)));
+        link_dataset(point_offsets_.id(), point_data_offsets, contact_gap_label.name);
     }
 
     const Hdf5Handle cell_data = require_group(group_, "CellData");
@@ -171,7 +183,11 @@ void FrameTable::append_points(const Snapshot& snapshot) {
         if (!model_->contact.is_empty()) {
             const Vec3 force = snapshot.contact_forces.empty() ? Vec3(Vec3::Zero())
                                                                : Vec3(snapshot.contact_forces[i].head<3>());
-            points_.back().append(numbers(force));
+            points_[9].append(numbers(force));
+            const Contact& contact = model_->contact;
+            points_[10].append(snapshot.contact_gaps.empty()
+                                   ? contact.skin * std::ranges::max(contact.radii)
+                                   : snapshot.contact_gaps[i]);
         }
         flush_if_much(points_);
     }

@@ -193,6 +193,19 @@ TEST_CASE("Pairs: the tangent is the derivative of the forces", "[assembly][touc
     }
 }
 
+TEST_CASE("Pairs: damping pushes where rods approach, and the tangent follows", "[assembly][touch]") {
+    for (const char* more : {"damping = 2\n", "damping = 2\nfriction = 0.4\n", "damping = 1000\n"}) {
+        INFO(more);
+        Scene scene(more);
+        scene.state.trial_time = 0.1;
+        CHECK(tangent_error(scene) < 1e-6);
+        // Its work in the step is that of the undamped forces, or less.
+        State undamped = scene.state;
+        undamped.trial_time = 0.0;
+        CHECK(scene.pairs().compute_work(scene.state) < scene.pairs().compute_work(undamped));
+    }
+}
+
 TEST_CASE("Pairs: friction is remembered as it was, of what touches", "[assembly][touch]") {
     const Scene scene("friction = 0.3");
     State state = scene.state;

@@ -117,6 +117,24 @@ TEST_CASE("Tangents of models that touch are derivatives of the residual", "[ass
     }
 }
 
+TEST_CASE("Tangents of models whose contact is damped are derivatives of the residual", "[assembly][touch]") {
+    for (const double dissipation : {1.0, 0.3}) {
+        Scene scene = make_scene(ElementKind::objective, 2, 4);
+        scene.model.has_time = true;
+        scene.model.contact.dissipation = dissipation;
+        // Gaps change by some 0.02 in the step of 0.1.
+        scene.model.contact.damping = 2.0;
+        const System system(scene.model);
+        Model undamped_model = scene.model;
+        undamped_model.contact.damping = 0.0;
+        const System undamped(undamped_model);
+        const Vec3 force = sum_of(system.contact()->compute_forces(scene.state, now));
+        CHECK((force - sum_of(undamped.contact()->compute_forces(scene.state, now))).norm() >
+              0.01 * force.norm());
+        check_tangent(system, NewmarkSimplified(), scene.state);
+    }
+}
+
 TEST_CASE("Without friction forces of contact are derivatives of its energy", "[assembly][touch]") {
     Scene scene = make_scene(ElementKind::objective, 3, 2);
     for (Obstacle& obstacle : scene.model.contact.obstacles) obstacle.friction = 0.0;

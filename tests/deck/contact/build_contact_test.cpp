@@ -67,6 +67,54 @@ TEST_CASE("Obstacles that cannot be are reported", "[deck][touch]") {
     CHECK_THAT(faults(floor + "move = { z = \"1 + t\" }\n"), Contains("obstacle.floor.move.z"));
 }
 
+TEST_CASE("Pairs of contact name rods, parts of them and obstacles", "[deck][touch]") {
+    const auto pair = [](const std::string& between, const std::string& more = "off = true") {
+        return floor + "[contact]\n[[contact.pair]]\nbetween = [" + between + "]\n" + more + "\n";
+    };
+    const auto parts = [&](const std::string& between) {
+        return read(deck(pair(between))).model.contact.exceptions.at(0).between;
+    };
+    CHECK(parts("\"a\", \"floor\"")[1].at(0).index == -1);
+    CHECK(parts("\"*\", \"f*o*\"")[0].size() == 2);
+    // Obstacles have no parts: the * stands for rods alone.
+    CHECK(parts("\"*@0..0.5\", \"floor\"")[0].size() == 1);
+
+    CHECK_THAT(
+        faults(pair("\"a\", \"flor\"")),
+        Contains("x.toml:12:17: contact.pair[0].between[1]: no rod and no obstacle \"flor\"; did you mean "
+                 "\"floor\"?"));
+    CHECK_THAT(faults(pair("\"z*\", \"floor\"")),
+               Contains("no rod and no obstacle \"z*\"; the deck has a, floor"));
+    CHECK_THAT(faults(pair("\"a@0.5\", \"floor\"")),
+               Contains("expected two rising fractions from 0 to 1 after \"@\", such as \"a@0.9..1\", found "
+                        "\"0.5\""));
+    CHECK_THAT(faults(pair("\"a@0.5..0.2\", \"floor\"")), Contains("found \"0.5..0.2\""));
+    CHECK_THAT(faults(pair("\"a@0.5..0.6\", \"floor\"")),
+               Contains("no element of \"a\" has its middle there; expected a part that is longer"));
+    CHECK_THAT(faults(pair("\"floor@0..0.5\", \"a\"")),
+               Contains("\"floor\" is an obstacle; only rods have parts"));
+    CHECK_THAT(faults(pair("\"floor\", \"floor\"")),
+               Contains("\"floor\" and \"floor\" do not touch: [contact] leaves them out"));
+    CHECK_THAT(faults(pair("\"a\"")), Contains("expected an array of 2 names of rods and obstacles"));
+    CHECK_THAT(faults(pair("\"a\", \"floor\"", "friction = 0.1\noff = true")),
+               Contains("friction is given too; only one of them can be"));
+    CHECK_THAT(faults(pair("\"a\", \"floor\"", "")),
+               Contains("contact.pair[0]: missing; expected friction or off"));
+    CHECK_THAT(faults(pair("\"a\", \"floor\"", "friction = -1")), Contains("expected a number at least 0"));
+}
+
+TEST_CASE("What a pair leaves out needs no room, and has no histories", "[deck][touch]") {
+    const std::string ball =
+        "[obstacle.o]\nsphere = { centre = [0, 0, 0], radius = 0.01, side = \"inside\" }\n";
+    const std::string off = "[contact]\n[[contact.pair]]\nbetween = [\"a\", \"o\"]\noff = true\n";
+    CHECK_NOTHROW(read(deck(ball + off)));
+    CHECK_THAT(faults(ball + off + "[[contact.pair]]\nbetween = [\"a@0..0.5\", \"o\"]\noff = false\n"),
+               Contains("a rod of radius 0.01 is to be inside"));
+    CHECK_THAT(faults(ball + off +
+                      "[[history]]\nname = \"h\"\nat = \"a\"\nwith = \"o\"\nquantities = \"least_gap\"\n"),
+               Contains("history[0].with: \"a\" does not touch \"o\": [[contact.pair]] leaves it out"));
+}
+
 TEST_CASE("Meshes that cannot be are reported", "[deck][touch]") {
     const auto mesh = [](const std::string& file, const std::string& more = "") {
         return "[obstacle.o]\nmesh = { file = \"" + file + "\"" + more + " }\n";

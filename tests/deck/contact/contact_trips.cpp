@@ -18,6 +18,12 @@ std::string wires(const std::string& more, const std::string& section = "") {
            "[analysis]\nkind = \"dynamic\"\nend_time = 1\ntime_step = 0.1\n";
 }
 
+// The only one, or one that no trip sees.
+ContactException exception(const Problem& problem) {
+    if (!problem.model.contact.exceptions.empty()) return problem.model.contact.exceptions.at(0);
+    return {};
+}
+
 // The first, or one that no trip sees.
 Obstacle obstacle(const Problem& problem) {
     if (!problem.model.contact.obstacles.empty()) return problem.model.contact.obstacles[0];
@@ -179,6 +185,22 @@ std::vector<RoundTrip> contact_trips() {
         {"contact.dissipation",
          wires("[contact]\ndissipation = 0.25\n"),
          [](const Problem& p) { return p.model.contact.dissipation == 0.25; }},
+        {"contact.damping",
+         wires("[contact]\ndamping = 0.5\n"),
+         [](const Problem& p) { return p.model.contact.damping == 0.5; }},
+        {"contact.pair.between",
+         wires("[contact]\n[[contact.pair]]\nbetween = [\"*@0.5..1\", \"b\"]\noff = true\n"),
+         [](const Problem& p) {
+             const auto& [first, second] = exception(p).between;
+             return first.size() == 2 && first[0].index == 0 && first[1].index == 1 && first[1].from == 0.5 &&
+                    first[1].to == 1.0 && second.size() == 1 && second[0].index == 1 && second[0].from == 0.0;
+         }},
+        {"contact.pair.friction",
+         wires("[contact]\n[[contact.pair]]\nbetween = [\"a\", \"b\"]\nfriction = 0.2\n"),
+         [](const Problem& p) { return exception(p).friction == 0.2; }},
+        {"contact.pair.off",
+         wires("[contact]\n[[contact.pair]]\nbetween = [\"a\", \"b\"]\noff = true\n"),
+         [](const Problem& p) { return exception(p).is_off; }},
         {"section.NAME.radius",
          wires("[contact]\n", "radius = 0.03\n"),
          [=](const Problem& p) {

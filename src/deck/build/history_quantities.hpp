@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "deck/build/history_place.hpp"
+#include "model/settings.hpp"
+
+namespace gxrod {
+
+// Why the point has no such quantity, or "".
+std::string explain_missing(Quantity quantity, const HistoryPlace& point, const Model& model);
+
+// Whether the quantity can be relative to another point.
+bool can_be_relative(Quantity quantity);
+
+}  // namespace gxrod

@@ -1,0 +1,161 @@
+#include "deck/contact/build_contact_exceptions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include "deck/build/name_pattern.hpp"
+#include "deck/schema/suggestion.hpp"
+
+namespace gxrod {
+namespace {
+
+using Fractions = std::pair<double, double>;
+
+std::vector<std::string> list_partner_names(const Model& model) {
+    std::vector<std::string> names;
+    for (const Rod& rod : model.rods) names.push_back(rod.name);
+    for (const Obstacle& obstacle : model.contact.obstacles) names.push_back(obstacle.name);
+    return names;
+}
+
+// "0.9..1".
+std::optional<Fractions> read_range(std::string_view text) {
+    const std::size_t dots = text.find("..");
+    if (dots == std::string_view::npos) return std::nullopt;
+    const auto read = [](std::string_view part, double& value) {
+        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+        return error == std::errc() && end == part.data() + part.size();
+    };
+    Fractions range;
+    if (!read(text.substr(0, dots), range.first) || !read(text.substr(dots + 2), range.second))
+        return std::nullopt;
+    const bool is_within = 0.0 <= range.first && range.first < range.second && range.second <= 1.0;
+    return is_within ? std::optional(range) : std::nullopt;
+}
+
+// Whether the middle of an element is between these fractions; of a rod without elements, whose mesh is at
+// fault, there is nothing to say.
+bool has_elements(const Rod& rod, const Fractions& range) {
+    if (rod.element_count() == 0) return true;
+    const auto nodes = static_cast<std::size_t>(rod.order) + 1;
+    for (std::size_t first = 0; first < rod.arc_length.size(); first += nodes) {
+        const double middle = 0.5 * (rod.arc_length[first] + rod.arc_length[first + nodes - 1]) / rod.length;
+        if (range.first <= middle && middle <= range.second) return true;
+    }
+    return false;
+}
+
+// What a text names; none, with a fault, if that is nothing.
+std::vector<ContactPart> find_side(const CheckedWord& word, const BuildContext& context) {
+    const auto add_fault = [&](const std::string& message) {
+        context.faults.add(word.place, word.path, message);
+        return std::vector<ContactPart>();
+    };
+    const Model& model = context.model;
+    const std::size_t at = word.word.find('@');
+    const std::string pattern = word.word.substr(0, at);
+    std::optional<Fractions> range;
+    if (at != std::string::npos) {
+        range = read_range(std::string_view(word.word).substr(at + 1));
+        if (!range)
+            return add_fault(
+                fmt::format("expected two rising fractions from 0 to 1 after \"@\", such as \"{}@0.9..1\", "
+                            "found \"{}\"",
+                            pattern,
+                            word.word.substr(at + 1)));
+    }
+    std::vector<ContactPart> parts;
+    for (std::size_t i = 0; i < model.rods.size(); ++i) {
+        const Rod& rod = model.rods[i];
+        if (!matches_pattern(rod.name, pattern)) continue;
+        ContactPart part{.index = static_cast<int>(i)};
+        if (range) {
+            if (context.deck.tables("rod")[i].gives("mesh") && context.rod_fractions[i].empty())
+                return add_fault(fmt::format(
+                    "rod {} is no single line with two ends, along which a fraction has a meaning",
+                    rod.name));
+            if (!has_elements(rod, *range))
+                return add_fault(
+                    fmt::format("no element of \"{}\" has its middle there; expected a part "
+                                "that is longer than its elements",
+                                rod.name));
+            std::tie(part.from, part.to) = *range;
+        }
+        parts.push_back(part);
+    }
+    for (std::size_t i = 0; i < model.contact.obstacles.size(); ++i) {
+        if (!matches_pattern(model.contact.obstacles[i].name, pattern)) continue;
+        if (range && pattern.find('*') == std::string::npos)
+            return add_fault(fmt::format("\"{}\" is an obstacle; only rods have parts", pattern));
+        if (!range) parts.push_back({.index = -1 - static_cast<int>(i)});
+    }
+    if (!parts.empty()) return parts;
+    const std::vector<std::string> names = list_partner_names(model);
+    std::string hint = did_you_mean(pattern, names);
+    if (hint.empty()) hint = "; the deck has " + plain_list(names);
+    return add_fault(fmt::format("no rod and no obstacle \"{}\"{}", pattern, hint));
+}
+
+// Whether the settings of all contact let them touch.
+bool can_touch(const Contact& contact, int a, int b) {
+    const auto touches = [&](int index) {
+        return index < 0 || contact.radii[static_cast<std::size_t>(index)] > 0.0;
+    };
+    if (!touches(a) || !touches(b) || (a < 0 && b < 0)) return false;
+    if (a < 0 || b < 0) return true;
+    return a == b ? contact.within_rods : contact.between_rods;
+}
+
+bool has_touching(const ContactException& one, const Contact& contact) {
+    return std::ranges::any_of(one.between[0], [&](const ContactPart& a) {
+        return std::ranges::any_of(
+            one.between[1], [&](const ContactPart& b) { return can_touch(contact, a.index, b.index); });
+    });
+}
+
+}  // namespace
+
+std::vector<ContactException> build_contact_exceptions(const CheckedTable& contact,
+                                                       const BuildContext& context) {
+    std::vector<ContactException> exceptions;
+    for (const CheckedTable& table : contact.tables("pair")) {
+        ContactException one;
+        const auto& words = table.get<std::vector<CheckedWord>>("between");
+        for (std::size_t side = 0; side < 2; ++side) one.between[side] = find_side(words[side], context);
+        if (one.between[0].empty() || one.between[1].empty()) continue;
+        if (table.gives("friction")) one.friction = table.get<double>("friction");
+        one.is_off = table.gives("off") && table.get<bool>("off");
+        if (!has_touching(one, context.model.contact))
+            context.add_fault(table,
+                              "between",
+                              fmt::format("\"{}\" and \"{}\" do not touch: [contact] leaves them out",
+                                          words[0].word,
+                                          words[1].word));
+        exceptions.push_back(std::move(one));
+    }
+    return exceptions;
+}
+
+bool is_left_out(const Contact& contact, int a, int b) {
+    bool is_off = false;
+    for (const ContactException& one : contact.exceptions) {
+        bool fits = false, is_whole = false;
+        for (const auto& [own, other] : {std::pair(0, 1), std::pair(1, 0)}) {
+            for (const ContactPart& x : one.between[static_cast<std::size_t>(own)]) {
+                for (const ContactPart& y : one.between[static_cast<std::size_t>(other)]) {
+                    if (x.index != a || y.index != b) continue;
+                    fits = true;
+                    is_whole = is_whole || (x.from == 0.0 && x.to == 1.0 && y.from == 0.0 && y.to == 1.0);
+                }
+            }
+        }
+        if (fits && !one.is_off) is_off = false;
+        if (is_whole && one.is_off) is_off = true;
+    }
+    return is_off;
+}
+
+}  // namespace gxrod
