@@ -44,8 +44,8 @@ PairMotion ContactPairs::motion_of(const NearPieces& near, const State& state) c
         const ContactPiece& piece = lines_.pieces[index];
         (end == 0 ? motion.radius_a : motion.radius_b) = lines_.element_of(piece).radius;
         for (std::size_t p = piece.place; p < piece.place + 2; ++p, ++end) {
-            motion.positions[end] = all.interpolate(all.places[p], state.trial, &NodeMotion::r);
-            motion.positions_before[end] = all.interpolate(all.places[p], state.previous, &NodeMotion::r);
+            motion.positions[end] = all.position(all.places[p], state.trial);
+            motion.positions_before[end] = all.position(all.places[p], state.previous);
             motion.rotations[end] = all.interpolate(all.places[p], state.trial, &NodeMotion::theta);
         }
     }

@@ -29,8 +29,7 @@ ContactPairs::ContactPairs(const Model& model, const ThreadTeam& team, const Sca
 Segment ContactPairs::segment_of(std::size_t piece, const std::vector<NodeMotion>& motions) const {
     const ContactPlaces& all = lines_.places;
     const std::size_t place = lines_.pieces[piece].place;
-    return {all.interpolate(all.places[place], motions, &NodeMotion::r),
-            all.interpolate(all.places[place + 1], motions, &NodeMotion::r)};
+    return {all.position(all.places[place], motions), all.position(all.places[place + 1], motions)};
 }
 
 PairLaw ContactPairs::law_of(const NearPieces& near) const {
@@ -135,12 +134,12 @@ std::vector<NodeGroup> ContactPairs::list_groups(const State& state) const {
     return groups;
 }
 
-void ContactPairs::limit(const std::vector<Vec3>& displacements,
+void ContactPairs::limit(const std::vector<Vec6>& increments,
                          State& state,
                          Approach approach,
                          ContactLimits& limits) const {
     double reach = 0.0;
-    for (const Vec3& one : displacements) reach = std::max(reach, one.norm());
+    for (const Vec6& one : increments) reach = std::max(reach, one.head<3>().norm());
     ContactTrial& contact = state.contact;
     double skin = 0.0;
     for (const ContactElement& element : lines_.places.elements) skin = std::max(skin, element.law.skin);
@@ -154,8 +153,8 @@ void ContactPairs::limit(const std::vector<Vec3>& displacements,
         const ContactElement& element = lines_.element_of(lines_.pieces[piece]);
         Segment motion{Vec3::Zero(), Vec3::Zero()};
         for (int n = 0; n < element.count; ++n) {
-            const Vec3& displacement =
-                displacements[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(n)])];
+            const Vec3 displacement =
+                increments[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(n)])].head<3>();
             const auto shape = static_cast<std::size_t>(n);
             motion.start += lines_.places.places[lines_.pieces[piece].place].shapes[shape] * displacement;
             motion.end += lines_.places.places[lines_.pieces[piece].place + 1].shapes[shape] * displacement;

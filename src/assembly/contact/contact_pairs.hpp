@@ -53,7 +53,7 @@ class ContactPairs {
 
     // Lowers the limits of parts of the model whose rods would meet; these then go equally far. Searches
     // first where it has to.
-    void limit(const std::vector<Vec3>& displacements,
+    void limit(const std::vector<Vec6>& increments,
                State& state,
                Approach approach,
                ContactLimits& limits) const;

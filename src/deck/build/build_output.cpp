@@ -302,6 +302,11 @@ std::string explain_missing_surroundings(Quantity quantity, const HistoryPlace& 
     return section.fluid ? "" : "the section of this rod has no `fluid`";
 }
 
+bool touches(const HistoryPlace& point, const Model& model) {
+    return std::ranges::any_of(model.contact.bodies,
+                               [&](const ContactBody& one) { return one.body == point.body; });
+}
+
 // Why the point has no such quantity, or "".
 std::string explain_missing(Quantity quantity, const HistoryPlace& point, const Model& model) {
     if (point.tendon >= 0)
@@ -317,7 +322,12 @@ std::string explain_missing(Quantity quantity, const HistoryPlace& point, const 
         return is_of_obstacles(quantity) ? ""
                                          : "a rod as a whole has contact_force, contact_friction and "
                                            "least_gap only; expected a point of it, as in \"ROD@0.5\"";
-    if (is_of_obstacles(quantity)) return "only obstacles have it, and rods as a whole";
+    if (is_of_obstacles(quantity)) {
+        if (touches(point, model)) return "";
+        return point.body >= 0
+                   ? "this body touches nothing; expected a sphere or capsule of it, and an obstacle"
+                   : "only obstacles have it, rods as a whole, and bodies";
+    }
     if (point.gear >= 0) {
         const bool has_it = quantity == Quantity::drive || quantity == Quantity::gap;
         return has_it ? "" : "a gear has drive and gap only; its joints have the rest";
@@ -388,22 +398,26 @@ void set_contact(const CheckedTable& table,
                  HistoryRequest& request,
                  const BuildContext& context) {
     const Model& model = context.model;
-    if (point.touching_rod < 0) {
+    const bool is_body = touches(point, model) && std::ranges::any_of(request.quantities, is_of_obstacles);
+    if (point.touching_rod < 0 && !is_body) {
         if (table.gives("with"))
-            context.add_fault(table, "with", "goes with a rod as a whole as `at`, in a deck with contact");
+            context.add_fault(table,
+                              "with",
+                              "goes with a rod as a whole, or the contact of a body, in a deck with contact");
         return;
     }
-    const Rod& rod = model.rods[static_cast<std::size_t>(point.touching_rod)];
-    if (model.contact.radii[static_cast<std::size_t>(point.touching_rod)] == 0.0) {
+    const int index = is_body ? static_cast<int>(model.rods.size()) + point.body : point.touching_rod;
+    if (!is_body && model.contact.radii[static_cast<std::size_t>(index)] == 0.0) {
+        const std::string& name = model.rods[static_cast<std::size_t>(index)].name;
         context.add_fault(table,
                           "at",
                           fmt::format("\"{}\" touches nothing; expected a point of it, as in \"{}@0.5\", or "
                                       "this rod among `rods` of [contact]",
-                                      rod.name,
-                                      rod.name));
+                                      name,
+                                      name));
         return;
     }
-    request.contact = ContactWatch{.rod = point.touching_rod};
+    request.contact = ContactWatch{.rod = index};
     request.contact->wants_gap =
         std::ranges::find(request.quantities, Quantity::least_gap) != request.quantities.end();
     if (!table.gives("with")) return;
@@ -413,11 +427,13 @@ void set_contact(const CheckedTable& table,
     } else if (const std::optional<int> other = find_tie(model.rods, request.with)) {
         request.contact->other = *other;
         const bool is_itself = *other == point.touching_rod;
-        if (is_itself ? !model.contact.within_rods : !model.contact.between_rods)
+        if (is_body)
+            context.add_fault(table, "with", "bodies touch obstacles alone; expected one of these");
+        else if (is_itself ? !model.contact.within_rods : !model.contact.between_rods)
             context.add_fault(table,
                               "with",
                               fmt::format("\"{}\" does not touch {}: [contact] leaves it out",
-                                          rod.name,
+                                          model.rods[static_cast<std::size_t>(index)].name,
                                           is_itself ? "itself" : "other rods"));
     } else {
         std::vector<std::string> names;

@@ -8,6 +8,7 @@
 #include "deck/build/acting.hpp"
 #include "deck/build/build_centreline.hpp"
 #include "deck/checks/check_moves.hpp"
+#include "deck/contact/contact_bodies.hpp"
 #include "deck/joints/ends.hpp"
 #include "deck/schema/choices.hpp"
 
@@ -111,7 +112,7 @@ void check_room(const CheckedTable& table,
                 const Obstacle& obstacle,
                 const Contact& contact,
                 const BuildContext& context) {
-    if (!obstacle.is_hollow) return;
+    if (!obstacle.is_hollow || contact.radii.empty()) return;
     const double thickest = *std::ranges::max_element(contact.radii);
     if (thickest < obstacle.radius) return;
     context.faults.add(
@@ -223,11 +224,13 @@ void build_contact(BuildContext& context) {
         set_motion(given, obstacle, context);
         contact.obstacles.push_back(std::move(obstacle));
     }
+    set_contact_bodies(contact, context);
     if (context.stage == 0 && contact.is_empty())
         context.faults.add(table->place, table->path, "nothing to touch: no rods, and no [obstacle.NAME]");
 }
 
 void check_contact(const BuildContext& context) {
+    check_contact_bodies(context);
     if (context.model.contact.is_empty()) return;
     const std::vector<CheckedTable>& tables = context.deck.tables("stage");
     for (std::size_t i = 0; i < context.stages.size(); ++i) {

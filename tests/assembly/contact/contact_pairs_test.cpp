@@ -229,17 +229,17 @@ TEST_CASE("Pairs: a limited increment lets no rods pass", "[assembly][touch]") {
     int shortened = 0;
     for (int sample = 0; sample < 30; ++sample) {
         State state = scene.state;
-        std::vector<Vec3> displacements;
+        std::vector<Vec6> increments;
         for (std::size_t i = 0; i < state.trial.size(); ++i)
-            displacements.push_back(random.vector(sample % 2 == 0 ? 0.05 : 1.0));
-        const ContactLimits limits = scene.system.contact()->limit(displacements, state, 1.0);
+            increments.emplace_back() << random.vector(sample % 2 == 0 ? 0.05 : 1.0), Vec3::Zero();
+        const ContactLimits limits = scene.system.contact()->limit(increments, state, 1.0);
         shortened += limits.shorten() ? 1 : 0;
         for (int part = 1; part <= 20; ++part) {
             State moved = scene.state;
             for (std::size_t i = 0; i < moved.trial.size(); ++i) {
                 const int of_node = scene.system.scale_groups().part_of_node(static_cast<int>(i));
-                moved.trial[i].r +=
-                    part / 20.0 * limits.of_parts[static_cast<std::size_t>(of_node)] * displacements[i];
+                moved.trial[i].r += part / 20.0 * limits.of_parts[static_cast<std::size_t>(of_node)] *
+                                    increments[i].head<3>();
             }
             scene.system.contact()->search(moved);
             ContactCount count{0, 1.0};
