@@ -66,8 +66,9 @@ void ContactPairs::add_overlaps(const State& state, std::vector<ContactOverlap>&
         if (gap > 0.0) continue;
         const auto fraction = [&](std::uint32_t index) {
             const ContactPiece& piece = lines_.pieces[index];
-            const int rod = lines_.element_of(piece).rod;
-            return piece.middle / model_->rods[static_cast<std::size_t>(rod)].length;
+            const ContactElement& element = lines_.element_of(piece);
+            const int rod = element.rod;
+            return element.is_body ? 0.0 : piece.middle / model_->rods[static_cast<std::size_t>(rod)].length;
         };
         overlaps.push_back({{lines_.element_of(lines_.pieces[near.first]).rod,
                              lines_.element_of(lines_.pieces[near.second]).rod},

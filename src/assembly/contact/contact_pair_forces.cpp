@@ -57,7 +57,11 @@ CoulombFriction ContactPairs::friction_of(std::size_t index, const State& state)
     const PairLaw pair = law_of(near);
     // What sticks is as stiff for parallel rods, however short their pieces are.
     const double reach = std::sqrt(pair.law.skin * (2.0 * pair.radii + pair.law.skin));
-    const double length = std::min(lines_.pieces[near.first].length, lines_.pieces[near.second].length);
+    double length = reach;
+    for (const std::uint32_t one : {near.first, near.second}) {
+        const ContactPiece& piece = lines_.pieces[one];
+        if (!lines_.element_of(piece).is_body) length = std::min(length, piece.length);
+    }
     CoulombFriction friction{friction_, pair.law.stiffness / pair.law.skin * std::min(1.0, length / reach)};
     const std::vector<PairTraction>& memory = state.contact_memory.of_pairs;
     const auto own = std::ranges::lower_bound(memory, near, {}, &PairTraction::pieces);
@@ -78,12 +82,21 @@ void ContactPairs::keep_slip(std::size_t index, const CoulombFriction& friction,
 }
 
 template <class Add>
-void ContactPairs::scatter(const NearPieces& near, const Vec24& of_ends, const Add& add) const {
+void ContactPairs::scatter(const NearPieces& near,
+                           const Vec24& of_ends,
+                           const State& state,
+                           const Add& add) const {
     int end = 0;
     for (const std::uint32_t index : {near.first, near.second}) {
         const ContactPiece& piece = lines_.pieces[index];
         const ContactElement& element = lines_.element_of(piece);
         for (std::size_t p = piece.place; p < piece.place + 2; ++p, ++end) {
+            if (element.is_body) {
+                Vec6 force = of_ends.segment<6>(6 * end);
+                force.tail<3>() += find_lever(lines_.places.places[p], state).cross(force.head<3>());
+                add(element.nodes[0], force);
+                continue;
+            }
             for (int i = 0; i < element.count; ++i)
                 add(element.nodes[static_cast<std::size_t>(i)],
                     Vec6(lines_.places.places[p].shapes[static_cast<std::size_t>(i)] *
@@ -101,7 +114,7 @@ void ContactPairs::subtract_forces(const State& state, double weight, Residual& 
             forces += compute_pair_friction(
                           touching.energy, motion_of(near, state), friction_of(touching.index, state))
                           .forces;
-        scatter(near, weight * forces, [&](int node, const Vec6& force) {
+        scatter(near, weight * forces, state, [&](int node, const Vec6& force) {
             residual.raise_group(groups_->of_node(node), force);
             residual.nodal[static_cast<std::size_t>(node)] -= force;
         });
@@ -118,7 +131,7 @@ void ContactPairs::replace_by_tangent_forces(const State& state, double weight, 
         };
         const Vec24 change =
             forces(taken_friction_of(touching.index, state)) - forces(friction_of(touching.index, state));
-        scatter(near, weight * change, [&](int node, const Vec6& force) {
+        scatter(near, weight * change, state, [&](int node, const Vec6& force) {
             residual.nodal[static_cast<std::size_t>(node)] -= force;
         });
     }
@@ -161,6 +174,11 @@ std::vector<PairBlock> ContactPairs::compute_tangents(
                                                            ? taken_friction_of(touching.index, state)
                                                            : friction_of(touching.index, state));
         const Shares shares = find_shares(near, block.nodes);
+        if (has_body(near)) {
+            add_tangent_with_body(
+                touching, weight, linearizations, state, rub() ? &rubbing : nullptr, shares, block);
+            continue;
+        }
         for (Eigen::Index column = 0; column < shares.cols(); ++column) {
             const auto node = static_cast<std::size_t>(block.nodes[static_cast<std::size_t>(column)]);
             const double part = weight * linearizations[node].placement;
@@ -211,12 +229,11 @@ void ContactPairs::advance(const std::vector<Vec6>& deltas, State& state) const 
             const ContactPiece& piece = lines_.pieces[one];
             const ContactElement& element = lines_.element_of(piece);
             for (std::size_t p = piece.place; p < piece.place + 2; ++p, ++end) {
-                displacements[end].setZero();
+                displacements[end] = lines_.places.change(lines_.places.places[p], state, deltas);
                 turns[end].setZero();
                 for (int n = 0; n < element.count; ++n) {
                     const auto node = static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(n)]);
                     const double share = lines_.places.places[p].shapes[static_cast<std::size_t>(n)];
-                    displacements[end] += share * deltas[node].head<3>();
                     turns[end] +=
                         share * (tangent_map_inverse(state.trial[node].theta) * deltas[node].tail<3>());
                 }
@@ -272,6 +289,7 @@ double ContactPairs::compute_work(const State& state) const {
             work += forces.segment<3>(6 * end).dot(motion.positions[at] - motion.positions_before[at]) +
                     forces.segment<3>(6 * end + 3).dot(motion.rotations[at]);
         }
+        if (has_body(near)) work += compute_turning_work(near, forces, state);
     }
     return work;
 }

@@ -1,9 +1,11 @@
 #include "assembly/contact/contact_pairs.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "contact/advancement.hpp"
 #include "numerics/disjoint_sets.hpp"
+#include "rotation/rotation_map.hpp"
 
 namespace gxrod {
 
@@ -19,7 +21,7 @@ Segment add(const Segment& segment, const Segment& motion) {
 
 ContactPairs::ContactPairs(const Model& model, const ThreadTeam& team, const ScaleGroups& groups)
     : model_(&model), team_(&team), groups_(&groups) {
-    if (model.contact.radii.empty()) return;
+    if (model.contact.radii.empty() && model.contact.bodies.empty()) return;
     lines_ = find_contact_lines(model);
     friction_ = model.contact.friction;
     for (ContactElement& element : lines_.places.elements)
@@ -47,7 +49,10 @@ PairEnergy ContactPairs::find_energy(const NearPieces& near, const std::vector<N
     const ContactPiece& of_b = lines_.pieces[near.second];
     const Segment a = segment_of(near.first, motions);
     const Segment b = segment_of(near.second, motions);
-    PairEnergy sum = compute_pair_energy(pair, a, b, of_a.length, of_b.length);
+    PairEnergy sum;
+    // A sphere has no line.
+    if (of_a.length > 0.0 && of_b.length > 0.0)
+        sum = compute_pair_energy(pair, a, b, of_a.length, of_b.length);
     const auto add = [&](const PairEnergy& more, const std::array<int, 4>& ends) {
         sum.energy += more.energy;
         for (int i = 0; i < 4; ++i) {
@@ -58,19 +63,25 @@ PairEnergy ContactPairs::find_energy(const NearPieces& near, const std::vector<N
                     more.hessian.block<3, 3>(3 * i, 3 * j);
         }
     };
-    // A point is a segment whose ends are the same.
-    const auto add_ends =
-        [&](const ContactPiece& piece, const Segment& own, const Segment& other, bool is_first) {
-            for (int end = 0; end < 2; ++end) {
-                if (!(end == 0 ? piece.starts_rod : piece.ends_rod)) continue;
-                const Vec3& point = end == 0 ? own.start : own.end;
-                const int at = (is_first ? 0 : 2) + end;
-                add(compute_closest_energy(pair, {point, point}, other),
-                    {at, at, is_first ? 2 : 0, is_first ? 3 : 1});
-            }
-        };
-    add_ends(of_a, a, b, true);
-    add_ends(of_b, b, a, false);
+    // A point is a segment whose ends are the same. Points of bodies see a line as long as they touch it, so
+    // that nothing changes where two pieces meet.
+    const auto add_ends = [&](const ContactPiece& piece, const ContactPiece& of_other, bool is_first) {
+        const Segment& own = is_first ? a : b;
+        const Segment& other = is_first ? b : a;
+        if (piece.length > 0.0 && of_other.length == 0.0) return;
+        if (piece.length == 0.0 && of_other.length == 0.0 && !is_first) return;
+        const bool sees_line = lines_.element_of(piece).is_body && of_other.length > 0.0;
+        for (int end = 0; end < 2; ++end) {
+            if (!(end == 0 ? piece.starts_rod : piece.ends_rod)) continue;
+            const Vec3& point = end == 0 ? own.start : own.end;
+            const int at = (is_first ? 0 : 2) + end;
+            add(sees_line ? compute_point_energy(pair, point, other, of_other.length)
+                          : compute_closest_energy(pair, {point, point}, other),
+                {at, at, is_first ? 2 : 0, is_first ? 3 : 1});
+        }
+    };
+    add_ends(of_a, of_b, true);
+    add_ends(of_b, of_a, false);
     return sum;
 }
 
@@ -111,6 +122,32 @@ void ContactPairs::search(double reach, State& state) const {
     }
 }
 
+ContactPairs::PieceMotion ContactPairs::find_motion(std::size_t piece,
+                                                    double part,
+                                                    const State& state,
+                                                    const std::vector<Vec6>& increments) const {
+    const ContactPlaces& all = lines_.places;
+    const ContactPlace& start = all.places[lines_.pieces[piece].place];
+    const ContactPlace& end = all.places[lines_.pieces[piece].place + 1];
+    const ContactElement& element = all.elements[static_cast<std::size_t>(start.element)];
+    if (!element.is_body) {
+        const Segment all_of_it{all.change(start, state, increments), all.change(end, state, increments)};
+        return {{part * all_of_it.start, part * all_of_it.end}};
+    }
+    const Vec6& increment = increments[static_cast<std::size_t>(element.nodes[0])];
+    const Vec3 turn = part * increment.tail<3>();
+    PieceMotion motion;
+    const auto move = [&](const ContactPlace& place) {
+        const Vec3 arm = all.arm(place, state.trial);
+        // An eighth of the second derivative.
+        motion.aside = std::max(motion.aside, turn.norm() * turn.cross(arm).norm() / 8.0);
+        return Vec3(part * increment.head<3>() + exp_quaternion(turn) * arm - arm);
+    };
+    motion.chord.start = move(start);
+    motion.chord.end = move(end);
+    return motion;
+}
+
 NodeGroup ContactPairs::list_nodes(int a, int b) const {
     NodeGroup group;
     for (const int index : {a, b}) {
@@ -140,27 +177,19 @@ void ContactPairs::limit(const std::vector<Vec6>& increments,
                          ContactLimits& limits) const {
     double reach = 0.0;
     for (const Vec6& one : increments) reach = std::max(reach, one.head<3>().norm());
+    reach *= largest_shape_sum;
+    for (auto element = lines_.places.elements.rbegin();
+         element != lines_.places.elements.rend() && element->is_body;
+         ++element)
+        reach = std::max(reach, lines_.places.reach(*element, increments));
     ContactTrial& contact = state.contact;
     double skin = 0.0;
     for (const ContactElement& element : lines_.places.elements) skin = std::max(skin, element.law.skin);
-    reach *= largest_shape_sum;
     if (contact.margin == 0.0 || skin + 2.0 * (contact.travelled + reach) > contact.margin)
         search(reach, state);
     double all = 1.0;
     const double room = 0.5 * (contact.margin - skin) - contact.travelled;
     if (reach > room) all = room / reach;
-    const auto motion_of = [&](std::size_t piece) -> Segment {
-        const ContactElement& element = lines_.element_of(lines_.pieces[piece]);
-        Segment motion{Vec3::Zero(), Vec3::Zero()};
-        for (int n = 0; n < element.count; ++n) {
-            const Vec3 displacement =
-                increments[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(n)])].head<3>();
-            const auto shape = static_cast<std::size_t>(n);
-            motion.start += lines_.places.places[lines_.pieces[piece].place].shapes[shape] * displacement;
-            motion.end += lines_.places.places[lines_.pieces[piece].place + 1].shapes[shape] * displacement;
-        }
-        return motion;
-    };
     std::vector<double> of_pairs(contact.pieces.size(), 1.0), gaps(contact.pieces.size());
     std::vector<char> can_meet(contact.pieces.size(), 0);
     team_->for_each_range(of_pairs.size(), [&](std::size_t first, std::size_t last) {
@@ -169,16 +198,29 @@ void ContactPairs::limit(const std::vector<Vec6>& increments,
             gaps[i] = least_gap(near, state.trial);
             const Segment a = segment_of(near.first, state.trial);
             const Segment b = segment_of(near.second, state.trial);
-            const Segment move_a = motion_of(near.first);
-            const Segment move_b = motion_of(near.second);
             const PairLaw pair = law_of(near);
             AdvancementLimits kept;
             kept.kept_share = approach == Approach::prediction ? find_predicted_share(pair.law.skin, gaps[i])
                                                                : find_kept_share(pair.law.skin, gaps[i]);
-            if ((1.0 - kept.kept_share) * gaps[i] >= largest_motion(move_a) + largest_motion(move_b))
+            PieceMotion move_a = find_motion(near.first, 1.0, state, increments);
+            PieceMotion move_b = find_motion(near.second, 1.0, state, increments);
+            double aside = move_a.aside + move_b.aside;
+            if ((1.0 - kept.kept_share) * gaps[i] >=
+                largest_motion(move_a.chord) + largest_motion(move_b.chord) + aside)
                 continue;
             can_meet[i] = 1;
-            of_pairs[i] = advance_capsules(a, add(a, move_a), b, add(b, move_b), pair.radii, kept).fraction;
+            double part = 1.0;
+            // So much that ways leave their chords by a quarter of the gap at most.
+            if (aside > 0.25 * gaps[i]) {
+                part = gaps[i] > 0.0 ? std::sqrt(0.25 * gaps[i] / aside) : 0.0;
+                move_a = find_motion(near.first, part, state, increments);
+                move_b = find_motion(near.second, part, state, increments);
+                aside = move_a.aside + move_b.aside;
+            }
+            of_pairs[i] =
+                part *
+                advance_capsules(a, add(a, move_a.chord), b, add(b, move_b.chord), pair.radii + aside, kept)
+                    .fraction;
             of_pairs[i] = keep_from_rounding(of_pairs[i], pair.law.skin, gaps[i]);
         }
     });

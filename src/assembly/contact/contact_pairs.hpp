@@ -24,8 +24,9 @@ struct PairBlock {
     Eigen::MatrixXd matrix;
 };
 
-// Contact of rods with each other and themselves, by their straight pieces (ContactLines). Which of these are
-// near is kept in State::contact, and found again where a motion could take others into reach.
+// Contact of rods with each other and themselves, and of bodies with both, by their straight pieces
+// (ContactLines). Which of these are near is kept in State::contact, and found again where a motion could
+// take others into reach.
 class ContactPairs {
   public:
     // All must outlive it.
@@ -96,7 +97,35 @@ class ContactPairs {
     double least_gap(const NearPieces& near, const std::vector<NodeMotion>& motions) const;
     // add(node, force and moment) for forces and moments at the ends of two pieces.
     template <class Add>
-    void scatter(const NearPieces& near, const Vec24& of_ends, const Add& add) const;
+    void scatter(const NearPieces& near, const Vec24& of_ends, const State& state, const Add& add) const;
+    bool has_body(const NearPieces& near) const {
+        return lines_.element_of(lines_.pieces[near.first]).is_body ||
+               lines_.element_of(lines_.pieces[near.second]).is_body;
+    }
+    // Of a place of a body: where forces act on it, from its node.
+    Vec3 find_lever(const ContactPlace& place, const State& state) const;
+    double compute_turning_work(const NearPieces& near, const Vec24& forces, const State& state) const;
+    void add_tangent_with_body(const Touching& touching,
+                               double weight,
+                               const std::vector<NodeLinearization>& linearizations,
+                               const State& state,
+                               const Mat24* rubbing,
+                               const Shares& shares,
+                               PairBlock& block) const;
+    // From derivatives of forces and moments at the ends, by these, to those at the nodes of bodies.
+    void take_to_nodes(const NearPieces& near,
+                       const Vec24& forces,
+                       const State& state,
+                       Mat24& derivative) const;
+    // How the ends of a piece move, and how far the way of one of a body leaves its chord.
+    struct PieceMotion {
+        Segment chord;
+        double aside = 0.0;
+    };
+    PieceMotion find_motion(std::size_t piece,
+                            double part,
+                            const State& state,
+                            const std::vector<Vec6>& increments) const;
 
     const Model* model_;
     const ThreadTeam* team_;

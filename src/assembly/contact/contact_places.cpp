@@ -109,7 +109,7 @@ void add_element(
 }
 
 // A rod's section of the same radius would have a radius more at either end: so a sphere has a diameter.
-void add_body(const Model& model, const ContactBody& shape, double spacing, ContactPlaces& all) {
+void add_body(const Model& model, const ContactBody& shape, int pieces, ContactPlaces& all) {
     const Body& body = model.bodies[static_cast<std::size_t>(shape.body)];
     ContactElement own;
     own.rod = static_cast<int>(model.rods.size()) + shape.body;
@@ -120,9 +120,6 @@ void add_body(const Model& model, const ContactBody& shape, double spacing, Cont
     own.law = {model.contact.skin * shape.radius, shape.force / shape.radius};
     own.first_place = all.places.size();
     const double length = (shape.ends[1] - shape.ends[0]).norm();
-    constexpr double least_pieces = 8.0;
-    const int pieces =
-        length == 0.0 ? 0 : static_cast<int>(std::ceil(std::max(least_pieces, length / spacing)));
     for (int i = 0; i <= pieces; ++i) {
         ContactPlace place;
         place.element = static_cast<int>(all.elements.size());
@@ -199,17 +196,24 @@ ContactPlaces find_contact_places(const Model& model) {
     };
     ContactPlaces all = find_places(
         model, [&](int rod) { return spacing_of(model.contact.radii[static_cast<std::size_t>(rod)]); });
-    for (const ContactBody& body : model.contact.bodies) add_body(model, body, spacing_of(body.radius), all);
+    for (const ContactBody& body : model.contact.bodies) {
+        constexpr double least_pieces = 8.0;
+        const double length = (body.ends[1] - body.ends[0]).norm();
+        const double pieces = std::max(least_pieces, length / spacing_of(body.radius));
+        add_body(model, body, length == 0.0 ? 0 : static_cast<int>(std::ceil(pieces)), all);
+    }
     return all;
 }
 
 ContactPlaces find_chord_places(const Model& model) {
-    return find_places(model, [&](int rod) {
+    ContactPlaces all = find_places(model, [&](int rod) {
         const auto index = static_cast<std::size_t>(rod);
         // The sagitta of a chord is h²/8 over the radius of the bend.
         return std::sqrt(2.0 * model.contact.skin * model.contact.radii[index] *
                          model.contact.bend_radii[index]);
     });
+    for (const ContactBody& body : model.contact.bodies) add_body(model, body, 1, all);
+    return all;
 }
 
 }  // namespace gxrod

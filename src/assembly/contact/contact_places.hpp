@@ -78,7 +78,8 @@ struct ContactPlaces {
 ContactPlaces find_contact_places(const Model& model);
 
 // Of all rods that touch: so close together that the chords between them stay within a quarter of the skin of
-// the line, even where it is bent as much as is to be expected.
+// the line, even where it is bent as much as is to be expected. Then both ends of each body, the same of a
+// sphere.
 ContactPlaces find_chord_places(const Model& model);
 
 }  // namespace gxrod

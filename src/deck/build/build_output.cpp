@@ -324,9 +324,8 @@ std::string explain_missing(Quantity quantity, const HistoryPlace& point, const 
                                            "least_gap only; expected a point of it, as in \"ROD@0.5\"";
     if (is_of_obstacles(quantity)) {
         if (touches(point, model)) return "";
-        return point.body >= 0
-                   ? "this body touches nothing; expected a sphere or capsule of it, and an obstacle"
-                   : "only obstacles have it, rods as a whole, and bodies";
+        return point.body >= 0 ? "this body touches nothing; expected its `sphere` or `capsule`"
+                               : "only obstacles have it, and rods as a whole, and bodies that touch";
     }
     if (point.gear >= 0) {
         const bool has_it = quantity == Quantity::drive || quantity == Quantity::gap;
@@ -393,6 +392,15 @@ void set_about(const CheckedTable& table, HistoryRequest& request, const BuildCo
         context.add_fault(table, "about", "goes with reaction_moment, which is not among the quantities");
 }
 
+// A rod, or a body that touches, as ContactTouch has them.
+std::optional<int> find_touching(const std::string& name, const Model& model) {
+    if (const std::optional<int> rod = find_tie(model.rods, name)) return rod;
+    const std::optional<int> body = find_tie(model.bodies, name);
+    const auto& shapes = model.contact.bodies;
+    if (!body || std::ranges::find(shapes, *body, &ContactBody::body) == shapes.end()) return std::nullopt;
+    return static_cast<int>(model.rods.size()) + *body;
+}
+
 void set_contact(const CheckedTable& table,
                  const HistoryPlace& point,
                  HistoryRequest& request,
@@ -403,7 +411,8 @@ void set_contact(const CheckedTable& table,
         if (table.gives("with"))
             context.add_fault(table,
                               "with",
-                              "goes with a rod as a whole, or the contact of a body, in a deck with contact");
+                              "goes with a rod as a whole as `at`, or a body and contact quantities, in a "
+                              "deck with contact");
         return;
     }
     const int index = is_body ? static_cast<int>(model.rods.size()) + point.body : point.touching_rod;
@@ -424,21 +433,23 @@ void set_contact(const CheckedTable& table,
     request.with = table.get<std::string>("with");
     if (const std::optional<int> obstacle = find_tie(model.contact.obstacles, request.with)) {
         request.contact->other = -1 - *obstacle;
-    } else if (const std::optional<int> other = find_tie(model.rods, request.with)) {
+    } else if (const std::optional<int> other = find_touching(request.with, model)) {
         request.contact->other = *other;
-        const bool is_itself = *other == point.touching_rod;
-        if (is_body)
-            context.add_fault(table, "with", "bodies touch obstacles alone; expected one of these");
+        const bool is_itself = *other == index && !is_body;
+        if (*other == index && is_body)
+            context.add_fault(table, "with", "a body does not touch itself");
         else if (is_itself ? !model.contact.within_rods : !model.contact.between_rods)
             context.add_fault(table,
                               "with",
                               fmt::format("\"{}\" does not touch {}: [contact] leaves it out",
-                                          model.rods[static_cast<std::size_t>(index)].name,
+                                          table.get<std::string>("at"),
                                           is_itself ? "itself" : "other rods"));
     } else {
         std::vector<std::string> names;
         for (const Obstacle& one : model.contact.obstacles) names.push_back(one.name);
         for (const Rod& one : model.rods) names.push_back(one.name);
+        for (const ContactBody& one : model.contact.bodies)
+            names.push_back(model.bodies[static_cast<std::size_t>(one.body)].name);
         context.add_fault(
             table,
             "with",

@@ -93,26 +93,28 @@ void set_contact_bodies(Contact& contact, const BuildContext& context) {
 }
 
 void check_contact_bodies(const BuildContext& context) {
-    const std::vector<CheckedTable>& tables = context.deck.tables("body");
     const Contact& contact = context.model.contact;
     std::vector<const CheckedTable*> shapes;
-    for (const CheckedTable& table : tables) {
+    for (const CheckedTable& table : context.deck.tables("body")) {
         const CheckedTable* shape = find_shape(table);
-        if (shape != nullptr) shapes.push_back(shape);
-        if (shape != nullptr && contact.obstacles.empty())
-            context.faults.add(shape->place,
-                               shape->path,
-                               "bodies touch obstacles alone, not rods and not each other yet; expected an "
-                               "[obstacle.NAME], or a body without it");
+        if (shape == nullptr) continue;
+        shapes.push_back(shape);
+        if (contact.obstacles.empty() && !contact.between_rods)
+            context.faults.add(
+                shape->place,
+                shape->path,
+                "touches nothing; expected an [obstacle.NAME], or [contact], by which bodies touch "
+                "rods and each other");
     }
     if (shapes.empty()) return;
-    const bool has_rods = std::ranges::any_of(contact.radii, [](double radius) { return radius > 0.0; });
-    if (has_rods || shapes.size() > 1)
+    const bool has_rods = !context.model.rods.empty();
+    if (!contact.between_rods && (has_rods || shapes.size() > 1))
         context.notes.push_back(
-            fmt::format("bodies with a sphere or capsule touch obstacles alone: they pass through {}{}{}",
+            fmt::format("bodies with a sphere or capsule pass through {}{}{}: only {} lets them touch",
                         has_rods ? "rods" : "",
                         has_rods && shapes.size() > 1 ? " and " : "",
-                        shapes.size() > 1 ? "each other" : ""));
+                        shapes.size() > 1 ? "each other" : "",
+                        "each_other of [contact]"));
     const auto find_tangent = [](const AnalysisSettings& analysis) {
         return std::visit(
             [](const auto& settings) {

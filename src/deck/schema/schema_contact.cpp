@@ -178,7 +178,8 @@ const TableSpec& contact_table() {
         .path = "contact",
         .heading = "[contact]",
         .sentence =
-            "Rods touch each other, themselves and every [obstacle.NAME]; without it obstacles alone.",
+            "Rods touch each other, themselves and every [obstacle.NAME]; without it obstacles alone. So do "
+            "bodies with a sphere or capsule.",
         .keys =
             {{.name = "rods",
               .type = ValueType::names,
@@ -188,7 +189,7 @@ const TableSpec& contact_table() {
              {.name = "each_other",
               .type = ValueType::flag,
               .default_text = "true",
-              .sentence = "Whether different rods touch."},
+              .sentence = "Whether different rods and bodies touch."},
              {.name = "self",
               .type = ValueType::flag,
               .default_text = "true",

@@ -137,7 +137,8 @@ const TableSpec& body_table() {
                   .sentence = "At t = 0, components in the body axes."},
                  {.name = "sphere",
                   .type = ValueType::table,
-                  .sentence = "With which it touches every [obstacle.NAME].",
+                  .sentence = "With which it touches every [obstacle.NAME], and rods and other bodies if "
+                              "there is [contact].",
                   .table = &body_sphere_table()},
                  {.name = "capsule",
                   .type = ValueType::table,

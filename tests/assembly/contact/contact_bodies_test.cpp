@@ -40,10 +40,10 @@ Model make_bodies() {
         floor.friction = friction;
         model.contact.obstacles.push_back(floor);
     };
-    add_floor(Vec3(0, 0, -0.25), 0.3);
+    add_floor(Vec3(0, 0, -0.05), 0.3);
     Obstacle ball;
     ball.shape = Obstacle::Shape::sphere;
-    ball.line = {Vec3(0.2, 0.2, 3.1)};
+    ball.line = {Vec3(0.2, 0.2, 3.2)};
     ball.radius = 0.9;
     ball.friction = 0.05;
     model.contact.obstacles.push_back(ball);
@@ -51,7 +51,7 @@ Model make_bodies() {
     pipe.shape = Obstacle::Shape::cylinder;
     pipe.is_hollow = true;
     pipe.line = {Vec3(-9, 0, 1), Vec3(9, 0, 1)};
-    pipe.radius = 1.9;
+    pipe.radius = 1.4;
     pipe.friction = 0.4;
     pipe.motion = ObstacleMotion{
         TimeVector(
