@@ -79,7 +79,8 @@ State make_state(const System& system, unsigned seed) {
         state.previous[i] = before;
         place(before, before.r + random.vector(0.05), random.vector(0.2), state.trial[i]);
     }
-    for (Vec3& traction : state.contact_memory.on_obstacles) traction = random.vector(0.5);
+    // So large that differences hardly turn it.
+    for (Vec3& traction : state.contact_memory.on_obstacles) traction = random.vector(50.0);
     return state;
 }
 

@@ -223,12 +223,13 @@ TEST_CASE("Bodies touch by a sphere or a capsule", "[deck][touch][bodies]") {
                    Contains("what turns by newton.tangent = \"paper\" cannot be kept from obstacles"));
     }
     SECTION("and what they pass through is said") {
-        const auto notes = [&](const std::string& lines) { return read(lines).notes; };
-        CHECK(
-            notes(deck(body(sphere) + floor)) ==
-            std::vector<std::string>{"bodies with a sphere or capsule pass through rods: only each_other of "
-                                     "[contact] lets them touch"});
-        CHECK(notes(deck(body(sphere) + floor + "[contact]\nself = false\n")).empty());
+        const auto passes = [&](const std::string& lines) {
+            return std::ranges::count(read(lines).notes,
+                                      "bodies with a sphere or capsule pass through rods: only each_other of "
+                                      "[contact] lets them touch");
+        };
+        CHECK(passes(deck(body(sphere) + floor)) == 1);
+        CHECK(passes(deck(body(sphere) + floor + "[contact]\nself = false\n")) == 0);
     }
     SECTION("and histories have what touches them") {
         const auto history = [&](const std::string& lines) {
