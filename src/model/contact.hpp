@@ -9,7 +9,7 @@
 #include "model/time_function.hpp"
 #include "rotation/types.hpp"
 
-// What rods and bodies touch: obstacles, and rods each other (docs/theory/contact.md).
+// What rods and bodies touch: obstacles, and each other (docs/theory/contact.md).
 namespace gxrod {
 
 // How an obstacle moves from where it is at t = 0: by a displacement, and turned about a point by a rotation
@@ -79,7 +79,7 @@ struct Contact {
     bool between_rods = false;
     bool within_rods = false;  // a rod touches itself
     std::vector<Obstacle> obstacles;
-    std::vector<ContactBody> bodies;  // touch obstacles alone
+    std::vector<ContactBody> bodies;  // that touch
 
     bool is_empty() const { return obstacles.empty() && !between_rods && !within_rods; }
 };
