@@ -85,7 +85,9 @@ void find_overlaps(const ContactAssembly& contact, const State& state, std::vect
     if (!overlap.empty()) findings.push_back({Severity::error, "at the start " + overlap});
 }
 
-void note_touches(const std::vector<ContactTouch>& touches, std::vector<Finding>& findings) {
+void note_touches(const Model& model,
+                  const std::vector<ContactTouch>& touches,
+                  std::vector<Finding>& findings) {
     if (touches.empty()) return;
     const auto at_obstacles =
         std::ranges::count_if(touches, [](const ContactTouch& one) { return one.rods[1] < 0; });
@@ -94,7 +96,9 @@ void note_touches(const std::vector<ContactTouch>& touches, std::vector<Finding>
         return count == 0 ? "" : fmt::format("{} {}", count, count == 1 ? one : several);
     };
     const std::string first =
-        counted(at_obstacles, "place of a rod and an obstacle", "places of rods and obstacles");
+        model.contact.bodies.empty()
+            ? counted(at_obstacles, "place of a rod and an obstacle", "places of rods and obstacles")
+            : counted(at_obstacles, "place at an obstacle", "places at obstacles");
     const std::string second = counted(of_rods, "pair of elements", "pairs of elements");
     const double nearest = std::ranges::min(touches, {}, &ContactTouch::gap).gap;
     findings.push_back({Severity::note,
@@ -165,22 +169,25 @@ void note_speed(const Model& model, const AnalysisSettings& analysis, std::vecto
     if (dynamic == nullptr || !dynamic->has_inertia || dynamic->adaptive || dynamic->steps == 0) return;
     double fastest = 0.0;  // radii in a time
     const Node* node = nullptr;
+    const auto compare = [&](int index, double radius) {
+        const Node& one = model.nodes[static_cast<std::size_t>(index)];
+        const double speed = one.velocity.norm() / radius;
+        if (speed <= fastest) return;
+        fastest = speed;
+        node = &one;
+    };
     for (std::size_t i = 0; i < model.rods.size(); ++i) {
         if (radius_of(model, i) == 0.0) continue;
-        for (const int index : model.rods[i].element_nodes) {
-            const Node& one = model.nodes[static_cast<std::size_t>(index)];
-            const double speed = one.velocity.norm() / radius_of(model, i);
-            if (speed <= fastest) continue;
-            fastest = speed;
-            node = &one;
-        }
+        for (const int index : model.rods[i].element_nodes) compare(index, radius_of(model, i));
     }
+    for (const ContactBody& body : model.contact.bodies)
+        compare(model.bodies[static_cast<std::size_t>(body.body)].node, body.radius);
     const double moved = fastest * dynamic->time_step();
     constexpr double tolerable = 1.0;
     if (node == nullptr || moved <= tolerable) return;
     const double step = 0.6 / fastest;
     findings.push_back({Severity::note,
-                        fmt::format("{} moves by {:.2g} radii in a step at the start: where rods touch, many "
+                        fmt::format("{} moves by {:.2g} radii in a step at the start: where it touches, many "
                                     "increments will be shortened and steps cut; time_step = {:.1g} moves it "
                                     "by {:.2g}",
                                     node->name,
@@ -207,7 +214,7 @@ std::vector<Finding> examine_contact(const Model& model, const AnalysisSettings&
         find_overlaps(*contact, state, findings);
         if (findings.empty()) {
             const std::vector<ContactTouch> touches = contact->list_touches(state, 0.0);
-            note_touches(touches, findings);
+            note_touches(model, touches, findings);
             const bool is_static = has_steps(analysis) && !needs_inertia(analysis);
             if (is_static && model.surroundings.is_empty()) find_held_by_contact(model, touches, findings);
         }

@@ -318,6 +318,29 @@ void damp(PairEnergy& pair, const Vec12& motion, double damping) {
     pair.gradient *= factor;
 }
 
+PairEnergy compute_point_energy(const PairLaw& pair, const Vec3& point, const Segment& line, double length) {
+    PairEnergy result;
+    const Vec3 B = line.end - line.start, r = point - line.start;
+    const double w = pair.law.skin * (2.0 * pair.radii + pair.law.skin);
+    const PairShape shape(Vec3::Zero(), B, r, pair);
+    const Real G = shape.gamma - Real(shape.radii_squared);
+    const Real low = -1.0 * shape.axial_r, high = shape.length - shape.axial_r;
+    const LineIntegral found = integrate_line(w, G.value, low.value, high.value);
+    if (found.value == 0.0) return result;
+    Real energy = G.apply(found.value, found.by_G, found.by_GG) +
+                  low.apply(0.0, found.by_low, found.by_low_low) +
+                  high.apply(0.0, found.by_high, found.by_high_high);
+    energy.add_products(2.0 * found.by_G_low, G.slopes, low.slopes);
+    energy.add_products(2.0 * found.by_G_high, G.slopes, high.slopes);
+    // −d/dx of ∫ Φ(x + τ²) dτ at x = ½, where λ is κ/2 and the slope of u by the gap w/ĝ.
+    constexpr double half_skin_slope = 2.0 * std::numbers::sqrt2;
+    energy = energy / shape.length *
+             (0.5 * pair.law.stiffness * pair.law.skin / (half_skin_slope * std::sqrt(w)) * length);
+    result.energy = energy.value;
+    spread_to_ends(energy, Vec3::Zero(), B, r, result);
+    return result;
+}
+
 PairEnergy compute_closest_energy(const PairLaw& pair, const Segment& a, const Segment& b) {
     PairEnergy result;
     const ClosestPoints closest = find_closest_points(a, b);

@@ -40,6 +40,11 @@ void damp(PairEnergy& pair, const Vec12& motion, double damping);
 PairEnergy compute_pair_energy(
     const PairLaw& pair, const Segment& a, const Segment& b, double length_a, double length_b);
 
+// The same of a point and a line of `length`: E = c ∫ Φ dt over the line, with Φ(u) as above, which is
+// infinite at its ends, too. c is such that the point and a long line repel each other by the law's force at
+// half the skin. By the ends, of which the first is the point.
+PairEnergy compute_point_energy(const PairLaw& pair, const Vec3& point, const Segment& line, double length);
+
 // The same for two points, or a point and a segment (then a.start = a.end), or two segments, by the law of
 // the least distance: energy V(distance − R). The ends of rods need it, where the double integral stays
 // finite as the gap closes. Where the closest points change between ends and insides, second derivatives

@@ -9,7 +9,7 @@
 #include "model/time_function.hpp"
 #include "rotation/types.hpp"
 
-// What rods touch: obstacles, and each other (docs/theory/contact.md).
+// What rods and bodies touch: obstacles, and each other (docs/theory/contact.md).
 namespace gxrod {
 
 // How an obstacle moves from where it is at t = 0: by a displacement, and turned about a point by a rotation
@@ -54,9 +54,18 @@ struct Obstacle {
     std::optional<ObstacleMotion> motion{};
 };
 
-// What a history adds up: the contact of a rod with all others and all obstacles, or with one of them.
+// The shape by which a rigid body touches: all within a radius of a segment that turns with it.
+struct ContactBody {
+    int body = 0;
+    std::array<Vec3, 2> ends{Vec3::Zero(), Vec3::Zero()};  // from the node, body axes; equal: a sphere
+    double radius = 0.0;
+    double force = 0.0;  // that leaves half the skin
+};
+
+// What a history adds up: the contact of a rod or body with all others and all obstacles, or with one of
+// them.
 struct ContactWatch {
-    int rod = 0;
+    int rod = 0;                 // a body b is number of rods + b
     std::optional<int> other{};  // a rod, itself too; −1 − j: obstacle j
     bool wants_gap = false;      // which takes a search where nothing is near
 };
@@ -84,6 +93,7 @@ struct Contact {
     bool between_rods = false;
     bool within_rods = false;  // a rod touches itself
     std::vector<Obstacle> obstacles;
+    std::vector<ContactBody> bodies;  // that touch
     std::vector<ContactException> exceptions;  // the last one that fits counts
 
     bool is_empty() const { return obstacles.empty() && !between_rods && !within_rods; }

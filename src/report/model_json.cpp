@@ -29,7 +29,16 @@ Vec3 half_sizes(double mass, const Vec3& moments) {
     return sizes;
 }
 
-Json describe_body(const Body& body, const NodeNumbers& number) {
+// The sphere or capsule of a body, in its axes; null without one.
+Json describe_shape(const Model& model, const Body& body) {
+    const auto own = std::ranges::find_if(model.contact.bodies, [&](const ContactBody& one) {
+        return &model.bodies[static_cast<std::size_t>(one.body)] == &body;
+    });
+    if (own == model.contact.bodies.end()) return nullptr;
+    return {{"ends", Json::array({to_json(own->ends[0]), to_json(own->ends[1])})}, {"radius", own->radius}};
+}
+
+Json describe_body(const Model& model, const Body& body, const NodeNumbers& number) {
     const SymmetricEigen principal = find_symmetric_eigen(body.inertia);
     // A diagonal tensor keeps its order, so that equal moments do not turn the cuboid.
     const bool is_diagonal = body.inertia.isDiagonal(1e-12);
@@ -41,7 +50,8 @@ Json describe_body(const Body& body, const NodeNumbers& number) {
             {"centre", to_json(body.centre_of_mass)},
             {"attitude", to_json(body.attitude)},
             {"axes", to_json(Quat(axes))},
-            {"half_sizes", to_json(half_sizes(body.mass, moments))}};
+            {"half_sizes", to_json(half_sizes(body.mass, moments))},
+            {"shape", describe_shape(model, body)}};
 }
 
 Json describe_end(const Anchor& end, const NodeNumbers& number) {
@@ -132,7 +142,8 @@ Json describe_surroundings(const Problem& problem) {
 }
 
 Json describe_bodies(const Model& model, const NodeNumbers& number, std::size_t most) {
-    return describe_first(model.bodies, most, [&](const Body& body) { return describe_body(body, number); });
+    return describe_first(
+        model.bodies, most, [&](const Body& body) { return describe_body(model, body, number); });
 }
 
 Json describe_supports(const Model& model, const NodeNumbers& number, std::size_t most) {

@@ -95,12 +95,13 @@ class Newton {
     void limit_prediction() {
         const std::size_t count = state_.trial.size();
         std::vector<NodeMotion> predicted = state_.trial;
-        std::vector<Vec3> displacements(count);
-        for (std::size_t i = 0; i < count; ++i) displacements[i] = predicted[i].r - state_.previous[i].r;
+        std::vector<Vec6> increments(count);
+        for (std::size_t i = 0; i < count; ++i)
+            increments[i] << predicted[i].r - state_.previous[i].r, predicted[i].theta;
         state_.trial = state_.previous;
         state_.contact.progress = 0.0;
         state_.contact.margin = 0.0;
-        const ContactLimits limits = contact_->limit(displacements, state_, time_, Approach::prediction);
+        const ContactLimits limits = contact_->limit(increments, state_, time_, Approach::prediction);
         state_.trial = std::move(predicted);
         state_.contact.progress = limits.least;
         if (limits.shorten()) {
@@ -111,7 +112,7 @@ class Newton {
                 const double share = limits.of_parts[part];
                 if (share < 1.0)
                     place(state_.previous[i],
-                          state_.previous[i].r + share * displacements[i],
+                          state_.previous[i].r + share * increments[i].head<3>(),
                           share * state_.trial[i].theta,
                           state_.trial[i]);
             }
@@ -208,9 +209,7 @@ class Newton {
 
     // Shortens the increments of parts of the model in which a gap would close; false if any.
     bool limit_increment(std::vector<Vec6>& deltas) {
-        std::vector<Vec3> displacements(deltas.size());
-        for (std::size_t i = 0; i < deltas.size(); ++i) displacements[i] = deltas[i].head<3>();
-        const ContactLimits limits = contact_->limit(displacements, state_, time_);
+        const ContactLimits limits = contact_->limit(deltas, state_, time_);
         report_.least_gap = std::min(report_.least_gap, limits.least_gap);
         contact_->advance(deltas, time_, state_);
         double& progress = state_.contact.progress;

@@ -248,4 +248,52 @@ TEST_CASE("The energy of the least distance has its derivatives", "[contact]") {
     CHECK(energy_of(over).force()[2] == Approx(15.0));
 }
 
+TEST_CASE("The energy of a point and a line has its derivatives, and is that of its parts", "[contact]") {
+    RandomPairs random(46);
+    const auto energy_of = [](const FourEnds& ends) {
+        return compute_point_energy(wires, ends.ends[0], ends.b(), 1.3);
+    };
+    int near_ends = 0;
+    for (int k = 0; k < 120; ++k) {
+        INFO(k);
+        FourEnds pair = random.make(0.1 + 0.4 * (1.0 + random.number()));
+        // The start of a as far from b as a was.
+        const ClosestPoints at = find_closest_points(pair.a(), pair.b());
+        pair.ends[0] = pair.a().at(at.s);
+        near_ends += at.t == 0.0 || at.t == 1.0 ? 1 : 0;
+        if (energy_of(pair).energy < 1e-6) continue;
+        check_pair_derivatives(energy_of, pair, random.direction(), 2e-4 * wires.law.skin);
+        const double cut = 0.3;
+        const Vec3 between = pair.b().at(cut);
+        CHECK(compute_point_energy(wires, pair.ends[0], {pair.ends[2], between}, 1.3 * cut).energy +
+                  compute_point_energy(wires, pair.ends[0], {between, pair.ends[3]}, 1.3 * (1.0 - cut))
+                      .energy ==
+              Approx(energy_of(pair).energy).epsilon(1e-9));
+    }
+    CHECK(near_ends > 10);
+}
+
+TEST_CASE("A point over a long line has the force of the law at half the skin", "[contact]") {
+    const Segment line{Vec3(-1, 0, 0), Vec3(1.5, 0, 0)};
+    const PairEnergy half = compute_point_energy(wires, Vec3(0.2, 0, 2.01), line, 2.5);
+    CHECK(half.force().isApprox(Vec3(0, 0, 15.0), 1e-2));  // u is not linear in the gap
+    // An integral by the trapezoidal rule.
+    const double w = 0.02 * 4.02, G = 2.01 * 2.01 - 4.0;
+    double sum = 0.0;
+    constexpr int pieces = 200000;
+    for (int i = 0; i < pieces; ++i) {
+        const double z = -1.0 + (i + 0.5) * (2.0 / pieces), x = (G + z * z) / w;
+        if (x < 1.0) sum += 2.0 / pieces * std::pow(1.0 - x, 3) / (x * x);
+    }
+    CHECK(half.energy == Approx(30.0 * 0.02 / (4.0 * std::sqrt(2.0 * w)) * sum).epsilon(1e-6));
+    // Beyond its ends it grows without bound, too.
+    double before = 0.0;
+    for (const double gap : {0.019, 0.01, 1e-3, 1e-4}) {
+        const double energy = compute_point_energy(wires, Vec3(3.5 + gap, 0, 0), line, 2.5).energy;
+        CHECK(energy > 4.0 * before);
+        before = energy;
+    }
+    CHECK(compute_point_energy(wires, Vec3(3.521, 0, 0), line, 2.5).energy == 0.0);
+}
+
 }  // namespace gxrod::test

@@ -1,6 +1,6 @@
 import {
-  BoxGeometry, BufferAttribute, BufferGeometry, EdgesGeometry, Group, Line, LineBasicMaterial, LineSegments, Mesh,
-  MeshStandardMaterial, Quaternion, Vector3,
+  BoxGeometry, BufferAttribute, BufferGeometry, CapsuleGeometry, EdgesGeometry, Group, Line, LineBasicMaterial, LineSegments, Mesh,
+  MeshStandardMaterial, Quaternion, SphereGeometry, Vector3,
 } from "three";
 import { makeArrow } from "./arrows.js";
 import { toQuaternion } from "./ends.js";
@@ -9,7 +9,7 @@ import { axisColours } from "./theme.js";
 const mostPaths = 100;
 const axes = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)];
 
-// Rigid bodies: the cuboid of their mass and inertia, the body axes, an arm from the node to the centre of mass, and the
+// Rigid bodies: the shape with which they touch, or the cuboid of their mass and inertia, the body axes, an arm from the node to the centre of mass, and the
 // path. Those on joints or bushings are clear, so that these are seen in them.
 export class Bodies {
   constructor(data, motion, size) {
@@ -28,16 +28,17 @@ export class Bodies {
     const half = body.half_sizes;
     const largest = Math.max(...half);
     const drawn = largest > 0 ? Math.max(largest, 0.015 * size) : 0.02 * size;
-    const sides = half.map((h) => 2 * Math.max(largest > 0 ? h * (drawn / largest) : drawn, 0.04 * drawn));
-    const box = new BoxGeometry(...sides);
+    const round = body.shape && new Round(body.shape);
+    const sides = round ? [round.reach, round.reach, round.reach] : half.map((h) => 2 * Math.max(largest > 0 ? h * (drawn / largest) : drawn, 0.04 * drawn));
+    const box = round ? round.surface() : new BoxGeometry(...sides);
     const isClear = this.jointed.has(body.node);
     const cuboid = new Mesh(box, isClear ? this.clear : this.surface);
-    const edges = new LineSegments(new EdgesGeometry(box), new LineBasicMaterial({ transparent: true, opacity: 0.6 }));
+    const edges = new LineSegments(round ? round.lines() : new EdgesGeometry(box), new LineBasicMaterial({ transparent: true, opacity: 0.6 }));
     this.edgeMaterials = [...(this.edgeMaterials ?? []), edges.material];
     const centre = new Vector3(...body.centre);
     for (const part of [cuboid, edges]) {
-      part.position.copy(centre);
-      part.quaternion.copy(toQuaternion(body.axes));
+      part.position.copy(round ? round.centre : centre);
+      part.quaternion.copy(round ? round.turn : toQuaternion(body.axes));
       group.add(part);
     }
     axes.forEach((axis, i) => {
@@ -139,6 +140,39 @@ export class Bodies {
     for (const surface of [this.surface, this.clear]) surface.color.set(theme.body);
     for (const material of this.edgeMaterials ?? []) material.color.set(theme.ink);
     for (const line of this.lines) line.material.color.set(theme.path);
+  }
+}
+
+// A sphere or capsule about the y axis, with lines that show how it turns.
+class Round {
+  constructor({ ends, radius }) {
+    const [from, to] = ends.map((end) => new Vector3(...end));
+    this.radius = radius;
+    this.length = from.distanceTo(to);
+    this.reach = this.length + 2 * radius;
+    this.centre = from.clone().add(to).multiplyScalar(0.5);
+    this.turn = new Quaternion();
+    if (this.length > 0) this.turn.setFromUnitVectors(axes[1], to.clone().sub(from).normalize());
+  }
+
+  surface() {
+    return this.length > 0 ? new CapsuleGeometry(this.radius, this.length, 16, 48) : new SphereGeometry(this.radius, 48, 32);
+  }
+
+  // Once around lengthwise in two planes, and around each end, of the sphere once.
+  lines() {
+    const points = [];
+    const pieces = 64;
+    const half = 0.5 * this.length;
+    const close = (point) => {
+      for (let i = 0; i < pieces; i++) points.push(...[i, i + 1].map((at) => point((2 * Math.PI * at) / pieces).multiplyScalar(1.002)));
+    };
+    const rise = (height) => height + Math.sign(height) * half;
+    const wave = (turn) => [this.radius * Math.cos(turn), this.radius * Math.sin(turn)];
+    close((turn) => new Vector3(wave(turn)[0], rise(wave(turn)[1]), 0));
+    close((turn) => new Vector3(0, rise(wave(turn)[1]), wave(turn)[0]));
+    for (const height of half > 0 ? [-half, half] : [0]) close((turn) => new Vector3(wave(turn)[0], height, wave(turn)[1]));
+    return new BufferGeometry().setFromPoints(points);
   }
 }
 

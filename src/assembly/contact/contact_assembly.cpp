@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "assembly/scatter.hpp"
+#include "rotation/rotation_map.hpp"
 #include "rotation/tangent_map.hpp"
 
 namespace gxrod {
@@ -83,6 +84,14 @@ bool ContactAssembly::is_far(const ObstaclePlacement& placement,
     const auto position = [&](int i) -> const Vec3& {
         return motions[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])].r;
     };
+    if (element.is_body) {
+        const Vec3 start = places_.position(places_.places[element.first_place], motions);
+        const Vec3 end = places_.position(places_.places[element.end_place - 1], motions);
+        return surfaces_[obstacle].is_further(
+            placement,
+            0.5 * (start + end),
+            0.5 * (end - start).norm() + element.radius + element.law.skin + reach);
+    }
     const Vec3 centre = 0.5 * (position(0) + position(element.count - 1));
     double extent = 0.0;
     for (int i = 0; i < element.count; ++i) extent = std::max(extent, (position(i) - centre).norm());
@@ -111,7 +120,7 @@ double ContactAssembly::gap_before(const At& at,
                                    std::size_t place,
                                    const State& state) const {
     const ContactPlace& own = places_.places[place];
-    const Vec3 position = places_.interpolate(own, state.previous, &NodeMotion::r);
+    const Vec3 position = places_.position(own, state.previous);
     const ContactElement& element = places_.elements[static_cast<std::size_t>(own.element)];
     return surfaces_[obstacle]
                .find_distance(at.before[obstacle], position, element.radius, element.law.skin)
@@ -183,6 +192,24 @@ ContactAssembly::Touching ContactAssembly::touch_by_parameters(
     return {tangent_force(at, obstacle, place, gap, state), tangent_friction(obstacle, place, state)};
 }
 
+// Over a step with impulses the mean of the arms at its ends: by that a force in a direction that stays does
+// the work of the displacement, but for the third power of the rotation.
+Vec3 ContactAssembly::find_lever(const At& at, const ContactPlace& place, const State& state) const {
+    const Vec3 arm = places_.arm(place, state.trial);
+    return at.has_impacts ? Vec3(0.5 * (arm + places_.arm(place, state.previous))) : arm;
+}
+
+// From force and moment at a place of a body, and their derivative by the place and its rotation, to the
+// derivative of those at the node, by the node.
+Mat6 ContactAssembly::take_to_node(
+    const At& at, const ContactPlace& place, const State& state, const Vec3& force, Mat6 derivative) const {
+    const Mat3 arm = spin(places_.arm(place, state.trial));
+    derivative.rightCols<3>() -= derivative.leftCols<3>() * arm;
+    derivative.bottomRows<3>() += spin(find_lever(at, place, state)) * derivative.topRows<3>();
+    derivative.bottomRightCorner<3, 3>() += (at.has_impacts ? 0.5 : 1.0) * spin(force) * arm;
+    return derivative;
+}
+
 // find(obstacle, place, gap): what touches there.
 template <class Find>
 void ContactAssembly::add_element_force(
@@ -192,17 +219,19 @@ void ContactAssembly::add_element_force(
         if (is_far(at, obstacle, element, state)) continue;
         for (std::size_t p = element.first_place; p < element.end_place; ++p) {
             const ContactPlace& place = places_.places[p];
-            const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+            const Vec3 position = places_.position(place, state.trial);
             const SurfaceTouch surface = touch(at, obstacle, p, position);
             const Touching touching = find(obstacle, p, surface.gap);
             if (touching.normal.force == 0.0) continue;
             const PlaceForce there = compute_place_force(
                 surface, places_.motion_of(place, state), touching.normal, touching.friction);
+            Vec3 moment = there.moment;
+            if (element.is_body) moment += find_lever(at, place, state).cross(there.force);
             if (force.size() == 0) force = LoadVector::Zero(6 * element.count);
             for (int i = 0; i < element.count; ++i) {
                 const double share = place.weight * place.shapes[static_cast<std::size_t>(i)];
                 force.segment<3>(6 * i) += share * there.force;
-                force.segment<3>(6 * i + 3) += share * there.moment;
+                force.segment<3>(6 * i + 3) += share * moment;
             }
         }
     }
@@ -285,7 +314,7 @@ void ContactAssembly::add_tangents(const State& state,
             if (is_far(at, obstacle, element, state)) continue;
             for (std::size_t p = element.first_place; p < element.end_place; ++p) {
                 const ContactPlace& place = places_.places[p];
-                const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+                const Vec3 position = places_.position(place, state.trial);
                 const SurfaceTouch surface = touch(at, obstacle, p, position);
                 const Touching touching = is_mixed ? touch_by_parameters(at, obstacle, p, surface.gap, state)
                                                    : touch_by_law(at, obstacle, p, surface.gap, state);
@@ -307,6 +336,13 @@ void ContactAssembly::add_tangents(const State& state,
                     Mat6 own;
                     own << there.force_by_position, there.force_by_rotation * turn, there.moment_by_position,
                         there.moment_by_rotation * turn;
+                    if (element.is_body) {
+                        const Vec3 force =
+                            compute_place_force(
+                                surface, places_.motion_of(place, state), touching.normal, touching.friction)
+                                .force;
+                        own = take_to_node(at, place, state, force, own);
+                    }
                     for (int i = 0; i < element.count; ++i)
                         tangent.block<6, 6>(6 * i, 6 * j) -=
                             (part * place.shapes[static_cast<std::size_t>(i)]) * own;

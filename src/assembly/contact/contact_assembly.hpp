@@ -29,9 +29,10 @@ struct ContactWork {
     double loss = 0.0;          // by impacts and friction
 };
 
-// Contact of rods with obstacles: forces, their tangent, and how far a motion may go so that nothing passes
-// through anything. Each place of a rod (ContactPlaces) touches each obstacle by itself. Forces are those of
-// State::trial; where State::contact has parameters, tangents are those of forces as unknowns of their own.
+// Contact of rods and bodies with obstacles: forces, their tangent, and how far a motion may go so that
+// nothing passes through anything. Each place of a rod or body (ContactPlaces) touches each obstacle by
+// itself. Forces are those of State::trial; where State::contact has parameters, tangents are those of forces
+// as unknowns of their own.
 class ContactAssembly {
   public:
     // All must outlive it.
@@ -63,8 +64,9 @@ class ContactAssembly {
     void start(State& state, double time) const;
     // With the whole increments of a Newton iteration, before nodes move.
     void advance(const std::vector<Vec6>& deltas, double time, State& state) const;
-    // How far displacements of the trial may go; obstacles move with them to where they are at `time`.
-    ContactLimits limit(const std::vector<Vec3>& displacements,
+    // How far displacements and spins of the trial may go; obstacles move with them to where they are at
+    // `time`.
+    ContactLimits limit(const std::vector<Vec6>& increments,
                         State& state,
                         double time,
                         Approach approach = Approach::increment) const;
@@ -163,6 +165,19 @@ class ContactAssembly {
                    std::size_t obstacle,
                    std::size_t place,
                    State& state) const;
+    Vec3 find_lever(const At& at, const ContactPlace& place, const State& state) const;
+    Mat6 take_to_node(const At& at,
+                      const ContactPlace& place,
+                      const State& state,
+                      const Vec3& force,
+                      Mat6 derivative) const;
+    FreeMotion find_bent_free_motion(const ObstacleSurface& surface,
+                                     const ObstaclePlacement& from,
+                                     const ObstaclePlacement& to,
+                                     const ContactPlace& place,
+                                     const Vec6& increment,
+                                     double skin,
+                                     const State& state) const;
     template <class Find>
     void add_element_force(
         std::size_t element, const At& at, const State& state, const Find& find, LoadVector& force) const;

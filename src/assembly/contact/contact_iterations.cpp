@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "assembly/contact/contact_assembly.hpp"
+#include "rotation/rotation_map.hpp"
 #include "rotation/tangent_map.hpp"
 
 // What contact does in Newton's iterations: parameters, limits of increments, and what is remembered.
@@ -20,8 +22,7 @@ void ContactAssembly::for_each_near(
                     if (far) {
                         forget_place(obstacle, p, kept);
                     } else {
-                        work(
-                            obstacle, p, places_.interpolate(places_.places[p], state.trial, &NodeMotion::r));
+                        work(obstacle, p, places_.position(places_.places[p], state.trial));
                     }
                 }
             }
@@ -56,41 +57,37 @@ void ContactAssembly::advance(const std::vector<Vec6>& deltas, double time, Stat
     pairs_.advance(deltas, state);
     double reach = 0.0;
     for (const Vec6& delta : deltas) reach = std::max(reach, delta.head<3>().norm());
-    for_each_near(
-        at,
-        state,
-        largest_shape_sum * reach,
-        state,
-        [&](std::size_t obstacle, std::size_t p, const Vec3& position) {
-            const ContactPlace& place = places_.places[p];
-            const ContactElement& element = places_.elements[static_cast<std::size_t>(place.element)];
-            Vec3 change = Vec3::Zero();
-            PlaceMotion motion;
-            if (rubs_) motion = places_.motion_of(place, state);
-            for (int i = 0; i < element.count; ++i) {
-                const auto node = static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)]);
-                const double shape = place.shapes[static_cast<std::size_t>(i)];
-                change += shape * deltas[node].head<3>();
-                if (rubs_)
-                    motion.rotation +=
-                        shape * (tangent_map_inverse(state.trial[node].theta) * deltas[node].tail<3>());
-            }
-            motion.displacement += change;
-            double& parameter = state.contact.parameters[pair(obstacle, p)];
-            const SurfaceTouch surface = touch(at, obstacle, p, position);
-            const double gap = surface.gap + surface.slope * surface.normal.dot(change);
-            const NormalForce normal = tangent_force(at, obstacle, p, gap, state);
-            if (surfaces_[obstacle].body->stiffness) {
-                parameter = gap;
-            } else {
-                parameter = find_gap_on_curve(impact_law(at, obstacle, p, state), normal.force, gap);
-            }
-            if (rubs_)
-                keep_slip(advance_slip(surface, motion, normal, tangent_friction(obstacle, p, state)),
-                          obstacle,
-                          p,
-                          state);
-        });
+    reach *= largest_shape_sum;
+    for (auto element = places_.elements.rbegin(); element != places_.elements.rend() && element->is_body;
+         ++element)
+        reach = std::max(reach, places_.reach(*element, deltas));
+    for_each_near(at, state, reach, state, [&](std::size_t obstacle, std::size_t p, const Vec3& position) {
+        const ContactPlace& place = places_.places[p];
+        const ContactElement& element = places_.elements[static_cast<std::size_t>(place.element)];
+        const Vec3 change = places_.change(place, state, deltas);
+        PlaceMotion motion;
+        if (rubs_) motion = places_.motion_of(place, state);
+        for (int i = 0; rubs_ && i < element.count; ++i) {
+            const auto node = static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)]);
+            motion.rotation += place.shapes[static_cast<std::size_t>(i)] *
+                               (tangent_map_inverse(state.trial[node].theta) * deltas[node].tail<3>());
+        }
+        motion.displacement += change;
+        double& parameter = state.contact.parameters[pair(obstacle, p)];
+        const SurfaceTouch surface = touch(at, obstacle, p, position);
+        const double gap = surface.gap + surface.slope * surface.normal.dot(change);
+        const NormalForce normal = tangent_force(at, obstacle, p, gap, state);
+        if (surfaces_[obstacle].body->stiffness) {
+            parameter = gap;
+        } else {
+            parameter = find_gap_on_curve(impact_law(at, obstacle, p, state), normal.force, gap);
+        }
+        if (rubs_)
+            keep_slip(advance_slip(surface, motion, normal, tangent_friction(obstacle, p, state)),
+                      obstacle,
+                      p,
+                      state);
+    });
 }
 
 void ContactAssembly::keep_slip(const CoulombFriction& friction,
@@ -101,7 +98,33 @@ void ContactAssembly::keep_slip(const CoulombFriction& friction,
         friction.slip == Slip::slides ? friction.direction : Vec3(Vec3::Zero());
 }
 
-ContactLimits ContactAssembly::limit(const std::vector<Vec3>& displacements,
+// A place of a body moves on a bent line, which leaves its chord by an eighth of its second derivative at
+// most: as much of it is taken as keeps that below a quarter of the gap.
+FreeMotion ContactAssembly::find_bent_free_motion(const ObstacleSurface& surface,
+                                                  const ObstaclePlacement& from,
+                                                  const ObstaclePlacement& to,
+                                                  const ContactPlace& place,
+                                                  const Vec6& increment,
+                                                  double skin,
+                                                  const State& state) const {
+    const double radius = places_.elements[static_cast<std::size_t>(place.element)].radius;
+    const Vec3 position = places_.position(place, state.trial);
+    const Vec3 arm = places_.arm(place, state.trial);
+    const Vec3 turn = increment.tail<3>();
+    const double bend = turn.norm() * turn.cross(arm).norm();
+    const double gap = surface.find_free_motion(radius, from, position, from, position).gap;
+    const double part = bend > 2.0 * gap ? std::sqrt(std::max(2.0 * gap, 0.0) / bend) : 1.0;
+    const Vec3 change = part * increment.head<3>() + exp_quaternion(part * turn) * arm - arm;
+    const FreeMotion free = surface.find_free_motion(radius + part * part * bend / 8.0,
+                                                     from,
+                                                     position,
+                                                     part < 1.0 ? between(from, to, part) : to,
+                                                     position + change,
+                                                     skin);
+    return {part * free.fraction, gap};
+}
+
+ContactLimits ContactAssembly::limit(const std::vector<Vec6>& increments,
                                      State& state,
                                      double time,
                                      Approach approach) const {
@@ -116,15 +139,9 @@ ContactLimits ContactAssembly::limit(const std::vector<Vec3>& displacements,
     team_->for_each_range(of_elements.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t e = first; e < last; ++e) {
             const ContactElement& element = places_.elements[e];
-            double reach = 0.0;
-            for (int i = 0; i < element.count; ++i)
-                reach = std::max(
-                    reach,
-                    displacements[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])]
-                        .norm());
+            const double reach = places_.reach(element, increments);
             const auto is_clear = [&](std::size_t obstacle) {
-                return !surfaces_[obstacle].body->motion &&
-                       is_far(from, obstacle, element, state, largest_shape_sum * reach);
+                return !surfaces_[obstacle].body->motion && is_far(from, obstacle, element, state, reach);
             };
             std::vector<std::size_t> near;
             for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
@@ -135,20 +152,25 @@ ContactLimits ContactAssembly::limit(const std::vector<Vec3>& displacements,
             if (near.empty()) continue;
             for (std::size_t p = element.first_place; p < element.end_place; ++p) {
                 const ContactPlace& place = places_.places[p];
-                const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
-                Vec3 change = Vec3::Zero();
-                for (int i = 0; i < element.count; ++i)
-                    change +=
-                        place.shapes[static_cast<std::size_t>(i)] *
-                        displacements[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])];
+                const Vec3 position = places_.position(place, state.trial);
+                const Vec3 change = places_.change(place, state, increments);
+                const bool is_bent = element.is_body && !place.arm.isZero(0.0);
+                const double skin = is_careful ? element.law.skin : 0.0;
                 for (const std::size_t obstacle : near) {
+                    const ObstacleSurface& surface = surfaces_[obstacle];
+                    const ObstaclePlacement& start = from.now[obstacle];
+                    const ObstaclePlacement& end = to.now[obstacle];
                     const FreeMotion free =
-                        surfaces_[obstacle].find_free_motion(element.radius,
-                                                             from.now[obstacle],
-                                                             position,
-                                                             to.now[obstacle],
-                                                             position + change,
-                                                             is_careful ? element.law.skin : 0.0);
+                        is_bent
+                            ? find_bent_free_motion(surface,
+                                                    start,
+                                                    end,
+                                                    place,
+                                                    increments[static_cast<std::size_t>(element.nodes[0])],
+                                                    skin,
+                                                    state)
+                            : surface.find_free_motion(
+                                  element.radius, start, position, end, position + change, skin);
                     of_elements[e] = std::min(of_elements[e],
                                               keep_from_rounding(free.fraction, element.law.skin, free.gap));
                     gaps[e] = std::min(gaps[e], free.gap);
@@ -162,7 +184,7 @@ ContactLimits ContactAssembly::limit(const std::vector<Vec3>& displacements,
         limits.least = std::min(limits.least, of_elements[e]);
         limits.least_gap = std::min(limits.least_gap, gaps[e]);
     }
-    if (!pairs_.empty()) pairs_.limit(displacements, state, approach, limits);
+    if (!pairs_.empty()) pairs_.limit(increments, state, approach, limits);
     // Obstacles that still have to move go as far as all.
     if (moves_ && state.contact.progress < 1.0) std::ranges::fill(limits.of_parts, limits.least);
     return limits;
@@ -176,7 +198,7 @@ void ContactAssembly::commit(State& state, double time) const {
     team_->for_each_range(places_.places.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t p = first; p < last; ++p) {
             const ContactPlace& place = places_.places[p];
-            const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+            const Vec3 position = places_.position(place, state.trial);
             for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
                 if (is_off(obstacle, p)) continue;
                 const SurfaceTouch surface = touch(at, obstacle, p, position);

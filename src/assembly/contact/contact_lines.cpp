@@ -9,12 +9,13 @@ namespace gxrod {
 namespace {
 
 // Where a node of the model is on a rod, and the tangent of the rod there, at t = 0, away from the end if it
-// is one.
+// is one. On a body, which has no tangent, what it extends from the node.
 struct NodeOnRod {
     int rod = 0;
     double s = 0.0;
     Vec3 tangent = Vec3::Zero();
     bool is_end = false;
+    double radius = 0.0, extent = 0.0;
 };
 
 std::multimap<int, NodeOnRod> find_nodes_of_rods(const Model& model) {
@@ -31,8 +32,18 @@ std::multimap<int, NodeOnRod> find_nodes_of_rods(const Model& model) {
             const bool is_end = s == rod.length;
             const Vec3 tangent = rod.triads[entry] * Vec3::UnitX();
             found.emplace(rod.element_nodes[entry],
-                          NodeOnRod{index, s, is_end ? Vec3(-tangent) : tangent, is_start || is_end});
+                          NodeOnRod{index,
+                                    s,
+                                    is_end ? Vec3(-tangent) : tangent,
+                                    is_start || is_end,
+                                    model.contact.radii[static_cast<std::size_t>(index)]});
         }
+    }
+    for (const ContactBody& body : model.contact.bodies) {
+        NodeOnRod own{static_cast<int>(model.rods.size()) + body.body};
+        own.radius = body.radius;
+        own.extent = std::max(body.ends[0].norm(), body.ends[1].norm());
+        found.emplace(model.bodies[static_cast<std::size_t>(body.body)].node, own);
     }
     return found;
 }
@@ -44,13 +55,12 @@ double find_angle(const NodeOnRod& a, const NodeOnRod& b) {
     return std::acos(std::clamp(cosine, -1.0, 1.0));
 }
 
-void add_meeting(const Model& model, const NodeOnRod& a, const NodeOnRod& b, ContactLines& lines) {
-    const double radii = model.contact.radii[static_cast<std::size_t>(a.rod)] +
-                         model.contact.radii[static_cast<std::size_t>(b.rod)];
+void add_meeting(double skin, const NodeOnRod& a, const NodeOnRod& b, ContactLines& lines) {
+    const double radii = a.radius + b.radius;
     constexpr double least_angle = 0.2;
     const double reach =
         std::max(M_PI / 2.0, 1.0 / std::sin(0.5 * std::max(find_angle(a, b), least_angle))) * radii +
-        model.contact.skin * radii;
+        skin * radii + a.extent + b.extent;
     lines.meetings.push_back({a.rod, b.rod, a.s, b.s, reach});
 }
 
@@ -63,9 +73,9 @@ void find_meetings(const Model& model, ContactLines& lines) {
             for (auto b = other_first; b != other_last; ++b) {
                 if (a->second.rod < b->second.rod ||
                     (a->second.rod == b->second.rod && a->second.s < b->second.s))
-                    add_meeting(model, a->second, b->second, lines);
+                    add_meeting(model.contact.skin, a->second, b->second, lines);
                 else if (node != other && a->second.rod > b->second.rod)
-                    add_meeting(model, b->second, a->second, lines);
+                    add_meeting(model.contact.skin, b->second, a->second, lines);
             }
         }
     };
@@ -117,8 +127,13 @@ ContactLines find_contact_lines(const Model& model) {
         const ContactPlace& from = lines.places.places[p];
         const ContactPlace& to = lines.places.places[p + 1];
         if (from.element != to.element) continue;
-        const Rod& rod = model.rods[static_cast<std::size_t>(
-            lines.places.elements[static_cast<std::size_t>(from.element)].rod)];
+        const ContactElement& element = lines.places.elements[static_cast<std::size_t>(from.element)];
+        if (element.is_body) {
+            const double length = (to.arm - from.arm).norm();
+            lines.pieces.push_back({p, length, 0.0, true, length > 0.0});
+            continue;
+        }
+        const Rod& rod = model.rods[static_cast<std::size_t>(element.rod)];
         const double length = (to.fraction - from.fraction) * rod.length;
         const bool is_closed = rod.element_nodes.front() == rod.element_nodes.back();
         lines.pieces.push_back({p,

@@ -7,15 +7,17 @@
 
 namespace gxrod {
 
-// A piece of a rod between two of its places, straight for what touches it.
+// A piece of a rod between two of its places, straight for what touches it; or all of a body, whose length is
+// zero if it is a sphere.
 struct ContactPiece {
     std::size_t place = 0;  // and the one after it, of the same element
     double length = 0.0;    // at t = 0
-    double middle = 0.0;    // arc length from the start of the rod
+    double middle = 0.0;    // arc length from the start of the rod; 0 of a body
     bool starts_rod = false, ends_rod = false;
 };
 
-// Where two rods meet, so that they do not touch there: a place on each by arc length, and how far from it.
+// Where two rods, or a rod and a body, meet, so that they do not touch there: a place on each by arc length,
+// and how far from it.
 struct RodMeeting {
     int rod = 0, other = 0;  // rod ≤ other
     double at = 0.0, other_at = 0.0;

@@ -12,7 +12,7 @@ double ContactAssembly::compute_energy(const State& state, double time) const {
     for (std::size_t p = 0; p < places_.places.size(); ++p) {
         const ContactPlace& place = places_.places[p];
         const ContactLaw& law = places_.elements[static_cast<std::size_t>(place.element)].law;
-        const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+        const Vec3 position = places_.position(place, state.trial);
         for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
             if (is_off(obstacle, p)) continue;
             const SurfaceTouch surface = touch(at, obstacle, p, position);
@@ -42,8 +42,9 @@ ContactWork ContactAssembly::compute_work(const State& state, double time, doubl
     double slip_work = at.has_impacts ? 0.0 : pairs_.compute_slip_work(state);
     for (std::size_t p = 0; p < places_.places.size(); ++p) {
         const ContactPlace& place = places_.places[p];
-        const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+        const Vec3 position = places_.position(place, state.trial);
         const PlaceMotion motion = places_.motion_of(place, state);
+        const bool is_body = places_.elements[static_cast<std::size_t>(place.element)].is_body;
         for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
             if (is_off(obstacle, p)) continue;
             const SurfaceTouch surface = touch(at, obstacle, p, position);
@@ -68,6 +69,12 @@ ContactWork ContactAssembly::compute_work(const State& state, double time, doubl
                                  (after.traction.squaredNorm() - touching.friction.traction.squaredNorm());
             }
             on_rods += place.weight * (force.dot(motion.displacement) + after.moment.dot(motion.rotation));
+            if (is_body && at.has_impacts) {
+                // What impulses do to the node.
+                const Vec3 lever = find_lever(at, place, state);
+                const Vec3 turned = places_.arm(place, state.trial) - places_.arm(place, state.previous);
+                on_rods += place.weight * force.dot(motion.rotation.cross(lever) - turned);
+            }
             work.by_obstacles += place.weight * force.dot(surface.drift);
         }
     }
@@ -82,7 +89,7 @@ std::vector<ObstacleValues> ContactAssembly::compute_obstacle_values(const State
     for (ObstacleValues& own : values) own.least_gap = std::numeric_limits<double>::infinity();
     for (std::size_t p = 0; p < places_.places.size(); ++p) {
         const ContactPlace& place = places_.places[p];
-        const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+        const Vec3 position = places_.position(place, state.trial);
         for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
             if (is_off(obstacle, p)) continue;
             ObstacleValues& own = values[surfaces_[obstacle].obstacle];
@@ -106,7 +113,7 @@ ContactCount ContactAssembly::count(const State& state, double time) const {
     ContactCount result{0, std::numeric_limits<double>::infinity()};
     for (std::size_t p = 0; p < places_.places.size(); ++p) {
         const ContactLaw& law = places_.elements[static_cast<std::size_t>(places_.places[p].element)].law;
-        const Vec3 position = places_.interpolate(places_.places[p], state.trial, &NodeMotion::r);
+        const Vec3 position = places_.position(places_.places[p], state.trial);
         for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
             if (is_off(obstacle, p)) continue;
             const double gap = touch(at, obstacle, p, position).gap;

@@ -5,7 +5,7 @@
 
 namespace gxrod {
 
-// A rod that is in an obstacle or in another rod, where it is deepest.
+// A rod or body that is in an obstacle, or a rod in another one, where it is deepest.
 struct ContactOverlap {
     std::array<int, 2> rods{};       // as ContactTouch has them
     std::array<double, 2> places{};  // fractions of their lengths

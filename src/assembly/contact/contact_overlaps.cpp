@@ -18,12 +18,16 @@ void keep_deepest(const ContactOverlap& one, std::map<std::array<int, 2>, Contac
     if (!is_new && one.gap < found->second.gap) found->second = one;
 }
 
+// Of a rod, a body or an obstacle, as ContactTouch numbers them.
+const std::string& find_name(int index, const Model& model) {
+    if (index < 0) return model.contact.obstacles[static_cast<std::size_t>(-1 - index)].name;
+    const auto part = static_cast<std::size_t>(index);
+    return part < model.rods.size() ? model.rods[part].name : model.bodies[part - model.rods.size()].name;
+}
+
 // "b and c by 0.00012": a further pair of the list.
 std::string name_pair(const ContactOverlap& one, const Model& model) {
-    const auto name = [&](int index) -> const std::string& {
-        return index >= 0 ? model.rods[static_cast<std::size_t>(index)].name
-                          : model.contact.obstacles[static_cast<std::size_t>(-1 - index)].name;
-    };
+    const auto name = [&](int index) -> const std::string& { return find_name(index, model); };
     if (std::isinf(one.gap)) return fmt::format("{} crosses {}", name(one.rods[0]), name(one.rods[1]));
     return one.rods[0] == one.rods[1]
                ? fmt::format("{} itself by {:.2g}", name(one.rods[0]), -one.gap)
@@ -32,8 +36,9 @@ std::string name_pair(const ContactOverlap& one, const Model& model) {
 
 std::string describe_deepest(const ContactOverlap& one, const Model& model) {
     const auto place = [&](std::size_t side) {
-        return fmt::format(
-            "{}@{:.4g}", model.rods[static_cast<std::size_t>(one.rods[side])].name, one.places[side]);
+        const std::string& name = find_name(one.rods[side], model);
+        const bool is_rod = one.rods[side] < static_cast<int>(model.rods.size());
+        return is_rod ? fmt::format("{}@{:.4g}", name, one.places[side]) : name;
     };
     if (one.rods[1] >= 0)
         return fmt::format("{} and {} overlap: they are {:.6g} apart, and their radii add up to {:.6g}",
@@ -61,8 +66,9 @@ void ContactPairs::add_overlaps(const State& state, std::vector<ContactOverlap>&
         if (gap > 0.0) continue;
         const auto fraction = [&](std::uint32_t index) {
             const ContactPiece& piece = lines_.pieces[index];
-            const int rod = lines_.element_of(piece).rod;
-            return piece.middle / model_->rods[static_cast<std::size_t>(rod)].length;
+            const ContactElement& element = lines_.element_of(piece);
+            const int rod = element.rod;
+            return element.is_body ? 0.0 : piece.middle / model_->rods[static_cast<std::size_t>(rod)].length;
         };
         overlaps.push_back({{lines_.element_of(lines_.pieces[near.first]).rod,
                              lines_.element_of(lines_.pieces[near.second]).rod},
@@ -78,10 +84,9 @@ std::vector<ContactOverlap> ContactAssembly::list_overlaps(const State& state, d
     for (std::size_t p = 0; p < places_.places.size(); ++p) {
         const ContactPlace& place = places_.places[p];
         const ContactElement& element = places_.elements[static_cast<std::size_t>(place.element)];
-        const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
-        const Vec3 next = p + 1 < element.end_place
-                              ? places_.interpolate(places_.places[p + 1], state.trial, &NodeMotion::r)
-                              : position;
+        const Vec3 position = places_.position(place, state.trial);
+        const Vec3 next =
+            p + 1 < element.end_place ? places_.position(places_.places[p + 1], state.trial) : position;
         for (std::size_t s = 0; s < surfaces_.size(); ++s) {
             const ObstacleSurface& surface = surfaces_[s];
             if (surface.body->stiffness || is_off(s, p)) continue;

@@ -62,8 +62,8 @@ PairMotion ContactPairs::motion_of(const NearPieces& near, const State& state) c
         const ContactPiece& piece = lines_.pieces[index];
         (end == 0 ? motion.radius_a : motion.radius_b) = lines_.element_of(piece).radius;
         for (std::size_t p = piece.place; p < piece.place + 2; ++p, ++end) {
-            motion.positions[end] = all.interpolate(all.places[p], state.trial, &NodeMotion::r);
-            motion.positions_before[end] = all.interpolate(all.places[p], state.previous, &NodeMotion::r);
+            motion.positions[end] = all.position(all.places[p], state.trial);
+            motion.positions_before[end] = all.position(all.places[p], state.previous);
             motion.rotations[end] = all.interpolate(all.places[p], state.trial, &NodeMotion::theta);
         }
     }
@@ -101,12 +101,21 @@ void ContactPairs::keep_slip(std::size_t index, const CoulombFriction& friction,
 }
 
 template <class Add>
-void ContactPairs::scatter(const NearPieces& near, const Vec24& of_ends, const Add& add) const {
+void ContactPairs::scatter(const NearPieces& near,
+                           const Vec24& of_ends,
+                           const State& state,
+                           const Add& add) const {
     int end = 0;
     for (const std::uint32_t index : {near.first, near.second}) {
         const ContactPiece& piece = lines_.pieces[index];
         const ContactElement& element = lines_.element_of(piece);
         for (std::size_t p = piece.place; p < piece.place + 2; ++p, ++end) {
+            if (element.is_body) {
+                Vec6 force = of_ends.segment<6>(6 * end);
+                force.tail<3>() += find_lever(lines_.places.places[p], state).cross(force.head<3>());
+                add(element.nodes[0], force);
+                continue;
+            }
             for (int i = 0; i < element.count; ++i)
                 add(element.nodes[static_cast<std::size_t>(i)],
                     Vec6(lines_.places.places[p].shapes[static_cast<std::size_t>(i)] *
@@ -124,7 +133,7 @@ void ContactPairs::subtract_forces(const State& state, double weight, Residual& 
             forces += compute_pair_friction(
                           touching.energy, motion_of(near, state), friction_of(touching.index, state))
                           .forces;
-        scatter(near, weight * forces, [&](int node, const Vec6& force) {
+        scatter(near, weight * forces, state, [&](int node, const Vec6& force) {
             residual.raise_group(groups_->of_node(node), force);
             residual.nodal[static_cast<std::size_t>(node)] -= force;
         });
@@ -149,7 +158,7 @@ std::optional<ContactPairs::Expected> ContactPairs::find_expected(std::size_t in
 void ContactPairs::replace_by_tangent_forces(const State& state, double weight, Residual& residual) const {
     if (weight == 0.0) return;
     const auto subtract = [&](const NearPieces& near, const Vec24& forces) {
-        scatter(near, weight * forces, [&](int node, const Vec6& force) {
+        scatter(near, weight * forces, state, [&](int node, const Vec6& force) {
             residual.nodal[static_cast<std::size_t>(node)] -= force;
         });
     };
@@ -198,30 +207,34 @@ std::vector<ContactPairs::EndTangent> ContactPairs::find_end_tangents(const Stat
     for (std::size_t index = 0; index < pieces.size(); ++index) {
         const bool touches = next != touching.end() && next->index == index;
         if (touches || state.contact.pieces_expected[index] > no_contact) {
-            tangents.push_back({index, Mat24::Zero()});
+            tangents.push_back({index, Vec24::Zero(), Mat24::Zero()});
             energies.push_back(touches ? &next->energy : nullptr);
         }
         if (touches) ++next;
     }
     team_->for_each_range(tangents.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
-            const std::size_t index = tangents[i].index;
-            const auto add_by_positions = [&](const Mat12& matrix) {
+            EndTangent& own = tangents[i];
+            const auto subtract_by_positions = [&](const Mat12& hessian) {
                 for (int a = 0; a < 4; ++a)
                     for (int b = 0; b < 4; ++b)
-                        tangents[i].matrix.block<3, 3>(6 * a, 6 * b) += matrix.block<3, 3>(3 * a, 3 * b);
+                        own.derivative.block<3, 3>(6 * a, 6 * b) -= hessian.block<3, 3>(3 * a, 3 * b);
             };
-            if (const std::optional<Expected> expected = find_expected(index, state)) {
-                add_by_positions(expected->stiffness * expected->slope * expected->slope.transpose());
+            if (const std::optional<Expected> expected = find_expected(own.index, state)) {
+                subtract_by_positions(expected->stiffness * expected->slope * expected->slope.transpose());
+                own.forces = with_moments(expected->force * expected->slope);
                 continue;
             }
-            if (rub())
-                tangents[i].matrix = -compute_pair_friction_derivative(*energies[i],
-                                                                       motion_of(pieces[index], state),
-                                                                       state.contact.has_parameters
-                                                                           ? taken_friction_of(index, state)
-                                                                           : friction_of(index, state));
-            add_by_positions(energies[i]->hessian);
+            subtract_by_positions(energies[i]->hessian);
+            const bool needs_forces = has_body(pieces[own.index]);
+            if (needs_forces) own.forces = with_moments(-energies[i]->gradient);
+            if (!rub()) continue;
+            const CoulombFriction friction = state.contact.has_parameters
+                                                 ? taken_friction_of(own.index, state)
+                                                 : friction_of(own.index, state);
+            const PairMotion motion = motion_of(pieces[own.index], state);
+            own.derivative += compute_pair_friction_derivative(*energies[i], motion, friction);
+            if (needs_forces) own.forces += compute_pair_friction(*energies[i], motion, friction).forces;
         }
     });
     return tangents;
@@ -240,6 +253,10 @@ std::vector<PairBlock> ContactPairs::compute_tangents(
             block.matrix = Eigen::MatrixXd::Zero(size, size);
         }
         const Shares shares = find_shares(near, block.nodes);
+        if (has_body(near)) {
+            add_tangent_with_body(tangent, weight, linearizations, state, shares, block);
+            continue;
+        }
         for (Eigen::Index column = 0; column < shares.cols(); ++column) {
             const auto node = static_cast<std::size_t>(block.nodes[static_cast<std::size_t>(column)]);
             const double part = weight * linearizations[node].placement;
@@ -249,11 +266,11 @@ std::vector<PairBlock> ContactPairs::compute_tangents(
                 for (int a = 0; a < 4; ++a) {
                     for (int b = 0; b < 4; ++b) {
                         const double share = shares(a, row) * shares(b, column);
-                        if (share != 0.0) sum += share * tangent.matrix.block<6, 6>(6 * a, 6 * b);
+                        if (share != 0.0) sum += share * tangent.derivative.block<6, 6>(6 * a, 6 * b);
                     }
                 }
                 sum.rightCols<3>() = (sum.rightCols<3>() * turn).eval();
-                block.matrix.block<6, 6>(6 * row, 6 * column) += part * sum;
+                block.matrix.block<6, 6>(6 * row, 6 * column) -= part * sum;
             }
         }
     }
@@ -278,9 +295,7 @@ void ContactPairs::advance(const std::vector<Vec6>& deltas, State& state) const 
     const std::vector<Touching> touching = find_touching(state);
     const std::vector<NearPieces>& pieces = state.contact.pieces;
     const std::vector<Segment> segments = find_segments(state.trial);
-    double reach = 0.0;
-    for (const Vec6& delta : deltas) reach = std::max(reach, delta.head<3>().norm());
-    reach *= 2.0 * largest_shape_sum;
+    const double reach = 2.0 * find_reach(deltas);
     team_->for_each_range(pieces.size(), [&](std::size_t first, std::size_t last) {
         auto next = std::ranges::lower_bound(touching, first, {}, &Touching::index);
         for (std::size_t index = first; index < last; ++index) {
@@ -315,11 +330,11 @@ PairIncrement ContactPairs::find_increment(const NearPieces& near,
         const ContactPiece& piece = lines_.pieces[one];
         const ContactElement& element = lines_.element_of(piece);
         for (std::size_t p = piece.place; p < piece.place + 2; ++p, ++end) {
+            increment.displacements[end] = lines_.places.change(lines_.places.places[p], state, deltas);
             for (std::size_t n = 0; n < static_cast<std::size_t>(element.count); ++n) {
                 const auto node = static_cast<std::size_t>(element.nodes[n]);
                 const double share = lines_.places.places[p].shapes[n];
                 if (share == 0.0) continue;
-                increment.displacements[end] += share * deltas[node].head<3>();
                 increment.turns[end] +=
                     share * (tangent_map_inverse(state.trial[node].theta) * deltas[node].tail<3>());
             }
@@ -367,6 +382,7 @@ double ContactPairs::compute_work(const State& state) const {
             work += forces.segment<3>(6 * end).dot(motion.positions[at] - motion.positions_before[at]) +
                     forces.segment<3>(6 * end + 3).dot(motion.rotations[at]);
         }
+        if (has_body(near)) work += compute_turning_work(near, forces, state);
     }
     return work;
 }

@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <cmath>
 
 #include "assembly/contact/contact_pairs.hpp"
 #include "contact/advancement.hpp"
 #include "numerics/disjoint_sets.hpp"
+#include "rotation/rotation_map.hpp"
 
 // How far rods may move so that they do not pass through each other, and which are expected to touch.
 namespace gxrod {
@@ -22,21 +24,37 @@ double find_change(const ClosestPoints& closest, const Segment& motion_a, const 
 
 }  // namespace
 
-std::vector<Segment> ContactPairs::find_motions(const std::vector<Vec3>& displacements) const {
-    std::vector<Segment> motions(lines_.pieces.size());
+ContactPairs::PieceMotion ContactPairs::find_motion(std::size_t piece,
+                                                    double part,
+                                                    const State& state,
+                                                    const std::vector<Vec6>& increments) const {
+    const ContactPlaces& all = lines_.places;
+    const ContactPlace& start = all.places[lines_.pieces[piece].place];
+    const ContactPlace& end = all.places[lines_.pieces[piece].place + 1];
+    const ContactElement& element = all.elements[static_cast<std::size_t>(start.element)];
+    if (!element.is_body) {
+        const Segment all_of_it{all.change(start, state, increments), all.change(end, state, increments)};
+        return {{part * all_of_it.start, part * all_of_it.end}};
+    }
+    const Vec6& increment = increments[static_cast<std::size_t>(element.nodes[0])];
+    const Vec3 turn = part * increment.tail<3>();
+    PieceMotion motion;
+    const auto move = [&](const ContactPlace& place) {
+        const Vec3 arm = all.arm(place, state.trial);
+        // An eighth of the second derivative.
+        motion.aside = std::max(motion.aside, turn.norm() * turn.cross(arm).norm() / 8.0);
+        return Vec3(part * increment.head<3>() + exp_quaternion(turn) * arm - arm);
+    };
+    motion.chord.start = move(start);
+    motion.chord.end = move(end);
+    return motion;
+}
+
+std::vector<ContactPairs::PieceMotion> ContactPairs::find_motions(const State& state,
+                                                                  const std::vector<Vec6>& increments) const {
+    std::vector<PieceMotion> motions(lines_.pieces.size());
     team_->for_each_range(motions.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            const ContactPiece& piece = lines_.pieces[i];
-            const ContactElement& element = lines_.element_of(piece);
-            const auto sum = [&](std::size_t place) {
-                Vec3 motion = Vec3::Zero();
-                for (std::size_t n = 0; n < static_cast<std::size_t>(element.count); ++n)
-                    motion += lines_.places.places[place].shapes[n] *
-                              displacements[static_cast<std::size_t>(element.nodes[n])];
-                return motion;
-            };
-            motions[i] = {sum(piece.place), sum(piece.place + 1)};
-        }
+        for (std::size_t i = first; i < last; ++i) motions[i] = find_motion(i, 1.0, state, increments);
     });
     return motions;
 }
@@ -59,38 +77,47 @@ ContactLaw ContactPairs::expected_law_of(const NearPieces& near) const {
 }
 
 ContactPairs::PairLimit ContactPairs::limit_pair(const NearPieces& near,
-                                                 const std::vector<Segment>& at,
-                                                 const std::vector<Segment>& motions,
+                                                 const Wanted& wanted,
+                                                 const State& state,
                                                  Approach approach,
                                                  double& expected) const {
-    const Segment& a = at[near.first];
-    const Segment& b = at[near.second];
-    const Segment& move_a = motions[near.first];
-    const Segment& move_b = motions[near.second];
+    const Segment& a = wanted.at[near.first];
+    const Segment& b = wanted.at[near.second];
+    PieceMotion move_a = wanted.motions[near.first];
+    PieceMotion move_b = wanted.motions[near.second];
     const ContactLaw law = expected_law_of(near);
     const double radii = law_of(near).radii;
     const ClosestPoints closest = find_closest_points(a, b);
-    PairLimit limit;
-    limit.gap = closest.distance - radii;
+    const double gap = closest.distance - radii, change = find_change(closest, move_a.chord, move_b.chord);
+    PairLimit limit{1.0, gap, false};
     AdvancementLimits kept;
-    kept.kept_share = approach == Approach::prediction ? find_predicted_share(law.skin, limit.gap)
-                                                       : find_kept_share(law.skin, limit.gap);
+    kept.kept_share = approach == Approach::prediction ? find_predicted_share(law.skin, gap)
+                                                       : find_kept_share(law.skin, gap);
     const bool was_expected = expected > no_contact;
     if (was_expected) {
-        expected = advance_contact(law, expected, limit.gap, find_change(closest, move_a, move_b));
+        expected = advance_contact(law, expected, gap, change);
         const ContactGraphPoint next = find_contact_point(law, expected);
         // It may come as near as its force says, but not so near that it would be thrown back.
-        const double least = std::max(0.5 * next.gap, 0.3 * law.skin);
-        kept.kept_share = std::min(kept.kept_share, least / limit.gap);
+        kept.kept_share = std::min(kept.kept_share, std::max(0.5 * next.gap, 0.3 * law.skin) / gap);
         // From here on it touches.
-        if (compute_contact_force(law, limit.gap) > 0.25 * next.force) expected = no_contact;
+        if (compute_contact_force(law, gap) > 0.25 * next.force) expected = no_contact;
     }
-    if ((1.0 - kept.kept_share) * limit.gap >= largest_motion(move_a) + largest_motion(move_b)) return limit;
+    double aside = move_a.aside + move_b.aside;
+    if ((1.0 - kept.kept_share) * gap >= largest_motion(move_a.chord) + largest_motion(move_b.chord) + aside)
+        return limit;
     limit.can_meet = true;
-    const Advancement free = advance_capsules(a, add(a, move_a), b, add(b, move_b), radii, kept);
-    limit.fraction = keep_from_rounding(free.fraction, law.skin, limit.gap);
-    if (free.fraction < 1.0 && !was_expected && limit.gap > law.skin)
-        expected = std::max(-(limit.gap + find_change(closest, move_a, move_b)) / law.skin, no_contact);
+    double part = 1.0;
+    // So much that ways leave their chords by a quarter of the gap at most.
+    if (aside > 0.25 * gap) {
+        part = gap > 0.0 ? std::sqrt(0.25 * gap / aside) : 0.0;
+        move_a = find_motion(near.first, part, state, *wanted.increments);
+        move_b = find_motion(near.second, part, state, *wanted.increments);
+        aside = move_a.aside + move_b.aside;
+    }
+    part *= advance_capsules(a, add(a, move_a.chord), b, add(b, move_b.chord), radii + aside, kept).fraction;
+    limit.fraction = keep_from_rounding(part, law.skin, gap);
+    if (part < 1.0 && !was_expected && gap > law.skin)
+        expected = std::max(-(gap + change) / law.skin, no_contact);
     return limit;
 }
 
@@ -119,20 +146,17 @@ void ContactPairs::join_limits(const std::vector<PairLimit>& of_pairs,
     }
 }
 
-void ContactPairs::limit(const std::vector<Vec3>& displacements,
+void ContactPairs::limit(const std::vector<Vec6>& increments,
                          State& state,
                          Approach approach,
                          ContactLimits& limits) const {
-    double reach = 0.0;
-    for (const Vec3& one : displacements) reach = std::max(reach, one.norm());
-    const double all = find_room(largest_shape_sum * reach, state);
-    const std::vector<Segment> at = find_segments(state.trial);
-    const std::vector<Segment> motions = find_motions(displacements);
+    const double all = find_room(find_reach(increments), state);
+    const Wanted wanted{&increments, find_segments(state.trial), find_motions(state, increments)};
     ContactTrial& contact = state.contact;
     std::vector<PairLimit> of_pairs(contact.pieces.size());
     team_->for_each_range(of_pairs.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
-            of_pairs[i] = limit_pair(contact.pieces[i], at, motions, approach, contact.pieces_expected[i]);
+            of_pairs[i] = limit_pair(contact.pieces[i], wanted, state, approach, contact.pieces_expected[i]);
     });
     join_limits(of_pairs, all, state, limits);
 }

@@ -1,6 +1,9 @@
 #include "assembly/contact/contact_pairs.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "rotation/rotation_map.hpp"
 
 namespace gxrod {
 
@@ -26,7 +29,7 @@ std::vector<Value> carry_over(const std::vector<NearPieces>& before,
 
 ContactPairs::ContactPairs(const Model& model, const ThreadTeam& team, const ScaleGroups& groups)
     : model_(&model), team_(&team), groups_(&groups) {
-    if (model.contact.radii.empty()) return;
+    if (model.contact.radii.empty() && model.contact.bodies.empty()) return;
     lines_ = find_contact_lines(model);
     rubs_ = model.contact.friction > 0.0;
     if (model.has_inertia && model.has_time) damping_ = model.contact.damping;
@@ -39,8 +42,7 @@ ContactPairs::ContactPairs(const Model& model, const ThreadTeam& team, const Sca
 Segment ContactPairs::segment_of(std::size_t piece, const std::vector<NodeMotion>& motions) const {
     const ContactPlaces& all = lines_.places;
     const std::size_t place = lines_.pieces[piece].place;
-    return {all.interpolate(all.places[place], motions, &NodeMotion::r),
-            all.interpolate(all.places[place + 1], motions, &NodeMotion::r)};
+    return {all.position(all.places[place], motions), all.position(all.places[place + 1], motions)};
 }
 
 std::vector<Segment> ContactPairs::find_segments(const std::vector<NodeMotion>& motions) const {
@@ -66,7 +68,10 @@ PairEnergy ContactPairs::find_energy(const NearPieces& near, const std::vector<N
     const ContactPiece& of_b = lines_.pieces[near.second];
     const Segment a = segment_of(near.first, motions);
     const Segment b = segment_of(near.second, motions);
-    PairEnergy sum = compute_pair_energy(pair, a, b, of_a.length, of_b.length);
+    PairEnergy sum;
+    // A sphere has no line.
+    if (of_a.length > 0.0 && of_b.length > 0.0)
+        sum = compute_pair_energy(pair, a, b, of_a.length, of_b.length);
     const auto add = [&](const PairEnergy& more, const std::array<int, 4>& ends) {
         sum.energy += more.energy;
         for (int i = 0; i < 4; ++i) {
@@ -77,33 +82,54 @@ PairEnergy ContactPairs::find_energy(const NearPieces& near, const std::vector<N
                     more.hessian.block<3, 3>(3 * i, 3 * j);
         }
     };
-    // A point is a segment whose ends are the same.
-    const auto add_ends =
-        [&](const ContactPiece& piece, const Segment& own, const Segment& other, bool is_first) {
-            for (int end = 0; end < 2; ++end) {
-                if (!(end == 0 ? piece.starts_rod : piece.ends_rod)) continue;
-                const Vec3& point = end == 0 ? own.start : own.end;
-                const int at = (is_first ? 0 : 2) + end;
-                add(compute_closest_energy(pair, {point, point}, other),
-                    {at, at, is_first ? 2 : 0, is_first ? 3 : 1});
-            }
-        };
-    add_ends(of_a, a, b, true);
-    add_ends(of_b, b, a, false);
+    // A point is a segment whose ends are the same. Points of bodies see a line as long as they touch it, so
+    // that nothing changes where two pieces meet.
+    const auto add_ends = [&](const ContactPiece& piece, const ContactPiece& of_other, bool is_first) {
+        const Segment& own = is_first ? a : b;
+        const Segment& other = is_first ? b : a;
+        if (piece.length > 0.0 && of_other.length == 0.0) return;
+        if (piece.length == 0.0 && of_other.length == 0.0 && !is_first) return;
+        const bool sees_line = lines_.element_of(piece).is_body && of_other.length > 0.0;
+        for (int end = 0; end < 2; ++end) {
+            if (!(end == 0 ? piece.starts_rod : piece.ends_rod)) continue;
+            const Vec3& point = end == 0 ? own.start : own.end;
+            const int at = (is_first ? 0 : 2) + end;
+            add(sees_line ? compute_point_energy(pair, point, other, of_other.length)
+                          : compute_closest_energy(pair, {point, point}, other),
+                {at, at, is_first ? 2 : 0, is_first ? 3 : 1});
+        }
+    };
+    add_ends(of_a, of_b, true);
+    add_ends(of_b, of_a, false);
     return sum;
 }
 
 double ContactPairs::find_share_of_crossing(const NearPieces& near) const {
     const PairLaw pair = law_of(near);
     const double reach = std::sqrt(pair.law.skin * (2.0 * pair.radii + pair.law.skin));
-    const double length = std::min(lines_.pieces[near.first].length, lines_.pieces[near.second].length);
-    return std::min(1.0, length / reach);
+    double length = reach;
+    for (const std::uint32_t one : {near.first, near.second}) {
+        const ContactPiece& piece = lines_.pieces[one];
+        if (!lines_.element_of(piece).is_body) length = std::min(length, piece.length);
+    }
+    return length / reach;
 }
 
 double ContactPairs::largest_skin() const {
     double skin = 0.0;
     for (const ContactElement& element : lines_.places.elements) skin = std::max(skin, element.law.skin);
     return skin;
+}
+
+double ContactPairs::find_reach(const std::vector<Vec6>& increments) const {
+    double reach = 0.0;
+    for (const Vec6& one : increments) reach = std::max(reach, one.head<3>().norm());
+    reach *= largest_shape_sum;
+    for (auto element = lines_.places.elements.rbegin();
+         element != lines_.places.elements.rend() && element->is_body;
+         ++element)
+        reach = std::max(reach, lines_.places.reach(*element, increments));
+    return reach;
 }
 
 double ContactPairs::least_gap(const NearPieces& near, const std::vector<NodeMotion>& motions) const {

@@ -25,8 +25,9 @@ struct PairBlock {
     Eigen::MatrixXd matrix;
 };
 
-// Contact of rods with each other and themselves, by their straight pieces (ContactLines). Which of these are
-// near is kept in State::contact, and found again where a motion could take others into reach.
+// Contact of rods with each other and themselves, and of bodies with both, by their straight pieces
+// (ContactLines). Which of these are near is kept in State::contact, and found again where a motion could
+// take others into reach.
 class ContactPairs {
   public:
     // All must outlive it.
@@ -56,7 +57,7 @@ class ContactPairs {
     // first where it has to. Pieces that the whole motion would take into touch are expected to touch from
     // then on: their forces are unknowns of the next linear solution, so that all of them come to touch at
     // once, and not one after another.
-    void limit(const std::vector<Vec3>& displacements,
+    void limit(const std::vector<Vec6>& increments,
                State& state,
                Approach approach,
                ContactLimits& limits) const;
@@ -78,8 +79,8 @@ class ContactPairs {
   private:
     Segment segment_of(std::size_t piece, const std::vector<NodeMotion>& motions) const;
     std::vector<Segment> find_segments(const std::vector<NodeMotion>& motions) const;  // of all pieces
-    // How all pieces move with the nodes.
-    std::vector<Segment> find_motions(const std::vector<Vec3>& displacements) const;
+    // No piece moves further.
+    double find_reach(const std::vector<Vec6>& increments) const;
     NodeGroup list_nodes(int a, int b) const;  // of two elements
     PairLaw law_of(const NearPieces& near) const;
     double largest_skin() const;
@@ -90,9 +91,25 @@ class ContactPairs {
         double gap = 0.0;
         bool can_meet = false;
     };
+    // How the ends of a piece move, and how far the way of one of a body leaves its chord.
+    struct PieceMotion {
+        Segment chord;
+        double aside = 0.0;
+    };
+    PieceMotion find_motion(std::size_t piece,
+                            double part,
+                            const State& state,
+                            const std::vector<Vec6>& increments) const;
+    std::vector<PieceMotion> find_motions(const State& state, const std::vector<Vec6>& increments) const;
+    // Increments of nodes, and what pieces do with them.
+    struct Wanted {
+        const std::vector<Vec6>* increments;
+        std::vector<Segment> at;
+        std::vector<PieceMotion> motions;
+    };
     PairLimit limit_pair(const NearPieces& near,
-                         const std::vector<Segment>& at,
-                         const std::vector<Segment>& motions,
+                         const Wanted& wanted,
+                         const State& state,
                          Approach approach,
                          double& expected) const;
     void join_limits(const std::vector<PairLimit>& of_pairs,
@@ -116,11 +133,12 @@ class ContactPairs {
         PairEnergy energy;
     };
     std::vector<Touching> find_touching(const State& state) const;  // with damped forces
-    // Of what touches and what is expected to: derivatives of minus forces and moments at the ends by
+    // Of what touches and what is expected to: forces and moments at the ends, and their derivatives by
     // positions and rotations there.
     struct EndTangent {
         std::size_t index = 0;
-        Mat24 matrix;
+        Vec24 forces;  // where there is a body
+        Mat24 derivative;
     };
     std::vector<EndTangent> find_end_tangents(const State& state) const;
     PairIncrement find_increment(const NearPieces& near,
@@ -142,7 +160,25 @@ class ContactPairs {
     double least_gap(const NearPieces& near, const std::vector<NodeMotion>& motions) const;
     // add(node, force and moment) for forces and moments at the ends of two pieces.
     template <class Add>
-    void scatter(const NearPieces& near, const Vec24& of_ends, const Add& add) const;
+    void scatter(const NearPieces& near, const Vec24& of_ends, const State& state, const Add& add) const;
+    bool has_body(const NearPieces& near) const {
+        return lines_.element_of(lines_.pieces[near.first]).is_body ||
+               lines_.element_of(lines_.pieces[near.second]).is_body;
+    }
+    // Of a place of a body: where forces act on it, from its node.
+    Vec3 find_lever(const ContactPlace& place, const State& state) const;
+    double compute_turning_work(const NearPieces& near, const Vec24& forces, const State& state) const;
+    void add_tangent_with_body(const EndTangent& tangent,
+                               double weight,
+                               const std::vector<NodeLinearization>& linearizations,
+                               const State& state,
+                               const Shares& shares,
+                               PairBlock& block) const;
+    // From derivatives of forces and moments at the ends, by these, to those at the nodes of bodies.
+    void take_to_nodes(const NearPieces& near,
+                       const Vec24& forces,
+                       const State& state,
+                       Mat24& derivative) const;
 
     const Model* model_;
     const ThreadTeam* team_;

@@ -108,6 +108,33 @@ void add_element(
     all.elements.push_back(own);
 }
 
+// A rod's section of the same radius would have a radius more at either end: so a sphere has a diameter.
+void add_body(const Model& model, const ContactBody& shape, int pieces, ContactPlaces& all) {
+    const Body& body = model.bodies[static_cast<std::size_t>(shape.body)];
+    ContactElement own;
+    own.rod = static_cast<int>(model.rods.size()) + shape.body;
+    own.is_body = true;
+    own.count = 1;
+    own.nodes[0] = body.node;
+    own.radius = shape.radius;
+    own.law = {model.contact.skin * shape.radius, shape.force / shape.radius};
+    own.first_place = all.places.size();
+    const double length = (shape.ends[1] - shape.ends[0]).norm();
+    for (int i = 0; i <= pieces; ++i) {
+        ContactPlace place;
+        place.element = static_cast<int>(all.elements.size());
+        place.fraction = pieces == 0 ? 0.0 : static_cast<double>(i) / pieces;
+        place.shapes[0] = 1.0;
+        place.arm = body.attitude * (shape.ends[0] + place.fraction * (shape.ends[1] - shape.ends[0])).eval();
+        const int sides = (i > 0 ? 1 : 0) + (i < pieces ? 1 : 0);
+        place.weight = pieces == 0 ? 0.0 : 0.5 * sides * length / pieces;
+        place.weight += (2 - sides) * shape.radius;
+        all.places.push_back(place);
+    }
+    own.end_place = all.places.size();
+    all.elements.push_back(own);
+}
+
 template <class FindSpacing>
 ContactPlaces find_places(const Model& model, const FindSpacing& find) {
     ContactPlaces all;
@@ -141,24 +168,59 @@ int ContactPlaces::nearest_node(const ContactPlace& from, const ContactPlace& to
 
 PlaceMotion ContactPlaces::motion_of(const ContactPlace& place, const State& state) const {
     const ContactElement& element = elements[static_cast<std::size_t>(place.element)];
-    return {
-        interpolate(place, state.trial, &NodeMotion::r) - interpolate(place, state.previous, &NodeMotion::r),
-        interpolate(place, state.trial, &NodeMotion::theta),
-        element.radius};
+    return {position(place, state.trial) - position(place, state.previous),
+            interpolate(place, state.trial, &NodeMotion::theta),
+            element.radius};
+}
+
+Vec3 ContactPlaces::change(const ContactPlace& place,
+                           const State& state,
+                           const std::vector<Vec6>& increments) const {
+    const ContactElement& element = elements[static_cast<std::size_t>(place.element)];
+    Vec3 sum = Vec3::Zero();
+    for (int i = 0; i < element.count; ++i)
+        sum += place.shapes[static_cast<std::size_t>(i)] *
+               increments[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])].head<3>();
+    if (element.is_body)
+        sum +=
+            increments[static_cast<std::size_t>(element.nodes[0])].tail<3>().cross(arm(place, state.trial));
+    return sum;
+}
+
+double ContactPlaces::reach(const ContactElement& element, const std::vector<Vec6>& increments) const {
+    double furthest = 0.0;
+    for (int i = 0; i < element.count; ++i)
+        furthest = std::max(furthest,
+                            increments[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])]
+                                .head<3>()
+                                .norm());
+    if (!element.is_body) return largest_shape_sum * furthest;
+    const double turn = increments[static_cast<std::size_t>(element.nodes[0])].tail<3>().norm();
+    const double arm =
+        std::max(places[element.first_place].arm.norm(), places[element.end_place - 1].arm.norm());
+    return furthest + turn * arm;
 }
 
 ContactPlaces find_contact_places(const Model& model) {
     std::map<double, double> spacings;  // of radii
-    return find_places(model, [&](int rod) {
-        const double radius = model.contact.radii[static_cast<std::size_t>(rod)];
+    const auto spacing_of = [&](double radius) {
         const auto [found, is_new] = spacings.emplace(radius, 0.0);
         if (is_new) found->second = find_spacing(model, radius);
         return found->second;
-    });
+    };
+    ContactPlaces all = find_places(
+        model, [&](int rod) { return spacing_of(model.contact.radii[static_cast<std::size_t>(rod)]); });
+    for (const ContactBody& body : model.contact.bodies) {
+        constexpr double least_pieces = 8.0;
+        const double length = (body.ends[1] - body.ends[0]).norm();
+        const double pieces = std::max(least_pieces, length / spacing_of(body.radius));
+        add_body(model, body, length == 0.0 ? 0 : static_cast<int>(std::ceil(pieces)), all);
+    }
+    return all;
 }
 
 ContactPlaces find_chord_places(const Model& model) {
-    return find_places(model, [&](int rod) {
+    ContactPlaces all = find_places(model, [&](int rod) {
         const auto index = static_cast<std::size_t>(rod);
         // Elements of two nodes are chords themselves.
         if (model.rods[index].order == 1) return std::numeric_limits<double>::infinity();
@@ -166,6 +228,8 @@ ContactPlaces find_chord_places(const Model& model) {
         return std::sqrt(2.0 * model.contact.skin * model.contact.radii[index] *
                          model.contact.bend_radii[index]);
     });
+    for (const ContactBody& body : model.contact.bodies) add_body(model, body, 1, all);
+    return all;
 }
 
 }  // namespace gxrod

@@ -15,17 +15,19 @@ namespace gxrod {
 // the absolute values of its shape functions, 1.64 for five nodes.
 inline constexpr double largest_shape_sum = 1.65;
 
-// A place of a rod that can touch obstacles, and the length that goes with it.
+// A place of a rod or body that can touch obstacles, and the length that goes with it.
 struct ContactPlace {
     int element = 0;                                  // in the list of elements
     double fraction = 0.0;                            // of the rod's length, from its start
     double weight = 0.0;                              // a length at t = 0
     std::array<double, most_element_nodes> shapes{};  // of the element's nodes
+    Vec3 arm = Vec3::Zero();                          // from the node of a body, at t = 0
 };
 
-// An element of a rod that can touch.
+// An element of a rod that can touch, or a body, which has one node and turns its places about it.
 struct ContactElement {
-    int rod = 0;
+    int rod = 0;  // as ContactTouch has them
+    bool is_body = false;
     int element = 0;
     int part = 0;  // of the model, ScaleGroups
     int count = 0;
@@ -46,6 +48,24 @@ struct ContactPlaces {
     std::size_t index_of(const ContactElement& element) const {
         return static_cast<std::size_t>(&element - elements.data());
     }
+    Vec3 position(const ContactPlace& place, const std::vector<NodeMotion>& motions) const {
+        return elements[static_cast<std::size_t>(place.element)].is_body
+                   ? Vec3(motion_of_body(place, motions).r + arm(place, motions))
+                   : interpolate(place, motions, &NodeMotion::r);
+    }
+    // Of a place of a body, from its node.
+    Vec3 arm(const ContactPlace& place, const std::vector<NodeMotion>& motions) const {
+        return motion_of_body(place, motions).Lambda * place.arm;
+    }
+    const NodeMotion& motion_of_body(const ContactPlace& place,
+                                     const std::vector<NodeMotion>& motions) const {
+        const ContactElement& element = elements[static_cast<std::size_t>(place.element)];
+        return motions[static_cast<std::size_t>(element.nodes[0])];
+    }
+    // How a place moves when nodes do, to first order: by displacements and spins.
+    Vec3 change(const ContactPlace& place, const State& state, const std::vector<Vec6>& increments) const;
+    // How far no place of an element goes beyond.
+    double reach(const ContactElement& element, const std::vector<Vec6>& increments) const;
     template <class Member>
     Vec3 interpolate(const ContactPlace& place, const std::vector<NodeMotion>& motions, Member member) const {
         const ContactElement& element = elements[static_cast<std::size_t>(place.element)];
@@ -62,11 +82,12 @@ struct ContactPlaces {
 };
 
 // Of all rods that touch, in the order of the model: the nodes of each element with the weights of
-// Gauss-Lobatto's rule, or, where an obstacle bulges, equal pieces of it.
+// Gauss-Lobatto's rule, or, where an obstacle bulges, equal pieces of it. Then of all bodies that touch.
 ContactPlaces find_contact_places(const Model& model);
 
 // Of all rods that touch: so close together that the chords between them stay within a quarter of the skin of
-// the line, even where it is bent as much as is to be expected.
+// the line, even where it is bent as much as is to be expected. Then both ends of each body, the same of a
+// sphere.
 ContactPlaces find_chord_places(const Model& model);
 
 }  // namespace gxrod

@@ -37,7 +37,7 @@ void ContactAssembly::list_element_touches(std::size_t index,
         if (is_far(at, obstacle, element, state)) continue;
         for (std::size_t p = element.first_place; p < element.end_place; ++p) {
             const ContactPlace& place = places_.places[p];
-            const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+            const Vec3 position = places_.position(place, state.trial);
             const SurfaceTouch surface = touch(at, obstacle, p, position);
             const Touching touching = touch_by_law(at, obstacle, p, surface.gap, state);
             if (touching.normal.force == 0.0) continue;
@@ -92,7 +92,7 @@ double ContactAssembly::find_least_gap(const ContactWatch& watch, const State& s
         for (const ContactElement& element : places_.elements) {
             if (element.rod != watch.rod || is_element_off(obstacle, element)) continue;
             for (std::size_t p = element.first_place; p < element.end_place; ++p) {
-                const Vec3 position = places_.interpolate(places_.places[p], state.trial, &NodeMotion::r);
+                const Vec3 position = places_.position(places_.places[p], state.trial);
                 least = std::min(least, touch(at, obstacle, p, position).gap);
             }
         }

@@ -65,48 +65,65 @@ void set_about(const CheckedTable& table, HistoryRequest& request, const BuildCo
         context.add_fault(table, "about", "goes with reaction_moment, which is not among the quantities");
 }
 
+// A rod, or a body that touches, as ContactTouch has them.
+std::optional<int> find_touching(const std::string& name, const Model& model) {
+    if (const std::optional<int> rod = find_tie(model.rods, name)) return rod;
+    const std::optional<int> body = find_tie(model.bodies, name);
+    const auto& shapes = model.contact.bodies;
+    if (!body || std::ranges::find(shapes, *body, &ContactBody::body) == shapes.end()) return std::nullopt;
+    return static_cast<int>(model.rods.size()) + *body;
+}
+
 void set_contact(const CheckedTable& table,
                  const HistoryPlace& point,
                  HistoryRequest& request,
                  const BuildContext& context) {
     const Model& model = context.model;
-    if (point.touching_rod < 0) {
+    const bool is_body = touches(point, model) && std::ranges::any_of(request.quantities, is_of_obstacles);
+    if (point.touching_rod < 0 && !is_body) {
         if (table.gives("with"))
-            context.add_fault(table, "with", "goes with a rod as a whole as `at`, in a deck with contact");
+            context.add_fault(table,
+                              "with",
+                              "goes with a rod as a whole as `at`, or a body and contact quantities, in a "
+                              "deck with contact");
         return;
     }
-    const Rod& rod = model.rods[static_cast<std::size_t>(point.touching_rod)];
-    if (model.contact.radii[static_cast<std::size_t>(point.touching_rod)] == 0.0) {
+    const int index = is_body ? static_cast<int>(model.rods.size()) + point.body : point.touching_rod;
+    const std::string& name = is_body ? model.bodies[static_cast<std::size_t>(point.body)].name
+                                      : model.rods[static_cast<std::size_t>(index)].name;
+    if (!is_body && model.contact.radii[static_cast<std::size_t>(index)] == 0.0) {
         context.add_fault(table,
                           "at",
                           fmt::format("\"{}\" touches nothing; expected a point of it, as in \"{}@0.5\", or "
                                       "this rod among `rods` of [contact]",
-                                      rod.name,
-                                      rod.name));
+                                      name,
+                                      name));
         return;
     }
-    request.contact = ContactWatch{.rod = point.touching_rod};
+    request.contact = ContactWatch{.rod = index};
     request.contact->wants_gap =
         std::ranges::find(request.quantities, Quantity::least_gap) != request.quantities.end();
     if (!table.gives("with")) return;
     request.with = table.get<std::string>("with");
     if (const std::optional<int> obstacle = find_tie(model.contact.obstacles, request.with)) {
         request.contact->other = -1 - *obstacle;
-        if (is_left_out(model.contact, point.touching_rod, -1 - *obstacle))
+        if (is_left_out(model.contact, index, -1 - *obstacle))
             context.add_fault(
                 table,
                 "with",
                 fmt::format(
-                    "\"{}\" does not touch \"{}\": [[contact.pair]] leaves it out", rod.name, request.with));
-    } else if (const std::optional<int> other = find_tie(model.rods, request.with)) {
+                    "\"{}\" does not touch \"{}\": [[contact.pair]] leaves it out", name, request.with));
+    } else if (const std::optional<int> other = find_touching(request.with, model)) {
         request.contact->other = *other;
-        const bool is_itself = *other == point.touching_rod;
-        const bool is_off = is_left_out(model.contact, point.touching_rod, *other);
-        if (is_off || (is_itself ? !model.contact.within_rods : !model.contact.between_rods))
+        const bool is_itself = *other == index;
+        const bool is_off = is_left_out(model.contact, index, *other);
+        if (is_itself && is_body)
+            context.add_fault(table, "with", "a body does not touch itself");
+        else if (is_off || (is_itself ? !model.contact.within_rods : !model.contact.between_rods))
             context.add_fault(table,
                               "with",
                               fmt::format("\"{}\" does not touch {}: {} leaves it out",
-                                          rod.name,
+                                          name,
                                           is_itself ? "itself"
                                           : is_off  ? "\"" + request.with + "\""
                                                     : "other rods",
@@ -115,6 +132,8 @@ void set_contact(const CheckedTable& table,
         std::vector<std::string> names;
         for (const Obstacle& one : model.contact.obstacles) names.push_back(one.name);
         for (const Rod& one : model.rods) names.push_back(one.name);
+        for (const ContactBody& one : model.contact.bodies)
+            names.push_back(model.bodies[static_cast<std::size_t>(one.body)].name);
         context.add_fault(
             table,
             "with",

@@ -51,11 +51,6 @@ bool is_of_tendons(Quantity quantity) {
            quantity == Quantity::tendon_end_tension;
 }
 
-bool is_of_obstacles(Quantity quantity) {
-    return quantity == Quantity::contact_force || quantity == Quantity::contact_friction ||
-           quantity == Quantity::least_gap;
-}
-
 bool is_of_bushings(Quantity quantity) {
     switch (quantity) {
         case Quantity::displacement:
@@ -140,6 +135,16 @@ std::string explain_missing_surroundings(Quantity quantity, const HistoryPlace& 
 
 }  // namespace
 
+bool is_of_obstacles(Quantity quantity) {
+    return quantity == Quantity::contact_force || quantity == Quantity::contact_friction ||
+           quantity == Quantity::least_gap;
+}
+
+bool touches(const HistoryPlace& point, const Model& model) {
+    return std::ranges::any_of(model.contact.bodies,
+                               [&](const ContactBody& one) { return one.body == point.body; });
+}
+
 std::string explain_missing(Quantity quantity, const HistoryPlace& point, const Model& model) {
     if (point.tendon >= 0)
         return is_of_tendons(quantity)
@@ -154,7 +159,11 @@ std::string explain_missing(Quantity quantity, const HistoryPlace& point, const 
         return is_of_obstacles(quantity) ? ""
                                          : "a rod as a whole has contact_force, contact_friction and "
                                            "least_gap only; expected a point of it, as in \"ROD@0.5\"";
-    if (is_of_obstacles(quantity)) return "only obstacles have it, and rods as a whole";
+    if (is_of_obstacles(quantity)) {
+        if (touches(point, model)) return "";
+        return point.body >= 0 ? "this body touches nothing; expected its `sphere` or `capsule`"
+                               : "only obstacles have it, and rods as a whole, and bodies that touch";
+    }
     if (point.gear >= 0) {
         const bool has_it = quantity == Quantity::drive || quantity == Quantity::gap;
         return has_it ? "" : "a gear has drive and gap only; its joints have the rest";

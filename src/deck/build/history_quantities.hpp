@@ -10,6 +10,11 @@ namespace gxrod {
 // Why the point has no such quantity, or "".
 std::string explain_missing(Quantity quantity, const HistoryPlace& point, const Model& model);
 
+// Of contact.
+bool is_of_obstacles(Quantity quantity);
+// Whether the point is that of a body that touches.
+bool touches(const HistoryPlace& point, const Model& model);
+
 // Whether the quantity can be relative to another point.
 bool can_be_relative(Quantity quantity);
 

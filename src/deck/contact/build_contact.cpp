@@ -9,6 +9,7 @@
 #include "deck/build/build_centreline.hpp"
 #include "deck/checks/check_moves.hpp"
 #include "deck/contact/build_contact_exceptions.hpp"
+#include "deck/contact/contact_bodies.hpp"
 #include "deck/joints/ends.hpp"
 #include "deck/schema/choices.hpp"
 
@@ -227,6 +228,7 @@ void build_contact(BuildContext& context) {
         set_motion(given, obstacle, context);
         contact.obstacles.push_back(std::move(obstacle));
     }
+    set_contact_bodies(contact, context);
     if (table != nullptr) contact.exceptions = build_contact_exceptions(*table, context);
     for (std::size_t i = 0; i < obstacles.size(); ++i) check_room(obstacles[i], i, context);
     if (context.stage == 0 && contact.is_empty())
@@ -234,6 +236,7 @@ void build_contact(BuildContext& context) {
 }
 
 void check_contact(const BuildContext& context) {
+    check_contact_bodies(context);
     if (context.model.contact.is_empty()) return;
     const std::vector<CheckedTable>& tables = context.deck.tables("stage");
     for (std::size_t i = 0; i < context.stages.size(); ++i) {

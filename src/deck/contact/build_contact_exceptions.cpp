@@ -18,6 +18,8 @@ std::vector<std::string> list_partner_names(const Model& model) {
     std::vector<std::string> names;
     for (const Rod& rod : model.rods) names.push_back(rod.name);
     for (const Obstacle& obstacle : model.contact.obstacles) names.push_back(obstacle.name);
+    for (const ContactBody& body : model.contact.bodies)
+        names.push_back(model.bodies[static_cast<std::size_t>(body.body)].name);
     return names;
 }
 
@@ -86,6 +88,13 @@ std::vector<ContactPart> find_side(const CheckedWord& word, const BuildContext& 
         }
         parts.push_back(part);
     }
+    for (const ContactBody& body : model.contact.bodies) {
+        const std::string& name = model.bodies[static_cast<std::size_t>(body.body)].name;
+        if (!matches_pattern(name, pattern)) continue;
+        if (range && pattern.find('*') == std::string::npos)
+            return add_fault(fmt::format("\"{}\" is a body; only rods have parts", pattern));
+        if (!range) parts.push_back({.index = static_cast<int>(model.rods.size()) + body.body});
+    }
     for (std::size_t i = 0; i < model.contact.obstacles.size(); ++i) {
         if (!matches_pattern(model.contact.obstacles[i].name, pattern)) continue;
         if (range && pattern.find('*') == std::string::npos)
@@ -102,9 +111,11 @@ std::vector<ContactPart> find_side(const CheckedWord& word, const BuildContext& 
 // Whether the settings of all contact let them touch.
 bool can_touch(const Contact& contact, int a, int b) {
     const auto touches = [&](int index) {
-        return index < 0 || contact.radii[static_cast<std::size_t>(index)] > 0.0;
+        const auto rod = static_cast<std::size_t>(std::max(index, 0));
+        return index < 0 || rod >= contact.radii.size() || contact.radii[rod] > 0.0;
     };
     if (!touches(a) || !touches(b) || (a < 0 && b < 0)) return false;
+    if (a == b && static_cast<std::size_t>(a) >= contact.radii.size()) return false;
     if (a < 0 || b < 0) return true;
     return a == b ? contact.within_rods : contact.between_rods;
 }

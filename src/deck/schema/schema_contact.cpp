@@ -158,14 +158,52 @@ KeySpec table_key(const char* name, const TableSpec& table, const char* sentence
     return {.name = name, .type = ValueType::table, .sentence = sentence, .table = &table};
 }
 
+KeySpec force_key() {
+    return {.name = "force",
+            .type = ValueType::number,
+            .dimension = "force",
+            .range = positive,
+            .default_text = "1000 weights or more",
+            .sentence =
+                "Of contact that leaves half the skin. By default the largest of 1000 weights, what stops "
+                "it from its velocity at t = 0 within the skin, and EA/1000 of the rods that touch."};
+}
+
 }  // namespace
+
+const TableSpec& body_sphere_table() {
+    static const TableSpec table{.path = "body.NAME.sphere",
+                                 .heading = "sphere = { … }",
+                                 .sentence = "",
+                                 .keys = {length_key("radius", "Its own."),
+                                          {.name = "centre",
+                                           .type = ValueType::vector,
+                                           .dimension = "length",
+                                           .default_value = Vec3(0, 0, 0),
+                                           .sentence = "From the node, body axes."},
+                                          force_key()}};
+    return table;
+}
+
+const TableSpec& body_capsule_table() {
+    static const TableSpec table{
+        .path = "body.NAME.capsule",
+        .heading = "capsule = { … }",
+        .sentence = "",
+        .keys = {vector_key("from", "length", "An end of the segment, from the node, body axes."),
+                 vector_key("to", "length", "The other one."),
+                 length_key("radius", "Of what is around the segment."),
+                 force_key()}};
+    return table;
+}
 
 const TableSpec& contact_table() {
     static const TableSpec table{
         .path = "contact",
         .heading = "[contact]",
         .sentence =
-            "Rods touch each other, themselves and every [obstacle.NAME]; without it obstacles alone.",
+            "Rods touch each other, themselves and every [obstacle.NAME]; without it obstacles alone. So do "
+            "bodies with a sphere or capsule.",
         .keys =
             {{.name = "rods",
               .type = ValueType::names,
@@ -175,7 +213,7 @@ const TableSpec& contact_table() {
              {.name = "each_other",
               .type = ValueType::flag,
               .default_text = "true",
-              .sentence = "Whether different rods touch."},
+              .sentence = "Whether different rods and bodies touch."},
              {.name = "self",
               .type = ValueType::flag,
               .default_text = "true",
@@ -232,7 +270,8 @@ const TableSpec& obstacle_table() {
     static const TableSpec table{
         .path = "obstacle.NAME",
         .heading = "[obstacle.NAME]",
-        .sentence = "A body that does not deform, which rods touch and never pass.",
+        .sentence =
+            "What does not deform, and what rods, and bodies with a sphere or capsule, touch and never pass.",
         .keys = {table_key("plane", plane_obstacle_table(), "A half space."),
                  table_key("sphere", sphere_obstacle_table(), "Solid, or hollow."),
                  table_key("cylinder", cylinder_obstacle_table(), "Solid, or hollow."),

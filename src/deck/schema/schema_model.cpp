@@ -135,12 +135,22 @@ const TableSpec& body_table() {
                   .dimension = "angle/time",
                   .default_text = "what angular_velocity says",
                   .sentence = "At t = 0, components in the body axes."},
+                 {.name = "sphere",
+                  .type = ValueType::table,
+                  .sentence = "With which it touches every [obstacle.NAME], and rods and other bodies if "
+                              "there is [contact].",
+                  .table = &body_sphere_table()},
+                 {.name = "capsule",
+                  .type = ValueType::table,
+                  .sentence = "The same: all within a radius of a segment.",
+                  .table = &body_capsule_table()},
                  {.name = "fluid",
                   .type = ValueType::table,
                   .sentence = "What [fluid] and [air] see of it. Without it they pass it by. The ground does "
                               "not touch bodies.",
                   .table = &body_fluid_table()}},
-        .groups = {{GroupRule::at_most_one, {"angular_velocity", "angular_velocity_material"}}},
+        .groups = {{GroupRule::at_most_one, {"angular_velocity", "angular_velocity_material"}},
+                   {GroupRule::at_most_one, {"sphere", "capsule"}}},
         .example = body_example};
     return table;
 }

@@ -27,6 +27,8 @@ const TableSpec& air_table();
 const TableSpec& seabed_table();
 const TableSpec& section_fluid_table();
 const TableSpec& body_fluid_table();
+const TableSpec& body_sphere_table();
+const TableSpec& body_capsule_table();
 const TableSpec& contact_table();
 const TableSpec& obstacle_table();
 const TableSpec& support_table();

@@ -10,11 +10,15 @@ std::span<const double> numbers(const Vec3& vector) { return {vector.data(), 3};
 Hdf5Handle require_contacts(const Hdf5Handle& root, const Model& model) {
     const bool is_new = !has_link(root, "contacts");
     Hdf5Handle group = require_group(root, "contacts");
-    if (!is_new || model.contact.obstacles.empty()) return group;
-    std::vector<std::string> names;
-    for (const Obstacle& obstacle : model.contact.obstacles) names.push_back(obstacle.name);
-    write_dataset(
-        group, {"obstacle", "name of each obstacle", "none", ""}, std::span<const std::string>(names));
+    if (!is_new) return group;
+    const auto write_names = [&](const char* name, const char* sentence, const auto& parts) {
+        std::vector<std::string> names;
+        for (const auto& part : parts) names.push_back(part.name);
+        write_dataset(group, {name, sentence, "none", ""}, std::span<const std::string>(names));
+    };
+    if (!model.contact.obstacles.empty())
+        write_names("obstacle", "name of each obstacle", model.contact.obstacles);
+    if (!model.contact.bodies.empty()) write_names("body", "name of each body", model.bodies);
     return group;
 }
 
@@ -31,11 +35,14 @@ ContactTable::ContactTable(const Hdf5Handle& root, const Model& model, hsize_t f
                scalar_row,
                frames + 1),
       touches_(static_cast<std::int64_t>(count_touches(offsets_))),
-      rods_(
-          group_,
-          {"rods", "number of the rod in /rods, and of the other one; -1 - j is the obstacle j", "none", "1"},
-          pair_row,
-          static_cast<hsize_t>(touches_)),
+      rods_(group_,
+            {"rods",
+             "number of the rod in /rods, and of the other one; with N rods N + i is the body i, -1 - j the "
+             "obstacle j",
+             "none",
+             "1"},
+            pair_row,
+            static_cast<hsize_t>(touches_)),
       slides_(
           group_,
           {"slides", "1 where it slides, or where there is no friction; 0 where friction holds", "none", "1"},

@@ -209,7 +209,7 @@ void HistoryPoint::go_on_from(Quantity quantity, std::span<const double> row) {
 }
 
 PointKind HistoryPoint::kind() const {
-    if (contact_ >= 0) return PointKind::rod_in_contact;
+    if (contact_ >= 0 && !body_) return PointKind::rod_in_contact;
     if (spring_) return PointKind::spring;
     if (bushing_) return PointKind::bushing;
     if (joint_ >= 0) return is_of_gear_ ? PointKind::gear : PointKind::joint;
@@ -284,7 +284,9 @@ HistoryPoint::Row HistoryPoint::compute(Quantity quantity, const Snapshot& snaps
         if (quantity == Quantity::tendon_length) return {tendon.length};
         return {quantity == Quantity::tendon_tension ? tendon.tension : tendon.end_tension};
     }
-    if (obstacle_ >= 0 || contact_ >= 0) {
+    const bool is_contact = quantity == Quantity::contact_force || quantity == Quantity::contact_friction ||
+                            quantity == Quantity::least_gap;
+    if (is_contact && (obstacle_ >= 0 || contact_ >= 0)) {
         const ObstacleValues& values = obstacle_ >= 0
                                            ? snapshot.obstacles[static_cast<std::size_t>(obstacle_)]
                                            : snapshot.watched_contacts[static_cast<std::size_t>(contact_)];

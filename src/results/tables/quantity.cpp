@@ -113,27 +113,30 @@ QuantityForm tendon_form(Quantity quantity) {
 QuantityForm obstacle_form(Quantity quantity) {
     if (quantity == Quantity::least_gap)
         return {{"least_gap",
-                 "least distance of the surface of a rod from that of the obstacle",
+                 "least distance of the surface of a rod or body from that of the obstacle",
                  "none",
                  "length"},
                 scalar_row};
     if (quantity == Quantity::contact_force)
-        return {{"contact_force", "force that rods exert on the obstacle", "spatial", "force"}, vector_row};
+        return {{"contact_force", "force that rods and bodies exert on the obstacle", "spatial", "force"},
+                vector_row};
     assert(quantity == Quantity::contact_friction);
     return {{"contact_friction", "the part of contact_force along the surface", "spatial", "force"},
             vector_row};
 }
 
-// Of a rod and what it touches.
-QuantityForm rod_contact_form(Quantity quantity) {
+// Of a rod or body and what it touches.
+QuantityForm contact_form(Quantity quantity, const std::string& part) {
     if (quantity == Quantity::least_gap)
         return {{"least_gap",
-                 "least distance of the surface of the rod from what it can touch; infinite without that",
+                 "least distance of the surface of the " + part +
+                     " from what it can touch; infinite without that",
                  "none",
                  "length"},
                 scalar_row};
     if (quantity == Quantity::contact_force)
-        return {{"contact_force", "force on the rod of what touches it", "spatial", "force"}, vector_row};
+        return {{"contact_force", "force on the " + part + " of what touches it", "spatial", "force"},
+                vector_row};
     assert(quantity == Quantity::contact_friction);
     return {{"contact_friction", "the part of contact_force along the surfaces", "spatial", "force"},
             vector_row};
@@ -184,7 +187,7 @@ QuantityForm quantity_form(Quantity quantity, PointKind kind) {
     if (kind == PointKind::bushing) return bushing_form(quantity);
     if (kind == PointKind::joint) return joint_form(quantity);
     if (kind == PointKind::gear) return gear_form(quantity);
-    if (kind == PointKind::rod_in_contact) return rod_contact_form(quantity);
+    if (kind == PointKind::rod_in_contact) return contact_form(quantity, "rod");
     const std::string component_order = " (axial, shear y, shear z)";
     const std::string couple_order = " (about x, y, z)";
     switch (quantity) {
@@ -238,7 +241,7 @@ QuantityForm quantity_form(Quantity quantity, PointKind kind) {
         case Quantity::contact_force:
         case Quantity::contact_friction:
         case Quantity::least_gap:
-            return obstacle_form(quantity);
+            return kind == PointKind::body ? contact_form(quantity, "body") : obstacle_form(quantity);
         case Quantity::effective_tension:
         case Quantity::wall_tension:
         case Quantity::water_velocity:

@@ -242,17 +242,17 @@ TEST_CASE("Pairs: a limited increment lets no rods pass", "[assembly][touch]") {
     int shortened = 0;
     for (int sample = 0; sample < 30; ++sample) {
         State state = scene.state;
-        std::vector<Vec3> displacements;
+        std::vector<Vec6> increments;
         for (std::size_t i = 0; i < state.trial.size(); ++i)
-            displacements.push_back(random.vector(sample % 2 == 0 ? 0.05 : 1.0));
-        const ContactLimits limits = scene.system.contact()->limit(displacements, state, 1.0);
+            increments.emplace_back() << random.vector(sample % 2 == 0 ? 0.05 : 1.0), Vec3::Zero();
+        const ContactLimits limits = scene.system.contact()->limit(increments, state, 1.0);
         shortened += limits.shorten() ? 1 : 0;
         for (int part = 1; part <= 20; ++part) {
             State moved = scene.state;
             for (std::size_t i = 0; i < moved.trial.size(); ++i) {
                 const int of_node = scene.system.scale_groups().part_of_node(static_cast<int>(i));
-                moved.trial[i].r +=
-                    part / 20.0 * limits.of_parts[static_cast<std::size_t>(of_node)] * displacements[i];
+                moved.trial[i].r += part / 20.0 * limits.of_parts[static_cast<std::size_t>(of_node)] *
+                                    increments[i].head<3>();
             }
             scene.system.contact()->search(moved);
             ContactCount count{0, 1.0};
@@ -285,8 +285,12 @@ kind = "static"
     State state = system.initial_state();
     // b goes down by three times the gap, of 5 skins.
     const double gap = 1e-3, skin = 2e-4;
-    const std::vector<Vec3> down{Vec3::Zero(), Vec3::Zero(), Vec3(0, 0, -3.0 * gap), Vec3(0, 0, -3.0 * gap)};
-    ContactLimits limits = system.contact()->limit(down, state, 1.0);
+    const auto moved_by = [](double z) {
+        std::vector<Vec6> increments(4, Vec6::Zero());
+        increments[2][2] = increments[3][2] = z;
+        return increments;
+    };
+    ContactLimits limits = system.contact()->limit(moved_by(-3.0 * gap), state, 1.0);
     CHECK(limits.least < 1.0 / 3.0);
     REQUIRE(state.contact.pieces.size() == 1);
     CHECK(state.contact.pieces_expected[0] == Approx(2.0 * gap / skin));
@@ -315,8 +319,7 @@ kind = "static"
     CHECK(after[2][2] - before[2][2] == Approx(0.1 * skin * (K(14, 14) + K(14, 20))).epsilon(1e-9));
     CHECK(after[0][2] - before[0][2] == Approx(0.1 * skin * (K(2, 14) + K(2, 20))).epsilon(1e-9));
     // Where the solution leads away it is forgotten.
-    const std::vector<Vec3> up{Vec3::Zero(), Vec3::Zero(), Vec3(0, 0, gap), Vec3(0, 0, gap)};
-    limits = system.contact()->limit(up, state, 1.0);
+    limits = system.contact()->limit(moved_by(gap), state, 1.0);
     CHECK(limits.least == 1.0);
     CHECK(state.contact.pieces_expected[0] == no_contact);
 }

@@ -182,12 +182,13 @@ TEST_CASE("The number of threads changes no force of contact and no limit", "[as
     const System several(scene.model, team);
     CHECK(one.contact()->compute_forces(scene.state, now) ==
           several.contact()->compute_forces(scene.state, now));
-    std::vector<Vec3> displacements;
+    std::vector<Vec6> increments;
     RandomValues random(8);
-    for (std::size_t i = 0; i < scene.state.trial.size(); ++i) displacements.push_back(random.vector(3.0));
+    for (std::size_t i = 0; i < scene.state.trial.size(); ++i)
+        increments.emplace_back() << random.vector(3.0), Vec3::Zero();
     State state = scene.state;
-    const ContactLimits a = one.contact()->limit(displacements, state, now);
-    const ContactLimits b = several.contact()->limit(displacements, state, now);
+    const ContactLimits a = one.contact()->limit(increments, state, now);
+    const ContactLimits b = several.contact()->limit(increments, state, now);
     CHECK(a.shorten());
     CHECK(a.of_parts == b.of_parts);
     CHECK(a.least_gap == b.least_gap);
@@ -198,18 +199,18 @@ TEST_CASE("A limited increment leaves a gap everywhere", "[assembly][touch]") {
     const System system(scene.model);
     RandomValues random(9);
     for (int sample = 0; sample < 20; ++sample) {
-        std::vector<Vec3> displacements;
+        std::vector<Vec6> increments;
         for (std::size_t i = 0; i < scene.state.trial.size(); ++i)
-            displacements.push_back(random.vector(5.0));
+            increments.emplace_back() << random.vector(5.0), Vec3::Zero();
         State state = scene.state;
-        const ContactLimits limits = system.contact()->limit(displacements, state, now);
+        const ContactLimits limits = system.contact()->limit(increments, state, now);
         CHECK(limits.shorten());
         for (int part = 1; part <= 20; ++part) {
             State moved = scene.state;
             for (std::size_t i = 0; i < moved.trial.size(); ++i) {
                 const auto group =
                     static_cast<std::size_t>(system.scale_groups().part_of_node(static_cast<int>(i)));
-                moved.trial[i].r += part / 20.0 * limits.of_parts[group] * displacements[i];
+                moved.trial[i].r += part / 20.0 * limits.of_parts[group] * increments[i].head<3>();
             }
             CHECK(system.contact()->count(moved, now).least_gap > 0.0);
         }

@@ -179,17 +179,17 @@ TEST_CASE("A limited increment leaves a gap to a mesh that moves and turns", "[a
         RandomValues random(9);
         int shortened = 0;
         for (int sample = 0; sample < 20; ++sample) {
-            std::vector<Vec3> displacements;
+            std::vector<Vec6> increments;
             for (std::size_t i = 0; i < scene.state.trial.size(); ++i)
-                displacements.push_back(random.vector(2.0));
+                increments.emplace_back() << random.vector(2.0), Vec3::Zero();
             State state = scene.state;
-            const ContactLimits limits = system.contact()->limit(displacements, state, mesh_now);
+            const ContactLimits limits = system.contact()->limit(increments, state, mesh_now);
             shortened += limits.shorten();
             for (int part = 1; part <= 20; ++part) {
                 State moved = scene.state;
                 moved.contact.progress = part / 20.0 * limits.least;
                 for (std::size_t i = 0; i < moved.trial.size(); ++i)
-                    moved.trial[i].r += moved.contact.progress * displacements[i];
+                    moved.trial[i].r += moved.contact.progress * increments[i].head<3>();
                 CHECK(system.contact()->count(moved, mesh_now).least_gap > 0.0);
             }
         }

@@ -234,4 +234,70 @@ TEST_CASE("Histories of what touches a rod", "[deck][touch]") {
                Contains("history[0].at: \"a\" is a rod; expected a point of it"));
 }
 
+TEST_CASE("Bodies touch by a sphere or a capsule", "[deck][touch][bodies]") {
+    const auto body = [](const std::string& keys, const std::string& velocity = "") {
+        return "[body.b]\nmass = 2\ninertia = [1, 1, 1]\nat = [0, 0, 5]\n" + velocity + keys + "\n";
+    };
+    const auto bodies_of = [&](const std::string& lines) {
+        return read(lines + dynamic).model.contact.bodies;
+    };
+    const std::string sphere = "sphere = { radius = 0.5 }";
+    SECTION("whose force follows from what the deck says") {
+        CHECK(bodies_of("gravity = [0, 0, -10]\n" + body(sphere) + floor).at(0).force == Approx(2e4));
+        CHECK(bodies_of(body(sphere, "velocity = [3, 0, 0]\n") + floor).at(0).force ==
+              Approx(4.0 * 2.0 * 9.0 / 0.01));
+        // EA/1000 of the rod.
+        CHECK(read(deck(body(sphere) + floor)).model.contact.bodies.at(0).force ==
+              Approx(1e6 * M_PI * 1e-4).epsilon(1e-12));
+        CHECK(bodies_of("gravity = [0, 0, -10]\n" + body("") + floor).empty());
+    }
+    SECTION("and errors are reported") {
+        const auto errors = [&](const std::string& lines) { return faults_of(lines + dynamic); };
+        CHECK_THAT(errors(body(sphere) + floor),
+                   Contains("body.b.sphere.force: missing: neither weight nor velocity"));
+        CHECK_THAT(errors("gravity = [0, 0, -10]\n" + body(sphere)),
+                   Contains("x.toml:6:10: body.b.sphere: touches nothing; expected an [obstacle.NAME]"));
+        CHECK_THAT(errors("gravity = [0, 0, -10]\n" +
+                          body("capsule = { from = [1, 0, 0], to = [1, 0, 0], radius = 1 }") + floor),
+                   Contains("body.b.capsule.to: expected an end away from its start"));
+        CHECK_THAT(errors("gravity = [0, 0, -10]\n" + body("sphere = { radus = 1 }") + floor),
+                   Contains("did you mean \"radius\"?"));
+        CHECK_THAT(errors("gravity = [0, 0, -10]\n" + body(sphere) +
+                          "[obstacle.o]\nsphere = { centre = [0, 0, 5], radius = 0.4, side = \"inside\" }\n"),
+                   Contains("body.b.sphere.radius: this body is to be inside of \"o\", which is no wider"));
+        CHECK_THAT(faults_of("gravity = [0, 0, -10]\n" + body(sphere) + floor +
+                             "[analysis]\nkind = \"dynamic\"\nend_time = 1\ntime_step = 0.1\nintegrator = "
+                             "\"newmark-simplified\"\nnewton = { tangent = \"paper\" }\n"),
+                   Contains("what turns by newton.tangent = \"paper\" cannot be kept from obstacles"));
+    }
+    SECTION("and what they pass through is said") {
+        const auto passes = [&](const std::string& lines) {
+            return std::ranges::count(read(lines).notes,
+                                      "bodies with a sphere or capsule pass through rods: only each_other of "
+                                      "[contact] lets them touch");
+        };
+        CHECK(passes(deck(body(sphere) + floor)) == 1);
+        CHECK(passes(deck(body(sphere) + floor + "[contact]\nself = false\n")) == 0);
+    }
+    SECTION("and histories have what touches them") {
+        const auto history = [&](const std::string& lines) {
+            return "gravity = [0, 0, -10]\n" + body(sphere) + floor +
+                   "[[history]]\nname = \"h\"\nat = \"b\"\n" + lines + dynamic;
+        };
+        const HistoryRequest request =
+            read(history("quantities = [\"position\", \"least_gap\"]\nwith = \"floor\"\n"))
+                .output.histories[0];
+        REQUIRE(request.contact);
+        CHECK(request.contact->rod == 0);
+        CHECK(request.contact->other == -1);
+        CHECK(request.contact->wants_gap);
+        CHECK(request.body == 0);
+        CHECK_FALSE(read(history("quantities = \"position\"\n")).output.histories[0].contact);
+        CHECK_THAT(
+            faults_of("gravity = [0, 0, -10]\n" + body("") +
+                      "[[history]]\nname = \"h\"\nat = \"b\"\nquantities = \"contact_force\"\n" + dynamic),
+            Contains("this body touches nothing; expected its `sphere` or `capsule`"));
+    }
+}
+
 }  // namespace gxrod::test

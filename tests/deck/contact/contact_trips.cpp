@@ -155,6 +155,33 @@ void add_mesh_trips(std::vector<RoundTrip>& trips) {
     });
 }
 
+void add_body_trips(std::vector<RoundTrip>& trips) {
+    const auto add = [&](const std::string& key, const std::string& keys, const auto& is_seen) {
+        trips.push_back(
+            {"body.NAME." + key,
+             "gravity = [0, 0, -10]\n[body.b]\nmass = 2\ninertia = [1, 1, 1]\n" + keys +
+                 "\n[obstacle.o]\nplane = { point = [0, 0, -9], normal = [0, 0, 1] }\n[analysis]\n"
+                 "kind = \"dynamic\"\nend_time = 1\ntime_step = 0.1\n",
+             [is_seen](const Problem& problem) {
+                 const std::vector<ContactBody>& bodies = problem.model.contact.bodies;
+                 return bodies.size() == 1 && is_seen(bodies[0]);
+             }});
+    };
+    const std::string sphere = "sphere = { radius = 0.5, centre = [1, 2, 3], force = 7 }";
+    const std::string capsule = "capsule = { radius = 0.5, from = [1, 2, 3], to = [3, 2, 1], force = 7 }";
+    const auto has_radius = [](const ContactBody& one) { return one.radius == 0.5; };
+    const auto has_force = [](const ContactBody& one) { return one.force == 7.0; };
+    add("sphere.radius", sphere, has_radius);
+    add("sphere.centre", sphere, [](const ContactBody& one) {
+        return one.ends == std::array{Vec3(1, 2, 3), Vec3(1, 2, 3)};
+    });
+    add("sphere.force", sphere, has_force);
+    add("capsule.radius", capsule, has_radius);
+    add("capsule.from", capsule, [](const ContactBody& one) { return one.ends[0] == Vec3(1, 2, 3); });
+    add("capsule.to", capsule, [](const ContactBody& one) { return one.ends[1] == Vec3(3, 2, 1); });
+    add("capsule.force", capsule, has_force);
+}
+
 }  // namespace
 
 std::vector<RoundTrip> contact_trips() {
@@ -224,6 +251,7 @@ std::vector<RoundTrip> contact_trips() {
     add_curve_trips(trips);
     add_move_trips(trips);
     add_mesh_trips(trips);
+    add_body_trips(trips);
     return trips;
 }
 

@@ -41,6 +41,12 @@ class Contacts(Shown):
         has_names = lambda file: GROUP in file and "obstacle" in file[GROUP]
         return self._source.once("obstacles", lambda file: list(read_column(file[GROUP]["obstacle"])) if has_names(file) else [])
 
+    @property
+    def bodies(self) -> list[str]:
+        """Names of all bodies, in the order of the deck, if some can touch."""
+        has_names = lambda file: GROUP in file and "body" in file[GROUP]
+        return self._source.once("bodies that touch", lambda file: list(read_column(file[GROUP]["body"])) if has_names(file) else [])
+
     def __len__(self) -> int:
         return len(self._source.frame_times)
 
@@ -81,7 +87,7 @@ class Contacts(Shown):
 class ContactFrame(Table):
     """What touches in one frame, a row each: `rods` and `places` [K,2], `point`, `force`, `normal_force`, `friction_force` [K,3], `gap`, `slides` [K].
 
-    `rods` are rows of `/rods`, −1 − j is obstacle j; `names` has their names. `places` are fractions of the lengths.
+    `rods` are rows of `/rods`; of N rods N + i is body i, −1 − j obstacle j; `names` has their names. `places` are fractions of the lengths.
     Forces are on the first of both; `slides` is False where friction holds.
     """
 
@@ -96,13 +102,14 @@ class ContactFrame(Table):
 
     @property
     def names(self) -> list[tuple[str, str]]:
-        """[K] names of the rod and of what it touches."""
-        rods, obstacles = list(read_rod_table(self._contacts._source)["name"]), self._contacts.obstacles
-        name = lambda index: rods[index] if index >= 0 else obstacles[-1 - index]
+        """[K] names of the rod or body and of what it touches."""
+        parts = list(read_rod_table(self._contacts._source)["name"]) + self._contacts.bodies
+        obstacles = self._contacts.obstacles
+        name = lambda index: parts[index] if index >= 0 else obstacles[-1 - index]
         return [(name(a), name(b)) for a, b in self.rods]
 
     def of(self, name: str, other: str | None = None) -> Array:
-        """The sum of all forces on the rod or obstacle of this name [3], by all that touches it or by another one alone."""
+        """The sum of all forces on the rod, body or obstacle of this name [3], by all that touches it or by another one alone."""
         total = np.zeros(3)
         for (first, second), force in zip(self.names, self.force):
             for own, partner, sign in ((first, second, 1.0), (second, first, -1.0)):

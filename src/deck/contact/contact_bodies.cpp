@@ -1,0 +1,135 @@
+#include "deck/contact/contact_bodies.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace gxrod {
+namespace {
+
+constexpr std::array shape_keys{"sphere", "capsule"};
+
+// The shape of a body, nullptr without one.
+const CheckedTable* find_shape(const CheckedTable& body) {
+    for (const char* key : shape_keys) {
+        if (body.gives(key)) return &body.tables(key).front();
+    }
+    return nullptr;
+}
+
+// The largest that it is of a few times: it can be ramped up.
+double find_gravity(const BuildContext& context) {
+    if (!context.deck.gives("gravity")) return 0.0;
+    double largest = 0.0;
+    for (const double t : {0.0, 0.5, 1.0}) largest = std::max(largest, context.model.gravity(t).norm());
+    return largest;
+}
+
+// Of the rods that touch: the least concentrated force that leaves half of their skin; 0 without a rod.
+double find_force_of_rods(const Contact& contact, const Model& model) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t rod = 0; rod < contact.radii.size(); ++rod) {
+        if (contact.radii[rod] == 0.0) continue;
+        const auto section = static_cast<std::size_t>(model.rods[rod].section);
+        least = std::min(least, model.sections[section].stiffness(0, 0) / 1000.0);
+    }
+    return std::isinf(least) ? 0.0 : least;
+}
+
+// That leaves half the skin: so large that the skin can take the weight, and the energy of the velocity at
+// t = 0.
+double find_force(const Body& body, double skin, const Contact& contact, const BuildContext& context) {
+    const double speed = context.model.nodes[static_cast<std::size_t>(body.node)].velocity.norm();
+    return std::max({1000.0 * body.mass * find_gravity(context),
+                     4.0 * body.mass * speed * speed / skin,
+                     find_force_of_rods(contact, context.model)});
+}
+
+// A hollow obstacle that is no wider than the body.
+void check_room(const CheckedTable& shape,
+                const ContactBody& own,
+                const Contact& contact,
+                const BuildContext& context) {
+    for (const Obstacle& obstacle : contact.obstacles) {
+        if (!obstacle.is_hollow || own.radius < obstacle.radius) continue;
+        context.add_fault(
+            shape,
+            "radius",
+            fmt::format("this body is to be inside of \"{}\", which is no wider: its radius is {:.6g}",
+                        obstacle.name,
+                        obstacle.radius));
+    }
+}
+
+}  // namespace
+
+void set_contact_bodies(Contact& contact, const BuildContext& context) {
+    const std::vector<CheckedTable>& tables = context.deck.tables("body");
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+        const CheckedTable* shape = find_shape(tables[i]);
+        if (shape == nullptr || context.body_nodes[i] < 0) continue;
+        const Body& body = context.model.bodies[i];
+        ContactBody own{.body = static_cast<int>(i), .radius = shape->get<double>("radius")};
+        if (tables[i].gives("sphere")) {
+            own.ends.fill(shape->get<Vec3>("centre"));
+        } else {
+            own.ends = {shape->get<Vec3>("from"), shape->get<Vec3>("to")};
+            if (own.ends[0] == own.ends[1])
+                context.add_fault(
+                    *shape, "to", "expected an end away from its start; a `sphere` has no length");
+        }
+        own.force = shape->gives("force") ? shape->get<double>("force")
+                                          : find_force(body, contact.skin * own.radius, contact, context);
+        if (own.force == 0.0 && context.stage == 0)
+            context.add_fault(
+                *shape,
+                "force",
+                "missing: neither weight nor velocity, nor rods that touch, say how large forces "
+                "are; expected that which leaves half the skin, well above the largest to expect");
+        check_room(*shape, own, contact, context);
+        contact.bodies.push_back(own);
+    }
+}
+
+void check_contact_bodies(const BuildContext& context) {
+    const Contact& contact = context.model.contact;
+    std::vector<const CheckedTable*> shapes;
+    for (const CheckedTable& table : context.deck.tables("body")) {
+        const CheckedTable* shape = find_shape(table);
+        if (shape == nullptr) continue;
+        shapes.push_back(shape);
+        if (contact.obstacles.empty() && !contact.between_rods)
+            context.faults.add(
+                shape->place,
+                shape->path,
+                "touches nothing; expected an [obstacle.NAME], or [contact], by which bodies touch "
+                "rods and each other");
+    }
+    if (shapes.empty()) return;
+    const bool has_rods = !context.model.rods.empty();
+    if (!contact.between_rods && (has_rods || shapes.size() > 1))
+        context.notes.push_back(
+            fmt::format("bodies with a sphere or capsule pass through {}{}{}: only {} lets them touch",
+                        has_rods ? "rods" : "",
+                        has_rods && shapes.size() > 1 ? " and " : "",
+                        shapes.size() > 1 ? "each other" : "",
+                        "each_other of [contact]"));
+    const auto find_tangent = [](const AnalysisSettings& analysis) {
+        return std::visit(
+            [](const auto& settings) {
+                if constexpr (requires { settings.newton.tangent; }) return settings.newton.tangent;
+                return TangentKind::automatic;
+            },
+            analysis);
+    };
+    for (const StagePlan& stage : context.stages) {
+        if (find_tangent(stage.analysis) != TangentKind::paper) continue;
+        context.faults.add(shapes.front()->place,
+                           shapes.front()->path,
+                           "what turns by newton.tangent = \"paper\" cannot be kept from obstacles; expected "
+                           "another tangent");
+    }
+}
+
+}  // namespace gxrod
