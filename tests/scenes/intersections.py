@@ -72,7 +72,10 @@ def least_gaps(path, obstacles=()):
                 d = np.sqrt(ipctk.edge_edge_distance(starts[a], ends[a], starts[b], ends[b])) - lines.radius[a] - lines.radius[b]
                 if d < gap:
                     gap, off = d, bulge[a] + bulge[b] + 0.01 * lines.radius[a] * max(1, 10 / bend)
-            rows.append((gap, off, min((_obstacle_gap(o, starts, ends, lines.radius) for o in obstacles), default=np.inf), bulge.max() + 0.005 * lines.radius.max() * max(1, 10 / bend)))
+            kinks = 0.005 * lines.radius.max() * max(1, 10 / bend)
+            # On planes elements touch at their nodes alone, half an element apart: between them the line may bulge.
+            rows.append((gap, off, *min(((_obstacle_gap(each, starts, ends, lines.radius), kinks + bulge.max() * (PARTS**2 / 4 if each[0] == "plane" else 1))
+                                         for each in obstacles), key=sum, default=(np.inf, 0.0))))
     return rows
 
 
