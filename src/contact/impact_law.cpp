@@ -1,10 +1,15 @@
 #include "contact/impact_law.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gxrod {
 
 namespace {
+
+// In skins. Increments that go far beyond a surface, again and again, would square a gap each time until its
+// force is infinite.
+constexpr double least_gap_of_iterates = 1e-12;
 
 NormalForce compute_law_force(const ContactLaw& law, double gap) {
     return {compute_contact_force(law, gap), -compute_contact_force_slope(law, gap)};
@@ -49,7 +54,7 @@ double find_gap_on_curve(const ImpactLaw& law, double force, double gap) {
     const double kappa = law.law.stiffness;
     const double skin = law.law.skin;
     const double zeta = force / kappa - gap / skin;
-    double found = find_contact_point(law.law, zeta).gap;
+    double found = std::max(find_contact_point(law.law, zeta).gap, least_gap_of_iterates * skin);
     if (law.dissipation == 1.0 && law.damping == 0.0) return found;
     // h(g) = λ(g)/κ − g/ĝ falls from ∞: by Newton's method between bounds, in ln g.
     double low = 0.0, high = 0.0;
@@ -65,7 +70,7 @@ double find_gap_on_curve(const ImpactLaw& law, double force, double gap) {
         if (next < 0.25 * found) next = 0.25 * found;
         // A mean over a long way grows with the logarithm of the gap alone: iterates may ask for more than
         // that.
-        next = std::max(next, 1e-12 * skin);
+        next = std::max(next, least_gap_of_iterates * skin);
         if (next == found) break;
         found = next;
     }

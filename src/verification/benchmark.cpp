@@ -30,6 +30,7 @@ Vec3 ledger_value(const std::string& quantity, const LedgerRow& row) {
     if (quantity == "energy") return {row.kinetic_energy + row.strain_energy, 0.0, 0.0};
     if (quantity == "strain_energy") return {row.strain_energy, 0.0, 0.0};
     if (quantity == "dissipated_energy") return {row.dissipated_energy, 0.0, 0.0};
+    if (quantity == "contact_loss") return {row.contact_loss, 0.0, 0.0};
     if (quantity == "external_work") return {row.external_work, 0.0, 0.0};
     if (quantity == "energy_less_work") {
         return {row.kinetic_energy + row.strain_energy - row.external_work, 0.0, 0.0};

@@ -94,3 +94,19 @@ TEST_CASE("impacts: Newton's method by the curve finds the gap that a spring lea
         }
     }
 }
+
+TEST_CASE("impacts: increments far beyond the surface, one after another, leave a finite force",
+          "[contact]") {
+    for (const double theta : {0.0, 1.0}) {
+        const ImpactLaw law{{0.2, 7.0}, theta, 0.1};
+        double on_curve = 0.1;
+        for (int iteration = 0; iteration < 20; ++iteration) {
+            const NormalForce point = compute_impact_force(law, on_curve);
+            const double gap = -10.0;
+            on_curve = find_gap_on_curve(law, point.force - point.stiffness * (gap - on_curve), gap);
+            INFO(theta << " " << iteration << " " << on_curve);
+            REQUIRE(on_curve > 0.0);
+        }
+        CHECK(std::isfinite(compute_impact_force(law, on_curve).stiffness));
+    }
+}

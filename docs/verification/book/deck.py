@@ -23,7 +23,7 @@ def to_python(expression):
 
 
 class Deck:
-    """A deck of lines, arcs and bodies, as read from its file."""
+    """A deck of lines, arcs, helices and bodies, as read from its file."""
 
     def __init__(self, path):
         with open(path, "rb") as file:
@@ -60,7 +60,18 @@ class Deck:
             return self._arc(rod["arc"])
         if "catenary" in rod:
             return self._catenary(rod["catenary"])
-        raise ValueError("sketches know rods by line, arc or catenary; teach Deck in docs/verification/book/deck.py the others")
+        if "helix" in rod:
+            return self._helix(rod["helix"])
+        raise ValueError("sketches know rods by line, arc, helix or catenary; teach Deck in docs/verification/book/deck.py the others")
+
+    def _helix(self, helix):
+        centre, along = self.vector(helix["centre"]), self.vector(helix["axis"])
+        along = along / np.linalg.norm(along)
+        start = self.vector(helix["from"]) - centre
+        rise, turns = along * (along @ start), np.linspace(0.0, self.number(helix["turns"]), 20 * ARC_POINTS)
+        start, pitch = start - rise, self.number(helix["pitch"])
+        angles = 2.0 * np.pi * turns[:, None]
+        return centre + rise + np.cos(angles) * start + np.sin(angles) * np.cross(along, start) + pitch * turns[:, None] * along
 
     def _catenary(self, line):
         """Of a line on the bed, from its lower end to the touch-down; else from end to end."""
@@ -202,7 +213,7 @@ class Deck:
     def places(self, names):
         """Where the histories of these names are, without those of a body or a tendon."""
         points = {history["name"]: history["at"] for history in self.tree.get("history", [])}
-        return [self.place(points[name])[0] for name in sorted(names) if points[name] not in self.tree.get("tendon", {})]
+        return [self.place(points[name])[0] for name in sorted(names) if points[name] not in self.tree.get("tendon", {}) and points[name] not in self.rods]
 
     def gravity(self):
         return self.largest(self.tree.get("gravity", [0, 0, 0]))[0]
