@@ -5,11 +5,11 @@
 
 namespace gxrod {
 
-// The normal force of a step of time (docs/theory/contact.md, (C13)): (1 − θ) f̄ + θ λ(g), with the mean force
+// The normal force of a step of time (docs/theory/contact.md, (C16)): (1 − θ) f̄ + θ λ(g), with the mean force
 // f̄ = −(V(g) − V(g₀))/(g − g₀) from the gap at the step's start, and θ the dissipation. Since V is convex,
 // its work on a gap is never more than the energy V gives: for θ = 0 it is just that. Where nothing has
 // inertia θ = 1. All of it is multiplied by (1 − damping (g − g₀)), and nothing where that is negative,
-// (C14): what takes energy whatever the step.
+// (C17): what takes energy whatever the step.
 struct ImpactLaw {
     ContactLaw law{};
     double dissipation = 1.0;

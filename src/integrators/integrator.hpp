@@ -79,7 +79,7 @@ class Integrator {
     virtual bool is_static() const { return false; }
 
     // Forces of contact are impulses of a step, apart from the scheme: w = Δt M⁻¹ f is added to velocities,
-    // Δt w / 2 to positions (docs/theory/contact.md, (C13)). An equilibrium with this multiple of f places
+    // Δt w / 2 to positions (docs/theory/contact.md, (C16)). An equilibrium with this multiple of f places
     // nodes so; 0: the scheme cannot.
     virtual double contact_weight() const { return is_static() ? 1.0 : 0.0; }
     // After the step's equilibrium, when the trial has the accelerations without contact: takes the impulses

@@ -59,6 +59,13 @@ double find_spacing(const Model& model, double radius) {
     return spacing;
 }
 
+// Whose chords stay within a quarter of the skin of the line: the sagitta is h²/8 over the radius of the
+// bend. Elements of two nodes are chords themselves.
+double find_chord(const Model& model, std::size_t rod) {
+    if (model.rods[rod].order == 1) return std::numeric_limits<double>::infinity();
+    return std::sqrt(2.0 * model.contact.skin * model.contact.radii[rod] * model.contact.bend_radii[rod]);
+}
+
 // The nodes of the element, or equal pieces and the trapezoidal rule, which sums up a bump without steps.
 Rule refine(const Rule& of_nodes, double pieces) {
     if (pieces <= static_cast<double>(of_nodes.at.size() - 1)) return of_nodes;
@@ -208,8 +215,10 @@ ContactPlaces find_contact_places(const Model& model) {
         if (is_new) found->second = find_spacing(model, radius);
         return found->second;
     };
-    ContactPlaces all = find_places(
-        model, [&](int rod) { return spacing_of(model.contact.radii[static_cast<std::size_t>(rod)]); });
+    ContactPlaces all = find_places(model, [&](int rod) {
+        return std::min(spacing_of(model.contact.radii[static_cast<std::size_t>(rod)]),
+                        find_chord(model, static_cast<std::size_t>(rod)));
+    });
     for (const ContactBody& body : model.contact.bodies) {
         constexpr double least_pieces = 8.0;
         const double length = (body.ends[1] - body.ends[0]).norm();
@@ -220,14 +229,8 @@ ContactPlaces find_contact_places(const Model& model) {
 }
 
 ContactPlaces find_chord_places(const Model& model) {
-    ContactPlaces all = find_places(model, [&](int rod) {
-        const auto index = static_cast<std::size_t>(rod);
-        // Elements of two nodes are chords themselves.
-        if (model.rods[index].order == 1) return std::numeric_limits<double>::infinity();
-        // The sagitta of a chord is h²/8 over the radius of the bend.
-        return std::sqrt(2.0 * model.contact.skin * model.contact.radii[index] *
-                         model.contact.bend_radii[index]);
-    });
+    ContactPlaces all =
+        find_places(model, [&](int rod) { return find_chord(model, static_cast<std::size_t>(rod)); });
     for (const ContactBody& body : model.contact.bodies) add_body(model, body, 1, all);
     return all;
 }
