@@ -146,11 +146,7 @@ const TableSpec& contact_pair_table() {
                   .range = not_negative,
                   .sentence = "Coulomb's coefficient there."},
                  {.name = "off", .type = ValueType::flag, .sentence = "true: they pass through each other."}},
-        .groups = {{GroupRule::exactly_one, {"friction", "off"}}},
-        .example =
-            "[[contact.pair]]\n"
-            "between  = [\"bow\", \"floor\"]\n"
-            "friction = 0.6\n"};
+        .groups = {{GroupRule::exactly_one, {"friction", "off"}}}};
     return table;
 }
 
@@ -262,7 +258,11 @@ const TableSpec& contact_table() {
             "[contact]\n"
             "rods       = [\"spring\", \"bow\"]\n"
             "each_other = false\n"
-            "friction   = 0.3\n"};
+            "friction   = 0.3\n"
+            "\n"
+            "[[contact.pair]]\n"
+            "between  = [\"bow\", \"floor\"]\n"
+            "friction = 0.6\n"};
     return table;
 }
 
