@@ -68,8 +68,8 @@ TEST_CASE("Rebounds are as high as damping leaves them, at any step", "[analyses
             const double expected = find_restitution(tau_speed);
             CHECK(left == Approx(expected).epsilon(2e-3));
             const LedgerRow ledger = run.ledger();
-            CHECK(ledger.contact_loss ==
-                  Approx(0.5 * mass * speed * speed * (1.0 - expected * expected)).epsilon(2e-3));
+            const double energy = 0.5 * mass * speed * speed;
+            CHECK(std::abs(ledger.contact_loss - energy * (1.0 - expected * expected)) < 1e-3 * energy);
             CHECK(std::abs(ledger.energy_error) < 1e-9 * mass * speed * speed);
             CHECK(run.least_gap() > 0.0);
         }
