@@ -77,6 +77,38 @@ steps = 6
     CHECK(run.least_gap() > 0.0);
 }
 
+TEST_CASE("Rods that meet many others in a step need no shorter steps", "[analyses][touch]") {
+    // Six rods fall on six others across them, all of which they meet within two steps, at heights that
+    // differ by a skin or two.
+    std::string deck = R"(
+[section.s]
+shape = { circle = { radius = 0.01 } }
+material = { E = 1e8, nu = 0.3, density = 1000 }
+[contact]
+self = false
+friction = 0.2
+[analysis]
+kind = "dynamic"
+end_time = 0.03
+time_step = 1e-3
+)";
+    const auto at = [](double x, double y, double z) { return fmt::format("{}, {}, {}", x, y, z); };
+    for (int i = 0; i < 6; ++i) {
+        const std::string low = fmt::format("low{}", i), high = fmt::format("high{}", i);
+        const double place = 0.1 * i, bottom = -3e-4 * ((5 * i) % 6), top = 0.0205 + 2e-4 * ((7 * i) % 6);
+        deck += rod(low.c_str(), at(place, -0.1, bottom).c_str(), at(place, 0.6, bottom).c_str(), 7);
+        deck += rod(high.c_str(), at(-0.1, place, top).c_str(), at(0.6, place, top).c_str(), 7);
+        deck += fmt::format("[[initial]]\non = \"{}\"\nvelocity = [0, 0, -0.8]\n", high);
+        for (const char* end : {"start", "end"})
+            deck += fmt::format("[[support]]\nat = \"{}.{}\"\nfix = \"all\"\n", low, end);
+    }
+    Run run(deck);
+    run.finish();
+    CHECK(run.rejected() == 0);
+    CHECK(run.least_gap() > 0.0);
+    CHECK(run.ledger().contact_loss > 0.0);
+}
+
 TEST_CASE("C5c: friction stops a rod after the distance of a body that slides", "[analyses][touch]") {
     Run run(slider(R"(
 [[initial]]

@@ -215,10 +215,8 @@ ContactPlaces find_contact_places(const Model& model) {
         if (is_new) found->second = find_spacing(model, radius);
         return found->second;
     };
-    ContactPlaces all = find_places(model, [&](int rod) {
-        return std::min(spacing_of(model.contact.radii[static_cast<std::size_t>(rod)]),
-                        find_chord(model, static_cast<std::size_t>(rod)));
-    });
+    ContactPlaces all = find_places(
+        model, [&](int rod) { return spacing_of(model.contact.radii[static_cast<std::size_t>(rod)]); });
     for (const ContactBody& body : model.contact.bodies) {
         constexpr double least_pieces = 8.0;
         const double length = (body.ends[1] - body.ends[0]).norm();

@@ -102,7 +102,13 @@ double ContactAssembly::find_least_gap(const ContactWatch& watch, const State& s
 
 std::vector<double> ContactAssembly::compute_gaps(const State& state, double time) const {
     const Contact& contact = model_->contact;
-    std::vector<double> gaps(state.trial.size(), contact.skin * std::ranges::max(contact.radii));
+    double largest = 0.0;
+    for (const double radius : contact.radii) largest = std::max(largest, radius);
+    for (const ContactBody& body : contact.bodies) largest = std::max(largest, body.radius);
+    std::vector<double> gaps(state.trial.size(), contact.skin * largest);
+    for (const ContactBody& body : contact.bodies)
+        gaps[static_cast<std::size_t>(model_->bodies[static_cast<std::size_t>(body.body)].node)] =
+            contact.skin * body.radius;
     for (std::size_t rod = 0; rod < contact.radii.size(); ++rod) {
         if (contact.radii[rod] == 0.0) continue;
         for (const int node : model_->rods[rod].nodes)
@@ -114,7 +120,7 @@ std::vector<double> ContactAssembly::compute_gaps(const State& state, double tim
             if (is_far(at, obstacle, element, state)) continue;
             for (std::size_t p = element.first_place; p < element.end_place; ++p) {
                 const ContactPlace& place = places_.places[p];
-                const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+                const Vec3 position = places_.position(place, state.trial);
                 double& gap = gaps[static_cast<std::size_t>(places_.nearest_node(place, place, 0.0))];
                 gap = std::min(gap, touch(at, obstacle, p, position).gap);
             }

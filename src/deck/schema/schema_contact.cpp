@@ -219,7 +219,7 @@ const TableSpec& contact_table() {
               .dimension = "length",
               .range = positive,
               .default_text = "10 radii",
-              .sentence = "The tightest bend to expect of rods: they touch as straight "
+              .sentence = "The tightest bend to expect of rods that touch each other: they touch as straight "
                           "pieces, so short that their chords stay within a quarter of the skin."},
              {.name = "friction",
               .type = ValueType::number,

@@ -184,10 +184,7 @@ void FrameTable::append_points(const Snapshot& snapshot) {
             const Vec3 force = snapshot.contact_forces.empty() ? Vec3(Vec3::Zero())
                                                                : Vec3(snapshot.contact_forces[i].head<3>());
             points_[9].append(numbers(force));
-            const Contact& contact = model_->contact;
-            points_[10].append(snapshot.contact_gaps.empty()
-                                   ? contact.skin * std::ranges::max(contact.radii)
-                                   : snapshot.contact_gaps[i]);
+            points_[10].append(snapshot.contact_gaps.empty() ? 0.0 : snapshot.contact_gaps[i]);
         }
         flush_if_much(points_);
     }

@@ -51,6 +51,7 @@ void enclose(Model& model, const State& state) {
     floor.friction = 0.05;
     model.contact.obstacles = {sphere, floor};
     model.contact.radii.assign(model.rods.size(), radius);
+    model.contact.bend_radii.assign(model.rods.size(), 1.0);
     model.contact.skin = skin;
 }
 

@@ -27,8 +27,12 @@ std::map<std::string, const TableSpec*> all_tables(const TableSpec& root) {
     return tables;
 }
 
+// Of the top level, or one below.
 bool is_list(const std::string& path) {
-    const KeySpec* key = deck_schema().find(path);
+    const std::size_t dot = path.find('.');
+    const KeySpec* key = deck_schema().find(path.substr(0, dot));
+    if (dot != std::string::npos && key != nullptr)
+        key = key->table != nullptr ? key->table->find(path.substr(dot + 1)) : nullptr;
     return key != nullptr && key->type == ValueType::table_list;
 }
 

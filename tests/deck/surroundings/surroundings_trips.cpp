@@ -233,7 +233,7 @@ std::vector<RoundTrip> coefficient_trips(const std::string& key,
             path + ".z", with("{ z = 7 }"), [=](const Problem& p) { return value(p) == Vec3(0, usual, 7); })};
 }
 
-std::vector<RoundTrip> section_trips() {
+std::vector<RoundTrip> wet_section_trips() {
     const auto with = [](const std::string& keys) {
         return tube_deck("fluid = { " + keys + " }") + water_deck;
     };
@@ -266,7 +266,7 @@ std::vector<RoundTrip> section_trips() {
     return trips;
 }
 
-std::vector<RoundTrip> body_trips() {
+std::vector<RoundTrip> wet_body_trips() {
     const auto with = [](const std::string& keys) {
         return replaced(body_deck, "[analysis]", "fluid = { volume = 2" + keys + " }\n[analysis]") +
                "[fluid]\ndensity = 1000\n";
@@ -331,8 +331,8 @@ std::vector<RoundTrip> surroundings_trips() {
                               wave_trips(),
                               air_trips(),
                               bed_trips(),
-                              section_trips(),
-                              body_trips(),
+                              wet_section_trips(),
+                              wet_body_trips(),
                               catenary_trips()})
         all.insert(all.end(), trips.begin(), trips.end());
     return all;

@@ -18,6 +18,7 @@ Model make_touching_model() {
     floor.line = {Vec3::Zero()};
     model.contact.obstacles = {floor};
     model.contact.radii.assign(model.rods.size(), 0.1);
+    model.contact.bend_radii.assign(model.rods.size(), 1.0);
     return model;
 }
 
