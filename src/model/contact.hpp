@@ -93,7 +93,7 @@ struct Contact {
     bool between_rods = false;
     bool within_rods = false;  // a rod touches itself
     std::vector<Obstacle> obstacles;
-    std::vector<ContactBody> bodies;  // that touch
+    std::vector<ContactBody> bodies;           // that touch
     std::vector<ContactException> exceptions;  // the last one that fits counts
 
     bool is_empty() const { return obstacles.empty() && !between_rods && !within_rods; }

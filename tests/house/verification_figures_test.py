@@ -83,7 +83,7 @@ class ReadDeck(unittest.TestCase):
             self.assertAlmostEqual(np.linalg.norm(np.diff(curve, axis=0), axis=1).sum() / length, 1.0, 4)
 
     def test_other_curves_are_refused(self):
-        with self.assertRaisesRegex(ValueError, "sketches know rods by line, arc or catenary"):
+        with self.assertRaisesRegex(ValueError, "sketches know rods by line, arc, helix or catenary"):
             self.deck._curve({"spline": {}})  # pylint: disable=protected-access
 
 

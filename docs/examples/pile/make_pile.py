@@ -30,7 +30,7 @@ back  = { plane = { point = [0, 0.3, 0], normal = [0, -1, 0] } }
 
 [analysis]
 kind      = "dynamic"
-end_time  = 1
+end_time  = 2
 time_step = 1e-3
 
 [output]
