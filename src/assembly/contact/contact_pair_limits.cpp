@@ -116,7 +116,9 @@ ContactPairs::PairLimit ContactPairs::limit_pair(const NearPieces& near,
     }
     part *= advance_capsules(a, add(a, move_a.chord), b, add(b, move_b.chord), radii + aside, kept).fraction;
     limit.fraction = keep_from_rounding(part, law.skin, gap);
-    if (part < 1.0 && !was_expected && gap > law.skin)
+    // Without inertia the two laws of pairs that lie along each other take turns.
+    const bool has_impacts = model_->has_inertia && model_->has_time;
+    if (has_impacts && part < 1.0 && !was_expected && gap > law.skin)
         expected = std::max(-(gap + change) / law.skin, no_contact);
     return limit;
 }

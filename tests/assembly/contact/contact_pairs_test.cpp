@@ -278,7 +278,9 @@ line = { from = [0.25, -0.5, 0.021], to = [0.25, 0.5, 0.021] }
 elements = 1
 [contact]
 [analysis]
-kind = "static"
+kind = "dynamic"
+end_time = 1
+time_step = 0.1
 )");
     const System system(problem.model);
     const ContactPairs& pairs = system.contact()->pairs();
