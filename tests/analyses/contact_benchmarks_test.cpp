@@ -98,7 +98,7 @@ time_step = 1e-3
         const double place = 0.1 * i, bottom = -3e-4 * ((5 * i) % 6), top = 0.0205 + 2e-4 * ((7 * i) % 6);
         deck += rod(low.c_str(), at(place, -0.1, bottom).c_str(), at(place, 0.6, bottom).c_str(), 7);
         deck += rod(high.c_str(), at(-0.1, place, top).c_str(), at(0.6, place, top).c_str(), 7);
-        deck += fmt::format("[[initial]]\non = \"{}\"\nvelocity = [0, 0, -0.8]\n", high);
+        deck += fmt::format("[[initial]]\non = \"{}\"\nvelocity = [0, 0, -2]\n", high);
         for (const char* end : {"start", "end"})
             deck += fmt::format("[[support]]\nat = \"{}.{}\"\nfix = \"all\"\n", low, end);
     }

@@ -179,4 +179,20 @@ fix = ["x", "y", "rotation"]
     CHECK(run.obstacle().least_gap == Approx(0.5e-3).epsilon(1e-6));
 }
 
+TEST_CASE("A body passes through what a pair leaves out, and rubs as a pair says", "[analyses][touch]") {
+    const auto pair = [](const char* more) {
+        return std::string("[contact]\n[[contact.pair]]\nbetween = [\"b*\", \"floor\"]\n") + more + "\n";
+    };
+    BodyRun fallen(ball(0.06, floor(0.3) + pair("off = true") + analysis(0.3, 1e-3)));
+    fallen.finish();
+    CHECK(fallen.body().r.z() == Approx(0.06 - 0.5 * 9.81 * 0.09).epsilon(1e-9));
+    // Without friction it slides on as it was thrown, without spin.
+    BodyRun slid(
+        ball(0.050983, "velocity = [2, 0, 0]\n" + floor(0.3) + pair("friction = 0") + analysis(0.3, 1e-3)));
+    slid.finish();
+    CHECK(slid.body().v.x() == Approx(2.0).epsilon(1e-12));
+    CHECK(slid.body().omega.norm() < 1e-12);
+    CHECK(slid.body().r.z() > 0.05);
+}
+
 }  // namespace gxrod::test

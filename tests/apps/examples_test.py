@@ -173,6 +173,19 @@ class Examples(Pages):
             # Of its first bend, from (0, 0) about (0, 30); the bore is 4, the wire 0.9.
             self.assertLess(abs(np.hypot(tip[0], tip[1] - 30.0) - 30.0), 2.0 - 0.45)
 
+    def test_pile(self):
+        """Its first 0.13 s, in which the two lowest layers land; tests/scenes/pile runs all of it."""
+        self.run_command("gxrod run docs/examples/pile/pile.toml --quiet --set analysis.end_time=0.13 -o pile.vtkhdf")
+        with self.open("pile") as file:
+            solver = file["solver"]
+            self.assertGreater(solver["contacts"][:].max(), 50)
+            self.assertGreater(solver["least_gap"][:][solver["contacts"][:] > 0].min(), 0.0)
+            self.assertLess(solver["rejected_steps"][:].sum(), 10)
+            self.assertGreater(file["VTKHDF/Points"][:, 2].min(), 5e-3)
+            loss, work = (file[f"ledger/{name}"][:] for name in ("contact_loss", "external_work"))
+            self.assertGreater(np.diff(loss).min(), -1e-3 * work[-1])
+            self.assertGreater(loss[-1], 0.0)
+
     def test_rubin_convergence(self):
         self.run_page("rubin_convergence")
         rows = self.read_batch("rubin_convergence")

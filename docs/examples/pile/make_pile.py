@@ -30,7 +30,7 @@ back  = { plane = { point = [0, 0.3, 0], normal = [0, -1, 0] } }
 
 [analysis]
 kind      = "dynamic"
-end_time  = 2
+end_time  = 3
 time_step = 1e-3
 
 [output]
@@ -57,7 +57,7 @@ def make_rods(count):
 
 
 def main():
-    count, elements = [int(word) for word in sys.argv[1:]] + [100, 10][len(sys.argv) - 1 :]
+    count, elements = [int(word) for word in sys.argv[1:]] + [30, 10][len(sys.argv) - 1 :]
     print(HEAD)
     for number, ends in enumerate(make_rods(count), 1):
         start, end = ("[" + ", ".join(f"{x:.5f}" for x in end) + "]" for end in ends)

@@ -192,20 +192,13 @@ ContactAssembly::Touching ContactAssembly::touch_by_parameters(
     return {tangent_force(at, obstacle, place, gap, state), tangent_friction(obstacle, place, state)};
 }
 
-// Over a step with impulses the mean of the arms at its ends: by that a force in a direction that stays does
-// the work of the displacement, but for the third power of the rotation.
-Vec3 ContactAssembly::find_lever(const At& at, const ContactPlace& place, const State& state) const {
-    const Vec3 arm = places_.arm(place, state.trial);
-    return at.has_impacts ? Vec3(0.5 * (arm + places_.arm(place, state.previous))) : arm;
-}
-
 // From force and moment at a place of a body, and their derivative by the place and its rotation, to the
 // derivative of those at the node, by the node.
 Mat6 ContactAssembly::take_to_node(
     const At& at, const ContactPlace& place, const State& state, const Vec3& force, Mat6 derivative) const {
     const Mat3 arm = spin(places_.arm(place, state.trial));
     derivative.rightCols<3>() -= derivative.leftCols<3>() * arm;
-    derivative.bottomRows<3>() += spin(find_lever(at, place, state)) * derivative.topRows<3>();
+    derivative.bottomRows<3>() += spin(places_.lever(place, state, at.has_impacts)) * derivative.topRows<3>();
     derivative.bottomRightCorner<3, 3>() += (at.has_impacts ? 0.5 : 1.0) * spin(force) * arm;
     return derivative;
 }
@@ -226,7 +219,7 @@ void ContactAssembly::add_element_force(
             const PlaceForce there = compute_place_force(
                 surface, places_.motion_of(place, state), touching.normal, touching.friction);
             Vec3 moment = there.moment;
-            if (element.is_body) moment += find_lever(at, place, state).cross(there.force);
+            if (element.is_body) moment += places_.lever(place, state, at.has_impacts).cross(there.force);
             if (force.size() == 0) force = LoadVector::Zero(6 * element.count);
             for (int i = 0; i < element.count; ++i) {
                 const double share = place.weight * place.shapes[static_cast<std::size_t>(i)];

@@ -165,7 +165,6 @@ class ContactAssembly {
                    std::size_t obstacle,
                    std::size_t place,
                    State& state) const;
-    Vec3 find_lever(const At& at, const ContactPlace& place, const State& state) const;
     Mat6 take_to_node(const At& at,
                       const ContactPlace& place,
                       const State& state,

@@ -71,7 +71,7 @@ ContactWork ContactAssembly::compute_work(const State& state, double time, doubl
             on_rods += place.weight * (force.dot(motion.displacement) + after.moment.dot(motion.rotation));
             if (is_body && at.has_impacts) {
                 // What impulses do to the node.
-                const Vec3 lever = find_lever(at, place, state);
+                const Vec3 lever = places_.lever(place, state, at.has_impacts);
                 const Vec3 turned = places_.arm(place, state.trial) - places_.arm(place, state.previous);
                 on_rods += place.weight * force.dot(motion.rotation.cross(lever) - turned);
             }

@@ -7,18 +7,10 @@
 // Bodies that touch rods and each other: ends of theirs turn about nodes.
 namespace gxrod {
 
-// As ContactAssembly's.
-Vec3 ContactPairs::find_lever(const ContactPlace& place, const State& state) const {
-    const Vec3 arm = lines_.places.arm(place, state.trial);
-    const bool has_impacts = model_->has_inertia && model_->has_time;
-    return has_impacts ? Vec3(0.5 * (arm + lines_.places.arm(place, state.previous))) : arm;
-}
-
 void ContactPairs::take_to_nodes(const NearPieces& near,
                                  const Vec24& forces,
                                  const State& state,
                                  Mat24& derivative) const {
-    const bool has_impacts = model_->has_inertia && model_->has_time;
     for (int end = 0; end < 4; ++end) {
         const ContactPiece& piece = lines_.pieces[end < 2 ? near.first : near.second];
         if (!lines_.element_of(piece).is_body) continue;
@@ -27,9 +19,9 @@ void ContactPairs::take_to_nodes(const NearPieces& near,
         const int row = 6 * end;
         derivative.middleCols<3>(row + 3) -= (derivative.middleCols<3>(row) * arm).eval();
         derivative.middleRows<3>(row + 3) +=
-            (spin(find_lever(place, state)) * derivative.middleRows<3>(row)).eval();
+            (spin(lines_.places.lever(place, state, has_impacts_)) * derivative.middleRows<3>(row)).eval();
         derivative.block<3, 3>(row + 3, row + 3) +=
-            (has_impacts ? 0.5 : 1.0) * spin(forces.segment<3>(row)) * arm;
+            (has_impacts_ ? 0.5 : 1.0) * spin(forces.segment<3>(row)) * arm;
     }
 }
 
@@ -86,7 +78,8 @@ double ContactPairs::compute_turning_work(const NearPieces& near,
         const ContactPlace& place = all.places[piece.place + static_cast<std::size_t>(end % 2)];
         const Vec3 turned = all.arm(place, state.trial) - all.arm(place, state.previous);
         const Vec3& theta = all.motion_of_body(place, state.trial).theta;
-        work += forces.segment<3>(6 * end).dot(theta.cross(find_lever(place, state)) - turned);
+        work += forces.segment<3>(6 * end).dot(theta.cross(lines_.places.lever(place, state, has_impacts_)) -
+                                               turned);
     }
     return work;
 }

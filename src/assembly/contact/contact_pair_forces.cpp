@@ -112,7 +112,8 @@ void ContactPairs::scatter(const NearPieces& near,
         for (std::size_t p = piece.place; p < piece.place + 2; ++p, ++end) {
             if (element.is_body) {
                 Vec6 force = of_ends.segment<6>(6 * end);
-                force.tail<3>() += find_lever(lines_.places.places[p], state).cross(force.head<3>());
+                force.tail<3>() +=
+                    lines_.places.lever(lines_.places.places[p], state, has_impacts_).cross(force.head<3>());
                 add(element.nodes[0], force);
                 continue;
             }

@@ -11,6 +11,11 @@ namespace gxrod {
 
 namespace {
 
+// Of ζ: softer than what follows from how deep an increment would go, whose stiffness grows with ζ². Eight
+// rods of order 2 that land on eight others at 2 m/s take 35 steps and 10 s with these bounds, 52 and 19 s
+// without expectations, and more than a minute without bounds.
+constexpr double first_expected = -0.8, most_expected = 0.5;
+
 double largest_motion(const Segment& motion) { return std::max(motion.start.norm(), motion.end.norm()); }
 
 Segment add(const Segment& segment, const Segment& motion) {
@@ -95,7 +100,7 @@ ContactPairs::PairLimit ContactPairs::limit_pair(const NearPieces& near,
                                                        : find_kept_share(law.skin, gap);
     const bool was_expected = expected > no_contact;
     if (was_expected) {
-        expected = advance_contact(law, expected, gap, change);
+        expected = std::min(advance_contact(law, expected, gap, change), most_expected);
         const ContactGraphPoint next = find_contact_point(law, expected);
         // It may come as near as its force says, but not so near that it would be thrown back.
         kept.kept_share = std::min(kept.kept_share, std::max(0.5 * next.gap, 0.3 * law.skin) / gap);
@@ -117,9 +122,8 @@ ContactPairs::PairLimit ContactPairs::limit_pair(const NearPieces& near,
     part *= advance_capsules(a, add(a, move_a.chord), b, add(b, move_b.chord), radii + aside, kept).fraction;
     limit.fraction = keep_from_rounding(part, law.skin, gap);
     // Without inertia the two laws of pairs that lie along each other take turns.
-    const bool has_impacts = model_->has_inertia && model_->has_time;
-    if (has_impacts && part < 1.0 && !was_expected && gap > law.skin)
-        expected = std::max(-(gap + change) / law.skin, no_contact);
+    if (has_impacts_ && part < 1.0 && !was_expected && gap > law.skin)
+        expected = std::clamp(-(gap + change) / law.skin, no_contact, first_expected);
     return limit;
 }
 

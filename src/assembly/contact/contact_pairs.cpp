@@ -32,7 +32,8 @@ ContactPairs::ContactPairs(const Model& model, const ThreadTeam& team, const Sca
     if (model.contact.radii.empty() && model.contact.bodies.empty()) return;
     lines_ = find_contact_lines(model);
     rubs_ = model.contact.friction > 0.0;
-    if (model.has_inertia && model.has_time) damping_ = model.contact.damping;
+    has_impacts_ = model.has_inertia && model.has_time;
+    if (has_impacts_) damping_ = model.contact.damping;
     for (const ContactException& one : model.contact.exceptions)
         rubs_ = rubs_ || one.friction.value_or(0.0) > 0.0;
     for (ContactElement& element : lines_.places.elements)

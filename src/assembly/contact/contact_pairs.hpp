@@ -165,8 +165,6 @@ class ContactPairs {
         return lines_.element_of(lines_.pieces[near.first]).is_body ||
                lines_.element_of(lines_.pieces[near.second]).is_body;
     }
-    // Of a place of a body: where forces act on it, from its node.
-    Vec3 find_lever(const ContactPlace& place, const State& state) const;
     double compute_turning_work(const NearPieces& near, const Vec24& forces, const State& state) const;
     void add_tangent_with_body(const EndTangent& tangent,
                                double weight,
@@ -185,6 +183,7 @@ class ContactPairs {
     const ScaleGroups* groups_;
     ContactLines lines_;
     bool rubs_ = false;
+    bool has_impacts_ = false;
     double damping_ = 0.0;  // where there is inertia
 };
 

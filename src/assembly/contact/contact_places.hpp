@@ -57,6 +57,13 @@ struct ContactPlaces {
     Vec3 arm(const ContactPlace& place, const std::vector<NodeMotion>& motions) const {
         return motion_of_body(place, motions).Lambda * place.arm;
     }
+    // Where forces act on a body, from its node: at the arm; over a step with impulses at the mean of the
+    // arms at its ends, by which a force in a direction that stays does the work of the displacement, but for
+    // the third power of the rotation.
+    Vec3 lever(const ContactPlace& place, const State& state, bool has_impacts) const {
+        const Vec3 own = arm(place, state.trial);
+        return has_impacts ? Vec3(0.5 * (own + arm(place, state.previous))) : own;
+    }
     const NodeMotion& motion_of_body(const ContactPlace& place,
                                      const std::vector<NodeMotion>& motions) const {
         const ContactElement& element = elements[static_cast<std::size_t>(place.element)];

@@ -63,7 +63,7 @@ void add_cells(const Integers& points, FrameCopy& copies) {
     }
 }
 
-// Of a table with a row for each frame and a column for each kind of cells, of which there are vertices.
+// Of a table with a row for each frame and a column for each kind of cells; contacts have vertices alone.
 Integers in_first_column(const Integers& values) {
     Integers table;
     for (const std::int64_t value : values) {

@@ -24,7 +24,7 @@ struct DatasetCopy {
 // A frame of results: topology, points, and all point and cell data.
 using FrameCopy = std::vector<DatasetCopy>;
 
-// Rows of a dataset. Throws Hdf5Error or std::runtime_error if there are none such.
+// Rows of a dataset. Throws Hdf5Error, or std::runtime_error where there is no such dataset.
 DatasetCopy copy_rows(const Hdf5Reader& file, const std::string& path, hsize_t first, hsize_t count);
 // Integers in memory, of this size in each direction.
 DatasetCopy make_copy(const std::string& path,

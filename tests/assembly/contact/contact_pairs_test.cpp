@@ -295,7 +295,7 @@ time_step = 0.1
     ContactLimits limits = system.contact()->limit(moved_by(-3.0 * gap), state, 1.0);
     CHECK(limits.least < 1.0 / 3.0);
     REQUIRE(state.contact.pieces.size() == 1);
-    CHECK(state.contact.pieces_expected[0] == Approx(2.0 * gap / skin));
+    CHECK(state.contact.pieces_expected[0] == -0.8);
     CHECK(pairs.list_groups(state).size() == 1);
     const auto taken_force = [&](const State& at) {
         Residual residual;
@@ -320,6 +320,15 @@ time_step = 0.1
     const Eigen::MatrixXd& K = blocks[0].matrix;
     CHECK(after[2][2] - before[2][2] == Approx(0.1 * skin * (K(14, 14) + K(14, 20))).epsilon(1e-9));
     CHECK(after[0][2] - before[0][2] == Approx(0.1 * skin * (K(2, 14) + K(2, 20))).epsilon(1e-9));
+    // Where solutions go on to lead into the other rod, a greater force is expected, up to a bound.
+    State pushed = state;
+    system.contact()->limit(moved_by(-0.9 * gap), pushed, 1.0);
+    const double firmer = pushed.contact.pieces_expected[0];
+    CHECK(firmer == Approx(advance_contact({skin, 2.0 * M_PI * 1e-4 * 1e9 / 1000.0}, -0.8, gap, -0.9 * gap)));
+    CHECK(firmer > -0.8);
+    CHECK(firmer < 0.5);
+    system.contact()->limit(moved_by(-3.0 * gap), pushed, 1.0);
+    CHECK(pushed.contact.pieces_expected[0] == 0.5);
     // Where the solution leads away it is forgotten.
     limits = system.contact()->limit(moved_by(gap), state, 1.0);
     CHECK(limits.least == 1.0);
