@@ -42,7 +42,7 @@ class Sample {
     Sample& operator=(const Sample&) = delete;
 
     const E& rod() const { return rod_; }
-    Histories histories() const { return histories_; }
+    Histories histories() const { return {.axes = histories_}; }
 
     Motions<nodes> motions;
     Linearizations<nodes> linearizations;
