@@ -1,9 +1,31 @@
 #include "solvers/trial_moves.hpp"
 
+#include "rotation/rotation_map.hpp"
 #include "solvers/newton_steps.hpp"
 #include "state/increment.hpp"
 
 namespace gxrod {
+
+namespace {
+
+Vec3 find_spin(const NodeMotion& from, const NodeMotion& to) {
+    return log_nearest(to.Lambda * from.Lambda.conjugate(), to.theta - from.theta);
+}
+
+// So much of the way from one motion to another, rates too.
+void go_towards(const NodeMotion& from,
+                const NodeMotion& to,
+                const NodeMotion& previous,
+                double part,
+                NodeMotion& motion) {
+    apply_spin(previous, part * (to.r - from.r), part * find_spin(from, to), motion);
+    motion.v += part * (to.v - from.v);
+    motion.a += part * (to.a - from.a);
+    motion.omega += part * (to.omega - from.omega);
+    motion.alpha += part * (to.alpha - from.alpha);
+}
+
+}  // namespace
 
 void add_support_motion(const System& system, double time, State& state, std::vector<Vec6>& deltas) {
     std::vector<NodeMotion> before;
@@ -13,7 +35,7 @@ void add_support_motion(const System& system, double time, State& state, std::ve
     for (const Support* support : system.supports().moving()) {
         NodeMotion& trial = state.trial[support->node];
         deltas[support->node].head<3>() += trial.r - kept->r;
-        deltas[support->node].tail<3>() += trial.theta - kept->theta;
+        deltas[support->node].tail<3>() += find_spin(*kept, trial);
         trial = *kept++;
     }
 }
@@ -29,9 +51,8 @@ Eigen::VectorXd compute_support_motion_force(const System& system,
     system.supports().place(time, moved);
     State nudged = state;
     for (const Support* support : system.supports().moving()) {
-        const NodeMotion& from = state.trial[support->node];
-        const NodeMotion& to = moved.trial[support->node];
-        apply_spin(from, part * (to.r - from.r), part * (to.theta - from.theta), nudged.trial[support->node]);
+        const auto node = static_cast<std::size_t>(support->node);
+        go_towards(state.trial[node], moved.trial[node], state.previous[node], part, nudged.trial[node]);
     }
     Residual other;
     if (!system.contact()) {
