@@ -20,10 +20,21 @@ void PairedMatrix::build() {
     solver_.reset();
     pattern_ = compute_pattern(system_->equations(), all);
     solver_ = make_linear_solver(kind_, pattern_, system_->team());
+    slots_.assign(groups_.size(), {});
     places_.resize(static_cast<std::size_t>(system_->pattern().nonzeros()));
     system_->pattern().visit_entries([&](std::int64_t row, std::int64_t column, std::int64_t slot) {
         places_[static_cast<std::size_t>(slot)] = pattern_.slot(row, column);
     });
+}
+
+const std::vector<std::int64_t>& PairedMatrix::slots_of(const NodeGroup& group) {
+    const auto at = std::ranges::lower_bound(groups_, group) - groups_.begin();
+    std::vector<std::int64_t>& slots = slots_[static_cast<std::size_t>(at)];
+    if (slots.empty()) {
+        slots.resize(36 * group.size() * group.size());
+        find_slots(group, system_->equations(), pattern_, slots);
+    }
+    return slots;
 }
 
 void PairedMatrix::set_values(const std::vector<double>& values, std::vector<PairBlock>& blocks) {
@@ -37,13 +48,10 @@ void PairedMatrix::set_values(const std::vector<double>& values, std::vector<Pai
     if (is_new || !solver_) build();
     values_.assign(static_cast<std::size_t>(pattern_.nonzeros()), 0.0);
     for (std::size_t i = 0; i < values.size(); ++i) values_[static_cast<std::size_t>(places_[i])] = values[i];
-    std::vector<std::int64_t> slots;
     for (PairBlock& block : blocks) {
         if (block.matrix.isZero(0.0)) continue;
         turn_to_own_axes(std::span<const int>(block.nodes), system_->equations(), block.matrix);
-        slots.resize(static_cast<std::size_t>(block.matrix.size()));
-        find_slots(block.nodes, system_->equations(), pattern_, slots);
-        add_to_values(block.matrix.data(), slots, values_);
+        add_to_values(block.matrix.data(), slots_of(block.nodes), values_);
     }
 }
 

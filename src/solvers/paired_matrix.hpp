@@ -29,10 +29,12 @@ class PairedMatrix {
 
   private:
     void build();
+    const std::vector<std::int64_t>& slots_of(const NodeGroup& group);
 
     const System* system_;
     LinearSolverKind kind_;
-    std::vector<NodeGroup> groups_;  // sorted
+    std::vector<NodeGroup> groups_;                 // sorted
+    std::vector<std::vector<std::int64_t>> slots_;  // of each group's matrix, once it is needed
     SparsePattern pattern_;
     std::vector<std::int64_t> places_;  // of each value of the system's pattern
     std::unique_ptr<LinearSolver> solver_;

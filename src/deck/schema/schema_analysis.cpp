@@ -66,7 +66,8 @@ const TableSpec& newton_table() {
                   .range = {.lower = 1, .upper = 1'000'000},
                   .default_value = static_cast<long>(NewtonSettings{}.max_iterations),
                   .sentence = "Of one equilibrium, before the step is cut. Ten times as many where gxrod "
-                              "warns of a rod too stiff compared with what bends."},
+                              "warns of a rod too stiff compared with what bends, and in statics with "
+                              "contact; twice as many in motions with contact."},
                  {.name = "tangent",
                   .type = ValueType::choice,
                   .default_value = word_of(tangent_choices, NewtonSettings{}.tangent),
