@@ -26,7 +26,12 @@ std::string advise_on_motion(const Model& model, const DynamicSettings& settings
     }
     const bool is_newmark =
         settings.scheme == Scheme::newmark_simplified || settings.scheme == Scheme::newmark_ibrahimbegovic;
-    if (is_newmark) remedy += ", or generalized-alpha, which damps what is too fast for the steps";
+    if (!model.contact.is_empty()) {
+        if (settings.gamma == DynamicSettings{}.gamma)
+            remedy += ", or gamma = 0.6 and beta = 0.3, which damp what is too fast for the steps";
+    } else if (is_newmark) {
+        remedy += ", or generalized-alpha, which damps what is too fast for the steps";
+    }
     if (settings.scheme == Scheme::energy_momentum)
         remedy += ", or gauss-4 where it turns almost without vibrating";
     return describe_ratio(model) + remedy + ".";
@@ -49,7 +54,7 @@ std::string advise_on_cuts(const Model& model, const AnalysisSettings& analysis)
     if (const auto* dynamic = std::get_if<DynamicSettings>(&analysis))
         return advise_on_motion(model, *dynamic);
     const bool is_consistent = choose_tangent(model, analysis).tangent == TangentKind::consistent;
-    return std::string(". Try more steps") +
+    return std::string(". Try more steps") + (model.contact.is_empty() ? "" : ", or a thicker contact.skin") +
            (is_consistent ? ", or newton.tangent = \"mixed\", which converges in larger ones." : ".");
 }
 

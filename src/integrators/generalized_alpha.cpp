@@ -66,19 +66,6 @@ void GeneralizedAlpha::linearize_nodes(const State& state,
     }
 }
 
-void GeneralizedAlpha::split_impulses(State& state, const Stage& stage, std::vector<Vec6>& shocked) const {
-    const double share = (1.0 - alpha_f_) / (1.0 - alpha_m_);
-    for (std::size_t i = 0; i < shocked.size(); ++i) {
-        NodeMotion& trial = state.trial[i];
-        AlgorithmicAcceleration& A = state.algorithmic_trial[i];
-        const Vec3 a = share * (shocked[i].head<3>() - trial.a);
-        const Vec3 alpha = share * (shocked[i].tail<3>() - trial.alpha);
-        A.a -= a;
-        A.alpha -= alpha;
-        shocked[i] = newmark_.split_impulse(stage.time_step, a, alpha, trial);
-    }
-}
-
 // √(α_f − α_m) Δt times the mean over the step of how far accelerations are ahead of the algorithmic ones
 // (docs/theory/energy.md, (E8)).
 void GeneralizedAlpha::set_dissipated_rates(const State& state,

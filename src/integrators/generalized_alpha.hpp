@@ -21,10 +21,6 @@ class GeneralizedAlpha : public Integrator {
                               int term,
                               std::vector<NodeMotion>& rates) const override;
 
-    double contact_weight() const override {
-        return newmark_.contact_weight() * (1.0 - alpha_m_) / (1.0 - alpha_f_);
-    }
-    void split_impulses(State& state, const Stage& stage, std::vector<Vec6>& shocked) const override;
     int error_order() const override { return 3; }
     // Algorithmic accelerations are those at a time (α_m − α_f) Δt later.
     StepError estimate_error(const State& state,

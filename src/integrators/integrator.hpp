@@ -82,10 +82,9 @@ class Integrator {
     // Δt w / 2 to positions (docs/theory/contact.md, (C16)). An equilibrium with this multiple of f places
     // nodes so; 0: the scheme cannot.
     virtual double contact_weight() const { return is_static() ? 1.0 : 0.0; }
-    // After the step's equilibrium, when the trial has the accelerations without contact: takes the impulses
-    // out of what the scheme remembers. `shocked`: (a, α) of each node of the equilibrium; they become those
-    // of the mean over the step, impulses included.
-    virtual void split_impulses(State&, const Stage&, std::vector<Vec6>& /*shocked*/) const {}
+    // After the step's equilibrium, when the trial has the accelerations without contact: `shocked`, (a, α)
+    // of each node of the equilibrium, become those of the mean over the step, impulses included.
+    virtual void average_impulses(const State&, std::vector<Vec6>& /*shocked*/) const {}
 
     // Whether State::algorithmic_previous is its own from step to step.
     virtual bool has_algorithmic_accelerations() const { return false; }

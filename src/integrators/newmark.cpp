@@ -4,20 +4,11 @@
 
 namespace gxrod {
 
-Vec6 Newmark::split_impulse(double time_step, const Vec3& a, const Vec3& alpha, NodeMotion& trial) const {
-    const double excess = (2.0 * beta - gamma) * time_step;
-    trial.v += excess * a;
-    trial.omega += excess * alpha;
-    Vec6 mean;
-    mean << trial.a + 2.0 * beta * a, trial.alpha + 2.0 * beta * alpha;
-    return mean;
-}
-
-void Newmark::split_impulses(double time_step, State& state, std::vector<Vec6>& shocked) const {
+void Newmark::average_impulses(const State& state, std::vector<Vec6>& shocked) const {
     for (std::size_t i = 0; i < shocked.size(); ++i) {
-        NodeMotion& trial = state.trial[i];
-        shocked[i] = split_impulse(
-            time_step, shocked[i].head<3>() - trial.a, shocked[i].tail<3>() - trial.alpha, trial);
+        Vec6 smooth;
+        smooth << state.trial[i].a, state.trial[i].alpha;
+        shocked[i] = smooth + 2.0 * beta * (shocked[i] - smooth);
     }
 }
 

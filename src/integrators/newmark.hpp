@@ -33,11 +33,8 @@ struct Newmark {
 
     // Integrator::contact_weight: positions take β Δt² of an acceleration and Δt²/2 of an impulse.
     double contact_weight() const { return 1.0 / (2.0 * beta); }
-    // Of a node whose equilibrium had so much more acceleration by contact than trial.a and trial.alpha:
-    // corrects its velocities, γ Δt of these, to Δt f/m; the mean (a, α) of the step.
-    Vec6 split_impulse(double time_step, const Vec3& a, const Vec3& alpha, NodeMotion& trial) const;
-    // Integrator::split_impulses, where accelerations are those of the nodes.
-    void split_impulses(double time_step, State& state, std::vector<Vec6>& shocked) const;
+    // Integrator::average_impulses. With β = γ/2 velocities have all of the impulses.
+    void average_impulses(const State& state, std::vector<Vec6>& shocked) const;
 };
 
 // v and a of a node from its displacement over the step.

@@ -107,4 +107,31 @@ TEST_CASE("Damping never gives energy and never pulls, however long steps are", 
     }
 }
 
+TEST_CASE("A damped rod that stands on a plane comes to rest, and its energy balances", "[analyses][touch]") {
+    const std::string stands = R"(
+gravity = [0, 0, -9.81]
+[section.s]
+shape = { circle = { radius = 0.01 } }
+material = { E = 1e7, nu = 0.3, density = 1000 }
+damping = { kelvin_voigt = 0.05 }
+[[support]]
+at = "a.start"
+fix = ["x", "y", "rotation"]
+[contact]
+[analysis]
+kind = "dynamic"
+time_step = 0.01
+end_time = 2
+)";
+    const std::string below = ground + rod("a", "0, 0, 0.0102", "0, 0, 0.5102", 10, 1);
+    const double fall = 1000.0 * M_PI * 1e-4 * 0.5 * 9.81 * 2e-4;  // its weight's work
+    for (const double gamma : {0.5, 0.6, 1.0}) {
+        INFO(gamma);
+        ContactRun run(stands + fmt::format("gamma = {}\nbeta = {}\n", gamma, 0.5 * gamma) + below);
+        run.finish();
+        CHECK(run.at("a.start").v.norm() < (gamma > 0.5 ? 1e-12 : 1e-2));
+        CHECK(std::abs(run.ledger().energy_error) < (gamma > 0.5 ? 0.05 : 1e-9) * fall);
+    }
+}
+
 }  // namespace gxrod::test

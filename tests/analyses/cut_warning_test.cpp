@@ -47,6 +47,12 @@ TEST_CASE("What is said of cuts is what the model and its settings make of them"
               newmark);
     CHECK(advise(test::body_deck) == ". Try a smaller time_step" + newmark);
     CHECK(advise(test::static_rod_deck) == ". Try more steps.");
+    const auto touching = [](const std::string& deck) {
+        return test::replaced(deck, "[rod.r]", "radius = 0.1\n[contact]\n[rod.r]");
+    };
+    CHECK(advise(touching(test::static_rod_deck)) == ". Try more steps, or a thicker contact.skin.");
+    CHECK(advise(touching(test::rod_deck)) ==
+          mixed + ", or gamma = 0.6 and beta = 0.3, which damp what is too fast for the steps.");
     CHECK(advise(test::static_rod_deck + "newton.tangent = \"consistent\"\n") ==
           ". Try more steps, or newton.tangent = \"mixed\", which converges in larger ones.");
 }

@@ -227,7 +227,7 @@ velocity = [5, 0, -{}]
 {}
 [analysis]
 kind = "dynamic"
-integrator = "generalized-alpha"
+integrator = "newmark-simplified"
 end_time = {}
 time_step = {}
 )",

@@ -51,7 +51,7 @@ class Scene:
         self.radius = math.exp(draw.uniform(math.log(2e-3), math.log(1e-2)))
         self.modulus = math.exp(draw.uniform(math.log(1e6), math.log(1e10)))
         self.friction = draw.choice([0.0, 0.0, 0.3, 0.6])
-        self.scheme = draw.choice(["newmark-simplified", "newmark-simplified", "generalized-alpha"])
+        self.scheme = "newmark-simplified"
         self.gravity = draw.choice([0.0, 9.81])
         # Radii a step.
         self.speed = math.exp(draw.uniform(math.log(0.1), math.log(100.0)))

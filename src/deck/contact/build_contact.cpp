@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "deck/build/acting.hpp"
@@ -188,13 +189,24 @@ void check_stage(const CheckedTable& table,
             table, "kind", "contact does not turn with a frame; expected a stage without [rotation]");
     const auto* timed = std::get_if<DynamicSettings>(&analysis);
     if (timed == nullptr || !timed->has_inertia) return;
-    if (timed->scheme == Scheme::newmark_simplified || timed->scheme == Scheme::generalized_alpha) return;
+    if (timed->scheme == Scheme::newmark_simplified) {
+        // docs/theory/contact.md#time
+        constexpr double rounding = 1e-12;
+        if (std::abs(timed->beta - 0.5 * timed->gamma) > rounding)
+            context.add_fault(table,
+                              table.gives("beta") ? "beta" : "gamma",
+                              fmt::format("with contact and damping this scheme can gain energy; expected "
+                                          "beta = {}, half of gamma",
+                                          0.5 * timed->gamma));
+        return;
+    }
     context.add_fault(table,
                       table.gives("integrator") ? "integrator"
                       : table.gives("accuracy") ? "accuracy"
                                                 : "kind",
                       "this scheme cannot take the impulses of contact; expected integrator = "
-                      "\"newmark-simplified\" or \"generalized-alpha\", with a time_step or `adaptive`");
+                      "\"newmark-simplified\", with a time_step or `adaptive`; gamma = 0.6 and beta = 0.3 "
+                      "damp what is faster than the steps");
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include "assembly/contact/contact_assembly.hpp"
 #include "assembly/sample_model.hpp"
-#include "integrators/generalized_alpha.hpp"
 #include "integrators/load_stepping.hpp"
 #include "integrators/newmark_simplified.hpp"
 #include "rotation/rotation_map.hpp"
@@ -125,7 +124,6 @@ TEST_CASE("Tangents of bodies that touch are derivatives of the residual", "[ass
             };
             if (is_dynamic) {
                 check(NewmarkSimplified({0.25, 0.5}));
-                check(GeneralizedAlpha(0.5));
             } else {
                 check(LoadStepping());
             }

@@ -162,8 +162,13 @@ TEST_CASE("Analyses that contact does not go with are reported", "[deck][touch]"
     const auto with = [&](const std::string& analysis) {
         return faults(floor, circle, "[analysis]\n" + analysis);
     };
-    for (const char* scheme :
-         {"newmark-ibrahimbegovic", "sdirk-4", "radau-5", "gauss-4", "runge-kutta-4", "energy-momentum"})
+    for (const char* scheme : {"newmark-ibrahimbegovic",
+                               "generalized-alpha",
+                               "sdirk-4",
+                               "radau-5",
+                               "gauss-4",
+                               "runge-kutta-4",
+                               "energy-momentum"})
         CHECK_THAT(with("kind = \"dynamic\"\nend_time = 1\ntime_step = 0.1\nintegrator = \"" +
                         std::string(scheme) + "\"\n"),
                    Contains("analysis.integrator: this scheme cannot take the impulses of contact"));
@@ -176,7 +181,12 @@ TEST_CASE("Analyses that contact does not go with are reported", "[deck][touch]"
         read(deck(floor,
                   circle,
                   "[analysis]\nkind = \"dynamic\"\nend_time = 1\ntime_step = 0.1\nintegrator = \"auto\"\n"));
-    CHECK(std::get<DynamicSettings>(chosen.analysis).scheme == Scheme::generalized_alpha);
+    CHECK(std::get<DynamicSettings>(chosen.analysis).scheme == Scheme::newmark_simplified);
+    const std::string damped = "kind = \"dynamic\"\nend_time = 1\ntime_step = 0.1\ngamma = 0.6\n";
+    CHECK_THAT(with(damped + "beta = 0.3025\n"),
+               Contains("analysis.beta") && Contains("expected beta = 0.3"));
+    CHECK_THAT(with(damped), Contains("analysis.gamma") && Contains("expected beta = 0.3"));
+    CHECK_NOTHROW(read(deck(floor, circle, "[analysis]\n" + damped + "beta = 0.3\n")));
 }
 
 TEST_CASE("Histories of obstacles have quantities of their own", "[deck][touch]") {
