@@ -186,6 +186,19 @@ class Examples(Pages):
             self.assertGreater(np.diff(loss).min(), -1e-3 * work[-1])
             self.assertGreater(loss[-1], 0.0)
 
+    def test_knot(self):
+        """Its first 0.2 s, in which the loop springs open and touches itself."""
+        self.run_command("gxrod run docs/examples/knot/knot.toml --quiet --set analysis.end_time=0.2 -o knot.vtkhdf")
+        with self.open("knot") as file:
+            solver = file["solver"]
+            touching = solver["contacts"][:] > 0
+            self.assertGreater(touching[-1], 0)
+            self.assertGreater(solver["least_gap"][:][touching].min(), 0.0)
+            self.assertLess(solver["rejected_steps"][:].sum(), 25)
+            strain = file["ledger/strain_energy"][:]
+            self.assertLess(strain[-1], strain[0])
+            self.assertLess(np.abs(file["ledger/energy_error"][-1]), 0.05 * strain[0])
+
     def test_rubin_convergence(self):
         self.run_page("rubin_convergence")
         rows = self.read_batch("rubin_convergence")

@@ -261,8 +261,8 @@ const TableSpec& analysis_table() {
             "kind       = \"dynamic\"\n"
             "end_time   = 15.0\n"
             "time_step  = 0.01\n"
-            "integrator = \"generalized-alpha\"\n"
-            "spectral_radius = 0.8\n"
+            "gamma      = 0.6\n"
+            "beta       = 0.3\n"
             "newton     = { tolerance = 1e-10, max_iterations = 15 }\n"};
     return table;
 }
