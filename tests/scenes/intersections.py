@@ -90,12 +90,15 @@ def _obstacle_gap(obstacle, starts, ends, radius):
 
 
 def crossings(path):
-    """Pairs of segments whose lines meet on straight ways from a frame to the next: (frame, rod, rod)."""
+    """Pairs of segments whose lines meet on straight ways from a frame to the next, (frame, rod, rod), but for those that are so near to the
+    end of a rod that they can have gone around it."""
     found = []
     ccd = ipctk.TightInclusionCCD()
     with h5py.File(path) as file:
         lines = Lines(file)
         before = lines.segments(0)
+        last = np.array([lines.arc[lines.rod == rod].max() for rod in lines.rod])
+        to_ends = np.minimum(lines.arc, last - lines.arc)
         for frame in range(1, len(lines.offsets)):
             now = lines.segments(frame)
             low = np.minimum(np.minimum(before[0], before[1]), np.minimum(now[0], now[1]))
@@ -104,6 +107,9 @@ def crossings(path):
                 boxes = np.all((low[a + 1:] <= high[a]) & (high[a + 1:] >= low[a]), axis=1)
                 for b in a + 1 + np.flatnonzero(boxes):
                     if lines.rod[a] == lines.rod[b] and abs(lines.arc[a] - lines.arc[b]) < 8 * lines.radius[a] + np.linalg.norm(now[1][a] - now[0][a]):
+                        continue
+                    moved = max(np.linalg.norm(now[0][each] - before[0][each]) for each in (a, b))
+                    if min(to_ends[a], to_ends[b]) < moved:
                         continue
                     hit = ccd.edge_edge_ccd(before[0][a], before[1][a], before[0][b], before[1][b], now[0][a], now[1][a], now[0][b], now[1][b])
                     if hit[0] if isinstance(hit, tuple) else hit:
