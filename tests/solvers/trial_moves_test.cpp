@@ -9,7 +9,7 @@ using namespace gxrod;
 using namespace gxrod::tools;
 
 TEST_CASE("What a support's motion does to the residual is what a small motion does", "[solvers]") {
-    Model model = make_sample_model();
+    Model model = make_turned_model(ElementKind::objective, 2);
     Support support{.node = 1, .moved = {true, true, true, true, true, true}};
     support.motion[0] = TimeFunction([](double t) { return 0.1 * t; });
     support.motion[1] = TimeFunction([](double t) { return -0.2 * t * t; });
@@ -17,7 +17,7 @@ TEST_CASE("What a support's motion does to the residual is what a small motion d
     support.motion[5] = TimeFunction([](double t) { return -0.5 * t * t; });
     model.supports.push_back(support);
     const System system(model);
-    State state = make_sample_state(system, 5);
+    State state = make_turned_state(system, 5);
     constexpr double now = 1.1, next = 1.101;
     system.supports().place(now, state);
     REQUIRE(state.trial[1].theta.norm() > 0.5);  // since the last accepted step
