@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Runs nine motions by every integrator with many step lengths, and reports which scheme takes the least time for an error.
+"""Runs twelve motions by every integrator with many step lengths, and reports which scheme takes the least time for an error.
 
 Saves its numbers in tests/data/work_precision.json, draws figures/work_precision.png, and renews the tables of work_precision.md.
 `--pages` renews picture and tables without a run, `--check` reports whether they are those of work_precision.json; `--motion`
