@@ -11,9 +11,11 @@ using namespace gxrod::tools;
 namespace {
 
 std::vector<FrontKernels> kernels_of_sets() {
-    std::vector<FrontKernels> kernels{find_front_kernels(InstructionSet::baseline)};
-    if (find_instruction_set() >= InstructionSet::avx2)
-        kernels.push_back(find_front_kernels(InstructionSet::avx2));
+    std::vector<FrontKernels> kernels;
+    for (const InstructionSet set :
+         {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
+        if (set <= find_instruction_set()) kernels.push_back(find_front_kernels(set));
+    }
     return kernels;
 }
 

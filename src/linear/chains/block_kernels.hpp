@@ -11,6 +11,7 @@
 // operations on an entry are the same in all sets, and so are the bits.
 namespace gxrod {
 
+using EightNumbers = double __attribute__((vector_size(64), aligned(8), may_alias));
 using FourNumbers = double __attribute__((vector_size(32), aligned(8), may_alias));
 using TwoNumbers = double __attribute__((vector_size(16), aligned(8), may_alias));
 

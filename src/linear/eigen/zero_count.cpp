@@ -11,7 +11,7 @@ namespace gxrod {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 // Between neighbouring points the direction turns by less.
 constexpr double small_turn = pi / 3.0;
 constexpr int most_points = 2000;

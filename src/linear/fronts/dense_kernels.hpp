@@ -14,14 +14,18 @@ struct DenseKernels : BlockKernels<Arch> {
     using Blocks = BlockKernels<Arch>;
     using View = typename Blocks::View;
     using Target = typename Blocks::Target;
-#ifdef __AVX__
+#if defined(__AVX512F__)
+    using Vector = EightNumbers;
+    static constexpr int wide = 6;  // columns of C that are kept in registers
+#elif defined(__AVX__)
     using Vector = FourNumbers;
+    static constexpr int wide = 3;
 #else
     using Vector = TwoNumbers;
+    static constexpr int wide = 3;
 #endif
     static constexpr int lanes = sizeof(Vector) / sizeof(double);
-    static constexpr int high = 3;  // vectors of a column of C that are kept in registers
-    static constexpr int wide = 3;  // columns of it
+    static constexpr int high = 3;  // vectors of each of them
     static constexpr int high_rows = high * lanes;
     // Of A and B at a time: rows of A then stay in the nearest cache, and B in the next.
     static constexpr std::int64_t deep = 96;
@@ -116,6 +120,10 @@ struct DenseKernels : BlockKernels<Arch> {
         }
         for (; i + lanes <= rows; i += lanes)
             subtract_rows<Vector, 1>(columns, depth, at(A, i, 0), B, at(C, i, 0));
+        if constexpr (lanes > 4) {
+            for (; i + 4 <= rows; i += 4)
+                subtract_rows<FourNumbers, 1>(columns, depth, at(A, i, 0), B, at(C, i, 0));
+        }
         for (; i + 2 <= rows; i += 2)
             subtract_rows<TwoNumbers, 1>(columns, depth, at(A, i, 0), B, at(C, i, 0));
         for (; i < rows; ++i) subtract_rows<double, 1>(columns, depth, at(A, i, 0), B, at(C, i, 0));

@@ -65,5 +65,6 @@ FrontKernels find_front_kernels(InstructionSet set);
 // By instruction set; those of the baseline where the compiler has no such set.
 FrontKernels make_front_kernels_baseline();
 FrontKernels make_front_kernels_avx2();
+FrontKernels make_front_kernels_avx512();
 
 }  // namespace gxrod
