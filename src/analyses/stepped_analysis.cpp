@@ -210,7 +210,7 @@ RestartRecord SteppedAnalysis::restart_record() const {
     record.contact_tractions = state_.contact_memory.on_obstacles;
     record.pair_tractions = pack(state_.contact_memory.of_pairs);
     record.joints = state_.joints_previous;
-    record.algorithmic = state_.algorithmic_previous;
+    record.carried = state_.carried_previous;
     record.ledger = ledger_->memory();
     record.steps = steps_->memory();
     record.negative_pivots = accepted_pivots();
@@ -227,13 +227,13 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
                             books.force_change.size() == of_load_step &&
                             books.movement.size() == of_load_step &&
                             books.fluid_forces.size() == (system_.surroundings() ? nodes : 0);
-    const bool has_algorithmic =
-        record.algorithmic.size() == (integrator_->has_algorithmic_accelerations() ? nodes : 0);
+    const bool has_carried =
+        record.carried.size() == nodes * static_cast<std::size_t>(integrator_->carried_count());
     if (record.nodes.size() != nodes || record.sections.size() != state_.sections.size() ||
         record.law_memory.size() != state_.law_memory.size() ||
         record.bed_contacts.size() != state_.bed_contacts.size() ||
         record.contact_tractions.size() != state_.contact_memory.on_obstacles.size() ||
-        record.joints.size() != state_.joints_previous.size() || !has_forces || !has_algorithmic) {
+        record.joints.size() != state_.joints_previous.size() || !has_forces || !has_carried) {
         throw std::invalid_argument("the state to resume from belongs to another model");
     }
     if (!steps_->resume(record.steps)) return false;
@@ -243,7 +243,7 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
     state_.bed_contacts = record.bed_contacts;
     state_.contact_memory = {record.contact_tractions, unpack(record.pair_tractions)};
     state_.joints_previous = state_.joints_trial = record.joints;
-    state_.algorithmic_previous = state_.algorithmic_trial = record.algorithmic;
+    state_.carried_previous = state_.carried_trial = record.carried;
     state_.time = state_.trial_time = steps_->time();
     if (system_.contact()) system_.contact()->search(state_);
     resume_pivots(record.negative_pivots);

@@ -365,7 +365,7 @@ void System::commit(State& state, double time) const {
             state.previous[i] = state.trial[i];
         }
     });
-    state.algorithmic_previous = state.algorithmic_trial;
+    state.carried_previous = state.carried_trial;
     state.time = state.trial_time = time;
 }
 

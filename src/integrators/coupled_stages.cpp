@@ -16,6 +16,10 @@ CoupledStages::CoupledStages(const Matrix& a, Vector fractions, bool ends_with_s
     const Eigen::EigenSolver<Matrix> solver(inverse_);
     const Eigen::MatrixXcd V = solver.eigenvectors();
     const Eigen::MatrixXcd to_equations = V.inverse();
+    Matrix powers(count, count);
+    for (Eigen::Index j = 0; j < count; ++j)
+        for (Eigen::Index m = 0; m < count; ++m) powers(j, m) = std::pow(fractions_[j] - 1.0, m);
+    carried_ = powers.inverse().bottomRows(count - 1);
     to_real_ = from_real_ = Vector::Zero(count);
     for (Eigen::Index k = 0; k < count; ++k) {
         const std::complex<double> factor = solver.eigenvalues()[k];
@@ -61,8 +65,18 @@ std::vector<double> CoupledStages::power_weights() const {
     return weights;
 }
 
-void CoupledStages::predict(State& state, const Stage& step, const ThreadTeam& team) const {
+void CoupledStages::start(State& state) const {
+    state.carried_previous.assign(state.trial.size() * static_cast<std::size_t>(carried_count()), {});
+    state.carried_trial = state.carried_previous;
+}
+
+void CoupledStages::predict(State& state,
+                            const Stage& step,
+                            Prediction prediction,
+                            const ThreadTeam& team) const {
     const auto count = static_cast<std::size_t>(stage_count());
+    const auto carried =
+        prediction == Prediction::from_last_step ? static_cast<std::size_t>(carried_count()) : 0;
     state.stage_motions.resize(count);
     for (std::vector<NodeMotion>& motions : state.stage_motions) motions.resize(state.previous.size());
     team.for_each_range(state.previous.size(), [&](std::size_t first, std::size_t last) {
@@ -70,15 +84,41 @@ void CoupledStages::predict(State& state, const Stage& step, const ThreadTeam& t
             const double t = fractions_[static_cast<Eigen::Index>(j)] * step.time_step;
             for (std::size_t i = first; i < last; ++i) {
                 const NodeMotion& from = state.previous[i];
+                Vec3 a = 0.5 * from.a, alpha = 0.5 * from.alpha;
+                double power = 1.0;
+                for (std::size_t m = 1; m <= carried; ++m) {
+                    power *= t;
+                    const CarriedAcceleration& more = state.carried_previous[i * carried + m - 1];
+                    const double weight = power / static_cast<double>((m + 1) * (m + 2));
+                    a += weight * more.a;
+                    alpha += weight * more.alpha;
+                }
+                if (carried > 0) {
+                    const Vec3 change = from.alpha + 0.5 * t * state.carried_previous[i * carried].alpha;
+                    alpha += t / 12.0 * change.cross(from.omega);
+                }
                 NodeMotion& to = state.stage_motions[j][i];
                 to = from;
-                place(from,
-                      from.r + t * (from.v + 0.5 * t * from.a),
-                      t * (from.omega + 0.5 * t * from.alpha),
-                      to);
+                place(from, from.r + t * (from.v + t * a), t * (from.omega + t * alpha), to);
             }
         }
     });
+}
+
+void CoupledStages::carry(State& state, double time_step, std::size_t node) const {
+    const Eigen::Index count = carried_.rows();
+    double scale = 1.0;
+    for (Eigen::Index m = 0; m < count; ++m) {
+        scale /= time_step;
+        CarriedAcceleration& sum =
+            state.carried_trial[node * static_cast<std::size_t>(count) + static_cast<std::size_t>(m)];
+        sum = {};
+        for (Eigen::Index j = 0; j < carried_.cols(); ++j) {
+            const NodeMotion& motion = state.stage_motions[static_cast<std::size_t>(j)][node];
+            sum.a += scale * carried_(m, j) * motion.a;
+            sum.alpha += scale * carried_(m, j) * motion.alpha;
+        }
+    }
 }
 
 void CoupledStages::update_stages(State& state, const Stage& step, const ThreadTeam& team) const {
@@ -153,12 +193,11 @@ void CoupledStages::linearize(const State& state,
 
 void CoupledStages::end_step(State& state, const Stage& step, const ThreadTeam& team) const {
     state.trial_time = step.end_time;
-    if (ends_with_stage_) {
-        state.trial = state.stage_motions.back();
-        return;
-    }
+    if (ends_with_stage_) state.trial = state.stage_motions.back();
     team.for_each_range(state.previous.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
+            carry(state, step.time_step, i);
+            if (ends_with_stage_) continue;
             const NodeMotion& previous = state.previous[i];
             NodeMotion& trial = state.trial[i];
             Vec3 r = previous.r, theta = Vec3::Zero();

@@ -33,6 +33,8 @@ class CoupledStages : public Integrator {
     bool ends_with_stage() const { return ends_with_stage_; }
     int error_order() const override { return error_order_; }
     std::vector<double> power_weights() const override;
+    int carried_count() const override { return stage_count() - 1; }
+    void start(State& state) const override;
 
     // A⁻¹.
     const Matrix& inverse() const { return inverse_; }
@@ -58,8 +60,10 @@ class CoupledStages : public Integrator {
                    const ThreadTeam& team) const;
     using Integrator::linearize;
 
-    // Sets State::stage_motions as far as placements go, by velocities and accelerations at the start.
-    void predict(State& state, const Stage& step, const ThreadTeam& team) const;
+    // Sets State::stage_motions as far as placements go, by velocities and accelerations at the start, or as
+    // the accelerations of the last step's stages go on.
+    enum class Prediction { from_start, from_last_step };
+    void predict(State& state, const Stage& step, Prediction prediction, const ThreadTeam& team) const;
     // Velocities and accelerations of all stages from their placements.
     void update_stages(State& state, const Stage& step, const ThreadTeam& team) const;
     // Sets the trial to the end of the step; its accelerations too where that is a stage.
@@ -95,7 +99,10 @@ class CoupledStages : public Integrator {
   private:
     CoupledStages(const Matrix& a, Vector fractions, bool ends_with_stage);
 
+    void carry(State& state, double time_step, std::size_t node) const;
+
     Matrix inverse_;  // A⁻¹
+    Matrix carried_;  // rows: coefficients of (s − 1)ᵐ, m ≥ 1, of the polynomial through values at the stages
     Vector weights_;  // of the end, b
     Vector end_;      // A⁻ᵀ b
     Vector fractions_;

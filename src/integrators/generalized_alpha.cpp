@@ -13,18 +13,18 @@ GeneralizedAlpha::GeneralizedAlpha(double spectral_radius)
       newmark_{0.25 * (1.0 - alpha_m_ + alpha_f_) * (1.0 - alpha_m_ + alpha_f_), 0.5 - alpha_m_ + alpha_f_} {}
 
 void GeneralizedAlpha::start(State& state) const {
-    state.algorithmic_trial.resize(state.trial.size());
+    state.carried_trial.resize(state.trial.size());
     for (std::size_t i = 0; i < state.trial.size(); ++i) {
-        state.algorithmic_trial[i] = {state.trial[i].a, state.trial[i].alpha};
+        state.carried_trial[i] = {state.trial[i].a, state.trial[i].alpha};
     }
-    state.algorithmic_previous = state.algorithmic_trial;
+    state.carried_previous = state.carried_trial;
 }
 
 void GeneralizedAlpha::place_nodes(State& state, const Stage& stage, NodeRange nodes) const {
     const double dt = stage.time_step;
     for (std::size_t i = nodes.first; i < nodes.last; ++i) {
         const NodeMotion& previous = state.previous[i];
-        const AlgorithmicAcceleration& A = state.algorithmic_previous[i];
+        const CarriedAcceleration& A = state.carried_previous[i];
         place(previous,
               previous.r + dt * previous.v + (0.5 * dt * dt) * A.a,
               dt * previous.omega + (0.5 * dt * dt) * A.alpha,
@@ -41,8 +41,8 @@ void GeneralizedAlpha::update_nodes(State& state, const Stage& stage, NodeRange 
     };
     for (std::size_t i = nodes.first; i < nodes.last; ++i) {
         const NodeMotion& previous = state.previous[i];
-        const AlgorithmicAcceleration& A_n = state.algorithmic_previous[i];
-        AlgorithmicAcceleration& A = state.algorithmic_trial[i];
+        const CarriedAcceleration& A_n = state.carried_previous[i];
+        CarriedAcceleration& A = state.carried_trial[i];
         NodeMotion& trial = state.trial[i];
         A.a = newmark_.acceleration((trial.r - previous.r) / dt, previous.v, A_n.a, dt);
         A.alpha = newmark_.acceleration(trial.theta / dt, previous.omega, A_n.alpha, dt);
@@ -76,8 +76,8 @@ void GeneralizedAlpha::set_dissipated_rates(const State& state,
     for (std::size_t i = 0; i < rates.size(); ++i) {
         const NodeMotion& previous = state.previous[i];
         const NodeMotion& trial = state.trial[i];
-        const AlgorithmicAcceleration& A_n = state.algorithmic_previous[i];
-        const AlgorithmicAcceleration& A = state.algorithmic_trial[i];
+        const CarriedAcceleration& A_n = state.carried_previous[i];
+        const CarriedAcceleration& A = state.carried_trial[i];
         rates[i].v = factor * (previous.a - A_n.a + trial.a - A.a);
         rates[i].omega = factor * (previous.alpha - A_n.alpha + trial.alpha - A.alpha);
     }

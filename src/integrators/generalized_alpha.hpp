@@ -13,7 +13,7 @@ class GeneralizedAlpha : public Integrator {
   public:
     explicit GeneralizedAlpha(double spectral_radius);
 
-    bool has_algorithmic_accelerations() const override { return true; }
+    int carried_count() const override { return 1; }
     void start(State& state) const override;
     int dissipation_terms() const override { return alpha_f_ > alpha_m_ ? 1 : 0; }
     void set_dissipated_rates(const State& state,

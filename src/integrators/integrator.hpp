@@ -86,8 +86,8 @@ class Integrator {
     // of each node of the equilibrium, become those of the mean over the step, impulses included.
     virtual void average_impulses(const State&, std::vector<Vec6>& /*shocked*/) const {}
 
-    // Whether State::algorithmic_previous is its own from step to step.
-    virtual bool has_algorithmic_accelerations() const { return false; }
+    // How many of State::carried_previous belong to each node; set by start().
+    virtual int carried_count() const { return 0; }
     // Whether the rates at the end of a step are corrected so that energy and momenta change by the work and
     // the impulses of the step alone.
     virtual bool conserves() const { return false; }

@@ -34,8 +34,8 @@ StepError estimate_newmark_error(const NewmarkError& factors,
         Vec6 change;
         change << trial.a - previous.a, trial.alpha - previous.alpha;
         if (is_algorithmic) {
-            const AlgorithmicAcceleration& A_n = state.algorithmic_previous[i];
-            const AlgorithmicAcceleration& A = state.algorithmic_trial[i];
+            const CarriedAcceleration& A_n = state.carried_previous[i];
+            const CarriedAcceleration& A = state.carried_trial[i];
             change << A.a - A_n.a, A.alpha - A_n.alpha;
         }
         change *= time_step * time_step;

@@ -70,7 +70,6 @@ State ForwardSensitivity::start_one(const VariedSystem& side,
         if (!solve_accelerations(system, 0.0, first_step, workspace, state).converged())
             throw std::runtime_error("the derivative of the accelerations at t = 0 cannot be found");
     }
-    if (integrator.has_algorithmic_accelerations()) state.algorithmic_trial.resize(state.trial.size());
     integrator.start(state);
     system.joints().start(state);
     system.commit(state, 0.0);

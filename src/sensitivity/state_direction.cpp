@@ -40,9 +40,9 @@ void move_along(const StateDirection& direction, double amount, State& state) {
         state.law_memory[i] += amount * direction.law_memory[i];
     for (std::size_t i = 0; i < direction.bed_targets.size(); ++i)
         state.bed_contacts[i].target += amount * direction.bed_targets[i];
-    for (std::size_t i = 0; i < direction.algorithmic.size(); ++i) {
-        state.algorithmic_previous[i].a += amount * direction.algorithmic[i].a;
-        state.algorithmic_previous[i].alpha += amount * direction.algorithmic[i].alpha;
+    for (std::size_t i = 0; i < direction.carried.size(); ++i) {
+        state.carried_previous[i].a += amount * direction.carried[i].a;
+        state.carried_previous[i].alpha += amount * direction.carried[i].alpha;
     }
     for (std::size_t i = 0; i < direction.joints.size(); ++i) {
         JointState by = direction.joints[i];
@@ -72,10 +72,10 @@ StateDirection differentiate(const State& up, const State& down, double step) {
         direction.law_memory.push_back(half * (up.law_memory[i] - down.law_memory[i]));
     for (std::size_t i = 0; i < up.bed_contacts.size(); ++i)
         direction.bed_targets.push_back(half * (up.bed_contacts[i].target - down.bed_contacts[i].target));
-    for (std::size_t i = 0; i < up.algorithmic_previous.size(); ++i)
-        direction.algorithmic.push_back(
-            {half * (up.algorithmic_previous[i].a - down.algorithmic_previous[i].a),
-             half * (up.algorithmic_previous[i].alpha - down.algorithmic_previous[i].alpha)});
+    for (std::size_t i = 0; i < up.carried_previous.size(); ++i)
+        direction.carried.push_back(
+            {half * (up.carried_previous[i].a - down.carried_previous[i].a),
+             half * (up.carried_previous[i].alpha - down.carried_previous[i].alpha)});
     for (std::size_t i = 0; i < up.joints_previous.size(); ++i) {
         JointState a = up.joints_previous[i], b = down.joints_previous[i], by;
         visit_joint(
@@ -103,9 +103,9 @@ StateDirection extrapolate(StateDirection near, const StateDirection& far) {
     }
     for (std::size_t i = 0; i < near.law_memory.size(); ++i) mix(near.law_memory[i], far.law_memory[i]);
     for (std::size_t i = 0; i < near.bed_targets.size(); ++i) mix(near.bed_targets[i], far.bed_targets[i]);
-    for (std::size_t i = 0; i < near.algorithmic.size(); ++i) {
-        mix(near.algorithmic[i].a, far.algorithmic[i].a);
-        mix(near.algorithmic[i].alpha, far.algorithmic[i].alpha);
+    for (std::size_t i = 0; i < near.carried.size(); ++i) {
+        mix(near.carried[i].a, far.carried[i].a);
+        mix(near.carried[i].alpha, far.carried[i].alpha);
     }
     for (std::size_t i = 0; i < near.joints.size(); ++i) {
         JointState b = far.joints[i];

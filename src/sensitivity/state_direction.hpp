@@ -22,7 +22,7 @@ struct StateDirection {
     std::vector<OfSection> sections;
     std::vector<double> law_memory;
     std::vector<Vec3> bed_targets;  // of State::bed_contacts
-    std::vector<AlgorithmicAcceleration> algorithmic;
+    std::vector<CarriedAcceleration> carried;
     std::vector<JointState> joints;
 };
 

@@ -50,7 +50,7 @@ void TangentLinearStep::advance(const Stage& first_stage,
                 integrator_.begin_stage(base_, stage);
                 base_.trial = after.previous;
                 base_.joints_trial = after.joints_previous;
-                base_.algorithmic_trial = after.algorithmic_previous;
+                base_.carried_trial = after.carried_previous;
                 for (std::size_t i = 0; i < base_.trial.size(); ++i)
                     base_.trial[i].theta = log(base_.trial[i].Lambda * base_.previous[i].Lambda.conjugate());
             } else {

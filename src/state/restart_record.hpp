@@ -64,7 +64,7 @@ struct RestartRecord {
     std::vector<Vec3> contact_tractions;               // ContactMemory::on_obstacles
     std::vector<PairTractionRow> pair_tractions;       // ContactMemory::of_pairs
     std::vector<JointState> joints;                    // State::joints_previous
-    std::vector<AlgorithmicAcceleration> algorithmic;  // State::algorithmic_previous; can be empty
+    std::vector<CarriedAcceleration> carried;  // State::carried_previous; can be empty
     LedgerMemory ledger;
     StepMemory steps;
     RunTotals totals;

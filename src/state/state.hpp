@@ -25,8 +25,9 @@ struct StageRates {
     Eigen::Vector4d quaternion_dot = Eigen::Vector4d::Zero();  // (x, y, z, w)
 };
 
-// Algorithmic accelerations of generalized-α.
-struct AlgorithmicAcceleration {
+// What a scheme carries from step to step: generalized-α its algorithmic accelerations, schemes with coupled
+// stages the coefficients by which accelerations go on (docs/theory/newmark.md, (R7)).
+struct CarriedAcceleration {
     Vec3 a = Vec3::Zero();
     Vec3 alpha = Vec3::Zero();
 };
@@ -47,8 +48,8 @@ struct State {
     // Resultants (N, M) per force point, material, that the mixed tangent is made of; empty with any other.
     std::vector<Vec6> resultants;
     ContactTrial contact;
-    std::vector<AlgorithmicAcceleration> algorithmic_previous,
-        algorithmic_trial;                        // per node; generalized-α only
+    // Integrator::carried_count() per node, one node after the other.
+    std::vector<CarriedAcceleration> carried_previous, carried_trial;
     std::vector<std::vector<StageRates>> stages;  // [stage][node]; Runge-Kutta schemes only
     // [stage][node] and [stage][joint]; schemes whose stages are found together only. In their turn they are
     // the trial.
@@ -62,7 +63,7 @@ inline void undo_trial(State& state) {
     state.trial = state.previous;
     state.trial_time = state.time;
     state.joints_trial = state.joints_previous;
-    state.algorithmic_trial = state.algorithmic_previous;
+    state.carried_trial = state.carried_previous;
     state.resultants.clear();
     state.contact = {};
 }

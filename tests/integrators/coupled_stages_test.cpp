@@ -55,7 +55,7 @@ State make_random_stages(const CoupledStages& scheme, unsigned seed) {
     RandomValues random(seed);
     State state = make_random_state(scheme, seed);
     const Stage step = make_stage(0);
-    scheme.predict(state, step, ThreadTeam::alone());
+    scheme.predict(state, step, CoupledStages::Prediction::from_start, ThreadTeam::alone());
     for (std::vector<NodeMotion>& motions : state.stage_motions) {
         for (std::size_t i = 0; i < motions.size(); ++i)
             place(state.previous[i],
@@ -100,6 +100,93 @@ TEST_CASE("the equations of coupled stages part by the eigenvalues of their matr
     }
     CHECK(CoupledStages::make_radau_5().real_factor() == Approx(3.637834252744496).epsilon(1e-14));
     CHECK(CoupledStages::make_gauss_4().real_factor() == 0.0);
+}
+
+namespace {
+
+// Sets the stages of the step from 0 to `time_step` to `motion`, a function of time, and commits its end.
+template <class Motion>
+void take_step(const CoupledStages& scheme, const Motion& motion, double time_step, State& state) {
+    state.previous = state.trial = {motion(0.0)};
+    scheme.start(state);
+    state.stage_motions.clear();
+    for (int j = 0; j < scheme.stage_count(); ++j) {
+        state.stage_motions.push_back({motion(time_step * scheme.stage_fraction(j))});
+        NodeMotion& stage = state.stage_motions.back()[0];
+        stage.theta = log((stage.Lambda * state.previous[0].Lambda.conjugate()).normalized());
+    }
+    scheme.end_step(state, {0, 0.0, time_step, time_step}, ThreadTeam::alone());
+    state.previous = state.trial = {motion(time_step)};
+    state.carried_previous = state.carried_trial;
+}
+
+// Errors of the stages that are predicted for the next step, as long as the ratio says.
+template <class Motion>
+double find_prediction_error(const CoupledStages& scheme,
+                             const Motion& motion,
+                             double time_step,
+                             double ratio,
+                             CoupledStages::Prediction prediction) {
+    State state;
+    take_step(scheme, motion, time_step, state);
+    const double next = ratio * time_step;
+    scheme.predict(state, {0, time_step, next, time_step + next}, prediction, ThreadTeam::alone());
+    double error = 0.0;
+    for (int j = 0; j < scheme.stage_count(); ++j) {
+        const NodeMotion& stage = state.stage_motions[static_cast<std::size_t>(j)][0];
+        const NodeMotion exact = motion(time_step + next * scheme.stage_fraction(j));
+        error = std::max({error,
+                          (stage.r - exact.r).norm(),
+                          log((stage.Lambda * exact.Lambda.conjugate()).normalized()).norm()});
+    }
+    return error;
+}
+
+}  // namespace
+
+TEST_CASE("coupled stages are predicted as the accelerations of the last step go on", "[integrators]") {
+    using Prediction = CoupledStages::Prediction;
+    for (const Tableau& it : all_tableaus()) {
+        INFO(it.name);
+        RandomValues random(5);
+        const int count = it.scheme.stage_count();
+        std::vector<Vec3> coefficients;
+        for (int m = 0; m < count + 2; ++m) coefficients.push_back(random.vector());
+        const Vec3 axis = random.direction();
+        // Accelerations are a polynomial through as many values as there are stages; the axis stays.
+        const auto polynomial = [&](double t) {
+            NodeMotion motion;
+            Vec3 r = Vec3::Zero();
+            for (int m = count + 1; m >= 0; --m) {
+                motion.a = motion.a * t + 2.0 * motion.v;
+                motion.v = motion.v * t + r;
+                r = r * t + coefficients[static_cast<std::size_t>(m)];
+            }
+            motion.r = r;
+            motion.Lambda = exp_quaternion(r.x() * axis);
+            motion.omega = motion.v.x() * axis;
+            motion.alpha = motion.a.x() * axis;
+            return motion;
+        };
+        for (const double ratio : {1.0, 1.7, 0.4}) {
+            CHECK(find_prediction_error(it.scheme, polynomial, 0.3, ratio, Prediction::from_last_step) <
+                  1e-14);
+            CHECK(find_prediction_error(it.scheme, polynomial, 0.3, ratio, Prediction::from_start) > 1e-4);
+        }
+        // About two axes at once.
+        const Vec3 p = random.vector(), q = random.vector();
+        const auto turning = [&](double t) {
+            NodeMotion motion;
+            const Quat outer = exp_quaternion(t * p);
+            motion.Lambda = outer * exp_quaternion(t * q);
+            motion.omega = p + outer * q;
+            motion.alpha = p.cross(outer * q);
+            return motion;
+        };
+        const double coarse = find_prediction_error(it.scheme, turning, 0.1, 1.0, Prediction::from_last_step);
+        const double fine = find_prediction_error(it.scheme, turning, 0.05, 1.0, Prediction::from_last_step);
+        CHECK(std::log2(coarse / fine) == Approx(count + 2).margin(0.2));
+    }
 }
 
 TEST_CASE("each coupled stage is a sum over the rates of all", "[integrators]") {
@@ -179,6 +266,7 @@ TEST_CASE("the error estimate of radau-5 falls with the fourth power of the step
     for (const double step : {2e-3, 1e-3, 5e-4}) {
         State state = system.initial_state();
         REQUIRE(solve_accelerations(system, 0.0, {0.0, step}, workspace, state).converged());
+        scheme.start(state);
         system.commit(state, 0.0);
         REQUIRE(solve_step(system, scheme, newton, {0, 0.0, step, step}, workspace, state).converged());
         const StepError error = measure_step_error(workspace.coupled->placement_errors,

@@ -30,7 +30,7 @@ TEST_CASE("generalized-alpha begins a step as if A_n continued", "[integrators]"
     State state = make_random_state(scheme, 92);
     scheme.begin_stage(state, make_stage(0));
     const NodeMotion& previous = state.previous[1];
-    const AlgorithmicAcceleration& A_n = state.algorithmic_previous[1];
+    const CarriedAcceleration& A_n = state.carried_previous[1];
     const auto predict = [](const Vec3& rate, const Vec3& acceleration) -> Vec3 {
         return dt * rate + 0.5 * dt * dt * acceleration;
     };
@@ -61,8 +61,8 @@ TEST_CASE("generalized-alpha updates as Arnold and Bruels state it", "[integrato
                                       increment) < 1e-13);
             CHECK(relative_difference(rate_n + dt * ((1.0 - p.gamma) * A_n + p.gamma * A), rate) < 1e-13);
         };
-        const AlgorithmicAcceleration& A_n = state.algorithmic_previous[0];
-        const AlgorithmicAcceleration& A = state.algorithmic_trial[0];
+        const CarriedAcceleration& A_n = state.carried_previous[0];
+        const CarriedAcceleration& A = state.carried_trial[0];
         check(trial.theta, previous.omega, trial.omega, previous.alpha, trial.alpha, A_n.alpha, A.alpha);
         check(trial.r - previous.r, previous.v, trial.v, previous.a, trial.a, A_n.a, A.a);
         std::vector<NodeLinearization> linearizations(2);
@@ -82,8 +82,8 @@ TEST_CASE("generalized-alpha starts from the true accelerations", "[integrators]
     state.trial[0].alpha = Vec3(4.0, 5.0, 6.0);
     state.previous = state.trial;
     GeneralizedAlpha(0.9).start(state);
-    CHECK(state.algorithmic_previous[0].a == state.trial[0].a);
-    CHECK(state.algorithmic_previous[0].alpha == state.trial[0].alpha);
+    CHECK(state.carried_previous[0].a == state.trial[0].a);
+    CHECK(state.carried_previous[0].alpha == state.trial[0].alpha);
 }
 
 TEST_CASE("the spectral radius is that of a stiff oscillator's decay", "[integrators]") {
@@ -108,7 +108,7 @@ TEST_CASE("the spectral radius is that of a stiff oscillator's decay", "[integra
             trial.r -= (trial.a + stiffness * trial.r) / (linearization[0].acceleration + stiffness);
             scheme.update_rates(state, stage);
             state.previous = state.trial;
-            state.algorithmic_previous = state.algorithmic_trial;
+            state.carried_previous = state.carried_trial;
             energies.push_back(0.5 * trial.v.squaredNorm() + 0.5 * stiffness * trial.r.squaredNorm());
         }
         // A double root: the decay per step nears the radius from above, as n^(1/n).

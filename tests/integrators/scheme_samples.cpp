@@ -66,7 +66,7 @@ State make_random_state(const Integrator& integrator, unsigned seed) {
     }
     state.trial = state.previous;
     integrator.start(state);
-    for (AlgorithmicAcceleration& A : state.algorithmic_previous) A = {random.vector(), random.vector(5.0)};
+    for (CarriedAcceleration& A : state.carried_previous) A = {random.vector(), random.vector(5.0)};
     return state;
 }
 

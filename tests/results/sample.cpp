@@ -149,7 +149,7 @@ RestartRecord make_restart(double t) {
         node.r = Vec3(t, 2.0 * t, 3.0 * t);
         const double k = node.v.x();
         record.sections.push_back({node.Lambda, Vec3(k, t, 7.0)});
-        record.algorithmic.push_back({Vec3(k, 8.0, t), Vec3(t, 9.0, k)});
+        record.carried.push_back({Vec3(k, 8.0, t), Vec3(t, 9.0, k)});
         record.ledger.forces.push_back(Vec6::Constant(k + t));
         record.ledger.force_change.push_back(Vec6::Constant(k - t));
         record.ledger.fluid_forces.push_back(Vec6::Constant(k + 2.0 * t));

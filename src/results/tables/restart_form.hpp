@@ -14,7 +14,7 @@
 namespace gxrod {
 
 inline constexpr std::int64_t no_slot = -1;
-inline constexpr std::int64_t form_version = 15;  // of /restart; raise it with every change
+inline constexpr std::int64_t form_version = 16;  // of /restart; raise it with every change
 inline std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
 
 using Vec1 = Eigen::Matrix<double, 1, 1>;
@@ -33,7 +33,7 @@ void visit_vectors(Row& row, Visitor&& visit) {
     } else if constexpr (std::is_same_v<Kind, SectionHistory>) {
         visit(row.Lambda.coeffs());
         visit(row.K);
-    } else if constexpr (std::is_same_v<Kind, AlgorithmicAcceleration>) {
+    } else if constexpr (std::is_same_v<Kind, CarriedAcceleration>) {
         visit(row.a);
         visit(row.alpha);
     } else if constexpr (std::is_same_v<Kind, JointState>) {
@@ -179,12 +179,17 @@ inline const DatasetLabel pair_tractions_label{
     "of each pair of pieces of rods that touch: the pieces, friction on the first; then rows of zeros",
     "spatial",
     ""};
+inline const DatasetLabel carried_label{
+    "carried",
+    "of each node: accelerations and angular accelerations that the scheme carries to the next step",
+    "spatial",
+    ""};
+// The same list can have another number of rows in another stage, or at another time.
 inline DatasetLabel with_rows(DatasetLabel label, std::size_t rows) {
-    if (label.name == pair_tractions_label.name) label.name += "_" + std::to_string(rows);
+    if (label.name == pair_tractions_label.name || label.name == carried_label.name)
+        label.name += "_" + std::to_string(rows);
     return label;
 }
-inline const DatasetLabel algorithmic_label{
-    "algorithmic", "of each node: algorithmic acceleration and angular acceleration", "spatial", ""};
 inline const DatasetLabel joints_label{
     "joints",
     "of each joint: up to six multipliers, turn, slip points of friction of turn "
@@ -221,7 +226,7 @@ void visit_lists(Record& record, Visitor&& visit) {
     visit(bed_contacts_label, record.bed_contacts);
     visit(contact_tractions_label, record.contact_tractions);
     visit(pair_tractions_label, record.pair_tractions);
-    visit(algorithmic_label, record.algorithmic);
+    visit(carried_label, record.carried);
     visit(joints_label, record.joints);
     visit(forces_label, record.ledger.forces);
     visit(fluid_forces_label, record.ledger.fluid_forces);

@@ -8,6 +8,8 @@ namespace gxrod {
 
 namespace {
 
+using Prediction = CoupledStages::Prediction;
+
 class CoupledNewton {
   public:
     CoupledNewton(const StagesOfStep& stages, const NewtonSettings& settings, SolverWorkspace& workspace)
@@ -21,8 +23,12 @@ class CoupledNewton {
     }
 
     EquilibriumReport solve() {
-        begin();
-        if (!check_predicted()) return report_;
+        begin(Prediction::from_last_step);
+        if (!check_predicted()) {
+            report_ = EquilibriumReport{};
+            begin(Prediction::from_start);
+            if (!check_predicted()) return report_;
+        }
         compute_residuals();
         if (own_.common.factorize(stages_, workspace_, report_)) iterate_with_common();
         if (!report_.converged() && system_.joints().empty()) iterate_with_exact();
@@ -32,14 +38,14 @@ class CoupledNewton {
 
   private:
     // From the prediction.
-    void begin() {
+    void begin(Prediction prediction) {
         const PhaseTimer timer(workspace_.seconds.update);
         tests_.clear();
         for (std::size_t j = 0; j < stages_.count(); ++j)
             tests_.emplace_back(system_, settings_, stages_.request().level);
         guards_.assign(stages_.count(), RotationGuard(system_));
         stage_reports_.assign(stages_.count(), EquilibriumReport{});
-        stages_.scheme.predict(state_, stages_.step, system_.team());
+        stages_.scheme.predict(state_, stages_.step, prediction, system_.team());
         state_.stage_joints.assign(stages_.count(), state_.joints_previous);
         for (std::size_t j = 0; j < stages_.count(); ++j)
             stages_.with_stage(j, [&] { system_.supports().place(stages_.time_of(j), state_); });
@@ -66,7 +72,7 @@ class CoupledNewton {
         const bool came_nearer =
             report_.outcome == Outcome::out_of_iterations && largest_increment_ < increment_before_;
         report_ = EquilibriumReport{};
-        if (!came_nearer) begin();
+        if (!came_nearer) begin(Prediction::from_start);
         compute_residuals();
         bool is_current = false;
         while (!is_done()) {

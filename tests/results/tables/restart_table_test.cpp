@@ -33,7 +33,7 @@ void check_equal(const RestartRecord& a, const RestartRecord& b) {
         CHECK(a.sections[i].Lambda.coeffs() == b.sections[i].Lambda.coeffs());
     CHECK(are_equal(a.sections, b.sections, &SectionHistory::K));
     CHECK(are_equal(
-        a.algorithmic, b.algorithmic, &AlgorithmicAcceleration::a, &AlgorithmicAcceleration::alpha));
+        a.carried, b.carried, &CarriedAcceleration::a, &CarriedAcceleration::alpha));
     CHECK(a.ledger.forces == b.ledger.forces);
     CHECK(a.ledger.force_change == b.ledger.force_change);
     CHECK(a.ledger.fluid_forces == b.ledger.fluid_forces);
@@ -107,7 +107,7 @@ TEST_CASE("A state without load steps or algorithmic accelerations comes back", 
     ResultsFile file({folder / "a"}, sample::make_deck(), model, sample::make_output());
     RestartRecord record = sample::make_restart(0.1);
     record.sections.clear();
-    record.algorithmic.clear();
+    record.carried.clear();
     record.ledger.force_change.clear();
     record.ledger.movement.clear();
     file.set_restart(record);
@@ -123,7 +123,7 @@ TEST_CASE("Stages of a file can have lists that others lack", "[results][resume]
     ResultsFile file({folder / "a"}, sample::make_deck(), model, sample::make_output());
     const RestartRecord full = sample::make_restart(0.1);
     RestartRecord bare = sample::make_restart(0.2);
-    bare.algorithmic.clear();
+    bare.carried.clear();
     bare.ledger.forces.clear();
     bare.ledger.force_change.clear();
     bare.ledger.movement.clear();
