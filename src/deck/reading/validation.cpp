@@ -38,6 +38,26 @@ std::string find_key_elsewhere(const TableSpec& root, const std::string& key) {
     return "";
 }
 
+// The paths of all tables below `root` that have this key.
+void find_tables_with(const TableSpec& root, const std::string& key, std::vector<std::string>& paths) {
+    for (const KeySpec& entry : root.keys) {
+        if (entry.table == nullptr) continue;
+        const bool is_new = std::find(paths.begin(), paths.end(), entry.table->path) == paths.end();
+        if (is_new && entry.table->find(key) != nullptr) paths.push_back(entry.table->path);
+        find_tables_with(*entry.table, key, paths);
+    }
+}
+
+// Where a key that this table does not have can have been meant to be; "" if no or many tables have it.
+std::string explain_other_tables(const TableSpec& root, const TableSpec& spec, const std::string& key) {
+    std::vector<std::string> paths;
+    find_tables_with(spec, key, paths);
+    if (paths.empty()) find_tables_with(root, key, paths);
+    if (paths.empty() || paths.size() > 2) return "";
+    return fmt::format(
+        "; {} {} a key of this name", fmt::join(paths, " and "), paths.size() == 1 ? "has" : "have");
+}
+
 class Validator {
   public:
     Validator(const TableSpec& root, const Symbols& symbols, FaultList& faults)
@@ -162,7 +182,10 @@ class Validator {
             return add(entry.place, full, fmt::format("unknown key; did you mean \"{}\"?", elsewhere));
         }
         if (hint.empty()) hint = did_you_mean(entry.key, known);
-        add(entry.place, full, "unknown key" + (hint.empty() ? "; known here: " + plain_list(known) : hint));
+        if (hint.empty()) {
+            hint = explain_other_tables(root_, spec, entry.key) + "; known here: " + plain_list(known);
+        }
+        add(entry.place, full, "unknown key" + hint);
     }
 
     // The word of the key that a condition is about; nullptr if it is missing or wrong.

@@ -125,6 +125,20 @@ TEST_CASE("What other programs call otherwise is understood", "[deck]") {
           "x.toml:3:47: section.s.material.rho: unknown key; did you mean \"density\"?");
 }
 
+TEST_CASE("A key of another table is looked for there", "[deck]") {
+    const auto hint_of = [](const std::string& key, const std::string& before) {
+        const std::string fault = faults_of(replaced(rod_deck, before, key + " = 1\n" + before));
+        const std::size_t begin = fault.find("unknown key");
+        return begin == std::string::npos ? fault : fault.substr(begin, fault.find("; known here") - begin);
+    };
+    CHECK(hint_of("shear_factor", "stiffness") ==
+          "unknown key; section.NAME.material has a key of this name");
+    CHECK(hint_of("end_time", "stiffness") == "unknown key; analysis and stage have a key of this name");
+    CHECK(hint_of("zzz_zzz", "stiffness") == "unknown key");
+    // Very many tables have one.
+    CHECK(hint_of("at", "line") == "unknown key");
+}
+
 TEST_CASE("An initial displacement is explained, not reported as a missing velocity", "[deck]") {
     CHECK(faults_of(rod_deck + "[[initial]]\non = \"r\"\ndisplacement = [0, 0, 1]\n") ==
           "x.toml:15:1: initial[0].displacement: unknown key; a deck says where things are at t = 0, so that "
