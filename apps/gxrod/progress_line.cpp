@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <utility>
 
 #include "say.hpp"
 
@@ -20,7 +21,14 @@ ProgressLine::ProgressLine()
     : is_terminal_(isatty(STDERR_FILENO) == 1), interval_(is_terminal_ ? 0.1 : 10.0) {}
 
 void ProgressLine::show(const Progress& progress) {
-    show([&] { return describe(progress, std::chrono::duration<double>(Clock::now() - start_).count()); });
+    const auto record = [&] {
+        pace_.record(std::chrono::duration<double>(Clock::now() - start_).count(), progress.part);
+    };
+    if (!std::exchange(has_begun_, true)) record();
+    show([&] {
+        record();
+        return describe(progress, pace_.seconds_left());
+    });
 }
 
 void ProgressLine::show(const std::function<std::string()>& describe) {
@@ -42,10 +50,8 @@ void ProgressLine::finish() {
     has_line_ = false;
 }
 
-std::string describe(const Progress& progress, double elapsed_seconds) {
-    const double done = progress.part;
-    const std::string left =
-        done > 0.0 ? describe_duration(elapsed_seconds * (1.0 - done) / done) + " left" : "";
+std::string describe(const Progress& progress, double seconds_left) {
+    const std::string left = seconds_left >= 0.0 ? describe_duration(seconds_left) + " left" : "";
     const std::string all = progress.steps > 0 ? fmt::format("/{}", progress.steps) : "";
     const std::string stage = progress.stage.empty() ? "" : progress.stage + ": ";
     return fmt::format("{}step {}{}  t = {:.6g}  Δt = {:.4g}  {} Newton iterations  {}",

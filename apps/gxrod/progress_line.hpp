@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "run/pace.hpp"
 #include "run/run.hpp"
 
 namespace gxrod {
@@ -24,6 +25,8 @@ class ProgressLine {
 
     bool is_terminal_;
     bool has_line_ = false;
+    bool has_begun_ = false;
+    Pace pace_;
     std::chrono::duration<double> interval_;
     Clock::time_point start_ = Clock::now();
     Clock::time_point last_ = start_;
@@ -32,7 +35,7 @@ class ProgressLine {
 // "12 s", "5 min", "1.5 h"
 std::string describe_duration(double seconds);
 
-// "step 120/1500  t = 1.2  Δt = 0.01  3 Newton iterations  12 s left"
-std::string describe(const Progress& progress, double elapsed_seconds);
+// "step 120/1500  t = 1.2  Δt = 0.01  3 Newton iterations  12 s left"; negative seconds are not known.
+std::string describe(const Progress& progress, double seconds_left);
 
 }  // namespace gxrod
