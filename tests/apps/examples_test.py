@@ -11,7 +11,7 @@ import numpy as np
 from program import SOURCE, ProgramTest, commands_of
 
 EXAMPLES = SOURCE / "docs" / "examples"
-SOME = ("arch", "beck", "bricard", "fast_top", "lee_frame", "roll_up", "symmetric_top")
+SOME = ("arch", "beck", "bricard", "fast_top", "roll_up")
 
 
 class Pages(ProgramTest):

@@ -64,12 +64,12 @@ TEST_CASE("What fits is kept whole, and nothing is said", "[report]") {
 }
 
 TEST_CASE("A plan never takes more than its bytes, and keeps the first and last frame", "[report]") {
-    for (const int elements : {1, 20, 3000, 40000}) {
+    for (const int elements : {1, 20, 40000}) {
         const FrameTopology line = make_line(elements);
         const FrameTopology heap = make_heap(elements);
         for (const FrameTopology* topology : {&line, &heap}) {
             for (const std::size_t frames : {1, 2, 101, 20000}) {
-                for (const std::size_t steps : {0, 1, 2000000}) {
+                for (const std::size_t steps : {0, 2000000}) {
                     for (const std::size_t bytes : {megabyte / 4, 2 * megabyte, 19 * megabyte}) {
                         const ReportContent content = make_content(*topology, frames, steps);
                         const ReportPlan plan = plan_report(content, bytes);

@@ -88,7 +88,7 @@ double relative_error(const Coefficient& coefficient, double angle) {
 }  // namespace
 
 TEST_CASE("coefficients have a relative error below 1e-15 over [1e-12, pi]", "[rotation][coefficients]") {
-    const int count = 20000;
+    const int count = 4000;
     const double low = std::log(1e-12);
     const double high = std::log(std::numbers::pi);
     for (const Coefficient& coefficient : all_coefficients()) {
