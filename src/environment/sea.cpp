@@ -16,7 +16,7 @@ namespace gxrod {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Angles from the main direction with a density as cos²ˢ(angle/2).
 class Spreading {

@@ -16,7 +16,7 @@ using Catch::Contains;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 void push(Model& model, int node, const Vec3& force, Frame frame = Frame::spatial) {
     NodalLoad load;

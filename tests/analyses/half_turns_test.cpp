@@ -17,7 +17,7 @@ using namespace gxrod::tools;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // The double nearest to k π, and its neighbours `steps` away.
 double half_turns(int k, int steps) {

@@ -13,7 +13,7 @@ using namespace gxrod::tools;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr ElementKind kinds[] = {ElementKind::objective, ElementKind::simo};
 
 // S1: EI = L = 1, EA = GA = slenderness², an end couple of one turn.

@@ -14,7 +14,7 @@ using namespace gxrod::tools;
 namespace {
 
 constexpr double cycle = 2.0 * std::numbers::pi;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Each of these is a frequency of the model, and there is no mode that was not found.
 void check_frequencies(const ModesRecord& record,

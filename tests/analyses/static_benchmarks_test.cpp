@@ -11,7 +11,7 @@ using namespace gxrod::tools;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr ElementKind kinds[] = {ElementKind::objective, ElementKind::simo};
 
 // S1: a cantilever of length 10 that an end couple bends by so many turns.

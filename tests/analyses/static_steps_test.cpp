@@ -11,7 +11,7 @@ using namespace gxrod::tools;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // S3, the 45-degree bend of Bathe & Bolourchi, GJ = G/6.
 Model make_bend(double force, const Mesh& mesh) {

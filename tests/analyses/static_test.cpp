@@ -13,7 +13,7 @@ using namespace gxrod::tools;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const Section section = make_section({1e4, 5e3, 5e3, 80.0, 100.0, 120.0});
 
 // A cantilever of length 10 under a force at its end that bends it in space by a large angle.

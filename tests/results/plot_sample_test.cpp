@@ -17,7 +17,7 @@ namespace {
 constexpr int elements = 60;
 constexpr int steps = 400;
 constexpr double end_time = 10.0;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Vec3 centreline(double s, double time) {
     const double sway = std::sin(2.0 * pi * time / end_time);

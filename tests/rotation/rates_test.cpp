@@ -12,7 +12,7 @@ using namespace gxrod;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double step = 0.004;
 
 // A smooth motion of a rotation vector, φ(t) = φ0 + φ̇0 t + ½ φ̈0 t², and what it makes of its body.

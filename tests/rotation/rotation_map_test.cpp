@@ -11,7 +11,7 @@ using namespace gxrod;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double turn = 2.0 * pi;
 
 // (3.2) as the paper writes it.

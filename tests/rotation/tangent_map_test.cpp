@@ -12,7 +12,7 @@ using namespace gxrod;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double step = 0.004;
 
 // Calls check(φ, u, v) with random directions at every special angle and with random angles past half a turn.

@@ -16,7 +16,7 @@ using Catch::Contains;
 
 // A rod in water everywhere, of mass 12 and displaced mass 1025 π 0.05² = 8.05 per length.
 std::string pipe_deck(const std::string& shape, const std::string& supports, const std::string& mass = "12") {
-    return down + "[fluid]\ndensity = 1025\n" + R"([section.s]
+    return gravity_down + "[fluid]\ndensity = 1025\n" + R"([section.s]
 stiffness = { EA = 2e7, GAy = 8e6, GAz = 8e6, GJ = 2e4, EIy = 2e4, EIz = 2e4 }
 fluid = { outer_diameter = 0.1 }
 inertia = { rhoIy = 0.0075, rhoIz = 0.0075, rhoA = )" +

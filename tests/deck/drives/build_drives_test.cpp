@@ -32,7 +32,7 @@ end_time = 2.0
 steps = 10
 )";
 
-std::string staged(const std::string& lines) {
+std::string with_stages(const std::string& lines) {
     return rod_deck.substr(0, rod_deck.find("[analysis]")) + lines + stages;
 }
 
@@ -99,7 +99,7 @@ TEST_CASE("Heat is taken up by the expansion of sections", "[deck]") {
 }
 
 TEST_CASE("Values from inside act in stages as loads do", "[deck]") {
-    const Problem problem = read(staged(R"([tendon.pull]
+    const Problem problem = read(with_stages(R"([tendon.pull]
 on = "r"
 offset = [0, 0.1]
 tension = 4
@@ -139,7 +139,7 @@ field = [0, 7, "x*t"]
 TEST_CASE("A tendon with a winch has no tension of its own, and lets go in stages that do not name it",
           "[deck]") {
     const std::string drawn = "[tendon.pull]\non = \"r\"\noffset = [0, 0.1]\n";
-    const Problem problem = read(staged(drawn + "shortening = 4\nstages = \"pull\"\n"));
+    const Problem problem = read(with_stages(drawn + "shortening = 4\nstages = \"pull\"\n"));
     const Tendon& first = problem.model.tendons.at(0);
     REQUIRE(first.winch);
     CHECK(first.winch->pulls_only);
@@ -149,11 +149,11 @@ TEST_CASE("A tendon with a winch has no tension of its own, and lets go in stage
     CHECK(first.tension.is_zero());
     CHECK(problem.stages.at(1).actions.tendons.at(0).winch->is_released);
     // A length without t is reached from the one at the start, and stays.
-    const Problem by_length = read(staged(drawn + "length = 9\n"));
+    const Problem by_length = read(with_stages(drawn + "length = 9\n"));
     CHECK((*by_length.model.tendons.at(0).winch->length)(0.25) == 9.0);
     CHECK(by_length.model.tendons[0].winch->share(0.25) == 0.25);
     CHECK(by_length.stages.at(1).actions.tendons.at(0).winch->share(0.25) == 1.0);
-    CHECK(read(staged(drawn + "length = \"10 - t\"\n")).model.tendons.at(0).winch->share(0.25) == 1.0);
+    CHECK(read(with_stages(drawn + "length = \"10 - t\"\n")).model.tendons.at(0).winch->share(0.25) == 1.0);
     CHECK_FALSE(read_tendon("offset = [0, 1]\n").winch);
 }
 

@@ -107,7 +107,7 @@ TEST_CASE("What is wrong with water, wind and ground is said where it stands", "
     CHECK_THAT(faults_of(tube_deck("") + "[seabed]\nz = 0\nstiffness = 1\n"),
                Contains("seabed: passes everything by"));
     const std::string ball =
-        down + replaced(body_deck, "[analysis]", "fluid = { volume = 0.002 }\n[analysis]") + water_deck;
+        gravity_down + replaced(body_deck, "[analysis]", "fluid = { volume = 0.002 }\n[analysis]") + water_deck;
     const std::string ground = "[seabed]\nz = -5\nstiffness = 1\n";
     CHECK(faults_of(ball).empty());
     CHECK_THAT(faults_of(ball + ground), Contains("seabed: holds nothing up: it acts on rods"));
@@ -130,8 +130,8 @@ TEST_CASE("Water with a surface needs gravity that acts down", "[deck]") {
         CHECK_THAT(faults_of(replaced(tube_deck(), "[0, 0, -9.81]", other) + water_deck),
                    Contains("x.toml:16") && Contains("fluid.surface") && Contains(wanted));
     }
-    CHECK_THAT(faults_of(replaced(tube_deck(), down, "") + water_deck), Contains(wanted));
-    CHECK(faults_of(replaced(tube_deck(), down, "") + "[fluid]\ndensity = 1000\n").empty());
+    CHECK_THAT(faults_of(replaced(tube_deck(), gravity_down, "") + water_deck), Contains(wanted));
+    CHECK(faults_of(replaced(tube_deck(), gravity_down, "") + "[fluid]\ndensity = 1000\n").empty());
     CHECK(faults_of(replaced(tube_deck(), "-9.81", "\"-9.81*t\"") + water_deck).empty());
     CHECK_THAT(faults_of(replaced(tube_deck(), "-9.81", "\"-9.81*t\"") + water_deck + airy),
                Contains("x.toml:1:") && Contains("gravity[2]") && Contains("waves take a number"));

@@ -7,11 +7,11 @@
 // Decks with water for tests to change.
 namespace gxrod::test {
 
-inline const std::string down = "gravity = [0, 0, -9.81]\n";
+inline const std::string gravity_down = "gravity = [0, 0, -9.81]\n";
 
 // rod_deck with a tube, lines of `fluid` in it and gravity downwards: lines 1 to 13 if `fluid` is one line.
 inline std::string tube_deck(const std::string& fluid = "fluid = {}") {
-    return down + R"([section.s]
+    return gravity_down + R"([section.s]
 shape = { tube = { outer_radius = 0.25, inner_radius = 0.2 } }
 material = { E = 2e11, nu = 0.3, density = 7850 }
 )" + fluid +

@@ -26,7 +26,7 @@ constexpr std::size_t begin = seal_block_bytes;
 
 std::span<const std::byte> bytes(std::string_view text) { return std::as_bytes(std::span(text)); }
 
-std::string read(const OrderedFile& file, std::uint64_t offset, std::size_t size) {
+std::string read_part(const OrderedFile& file, std::uint64_t offset, std::size_t size) {
     std::string text(size, '?');
     file.read(begin + offset, std::as_writable_bytes(std::span(text)));
     return text;
@@ -47,15 +47,15 @@ TEST_CASE("An ordered file shows its writes at once and stores them at the commi
     file.write(Part::data, begin + 4, bytes("XY"));
     file.set_size(begin + 10);
     CHECK(file.end() == begin + 8);
-    CHECK(read(file, 0, 12) == std::string("\0\0abXYef\0\0\0\0", 12));
-    CHECK(read(file, 5, 2) == "Ye");
+    CHECK(read_part(file, 0, 12) == std::string("\0\0abXYef\0\0\0\0", 12));
+    CHECK(read_part(file, 5, 2) == "Ye");
     CHECK(content(folder / "a").empty());
     file.commit();
     CHECK(content(folder / "a") == std::string("\0\0abXYef\0\0", 10));
-    CHECK(read(file, 0, 9) == std::string("\0\0abXYef\0", 9));
+    CHECK(read_part(file, 0, 9) == std::string("\0\0abXYef\0", 9));
     file.write(Part::header, begin + 2, bytes("ABCDEF"));
     file.write(Part::header, begin + 2, bytes("ghijkl"));
-    CHECK(read(file, 2, 6) == "ghijkl");
+    CHECK(read_part(file, 2, 6) == "ghijkl");
     file.set_size(begin + 6);
     file.commit();
     CHECK(content(folder / "a") == std::string("\0\0ghij", 6));
@@ -74,7 +74,7 @@ TEST_CASE("Data past what is committed are on disk at once, unless something is 
     file.write(Part::header, begin + 12, bytes("ol"));
     file.write(Part::data, begin + 10, bytes("ghij"));
     CHECK(content(folder / "a").size() == 10);
-    CHECK(read(file, 0, 14) == "headabcdefghij");
+    CHECK(read_part(file, 0, 14) == "headabcdefghij");
     CHECK(file.end() == begin + 14);
     file.set_size(begin + 14);
     file.commit();
