@@ -211,9 +211,10 @@ class Deck:
                 if not any(np.allclose(place, other, atol=1e-9) for other in found[:index])]
 
     def places(self, names):
-        """Where the histories of these names are, without those of a body or a tendon."""
+        """Where the histories of these names are, without those of a tendon, an obstacle or a whole rod."""
         points = {history["name"]: history["at"] for history in self.tree.get("history", [])}
-        return [self.place(points[name])[0] for name in sorted(names) if points[name] not in self.tree.get("tendon", {}) and points[name] not in self.rods]
+        nowhere = {*self.tree.get("tendon", {}), *self.tree.get("obstacle", {}), *self.rods}
+        return [self.place(points[name])[0] for name in sorted(names) if points[name] not in nowhere]
 
     def gravity(self):
         return self.largest(self.tree.get("gravity", [0, 0, 0]))[0]
