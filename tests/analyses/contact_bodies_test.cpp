@@ -91,9 +91,11 @@ TEST_CASE("C5a: a ball that loses nothing rebounds to its height", "[analyses][t
     }
 }
 
-TEST_CASE("A ball circles in a hollow cylinder and on a sphere's inside without loss", "[analyses][touch][bodies]") {
-    for (const char* hollow : {"cylinder = { from = [0, 0, -1], to = [0, 0, 1], radius = 0.11, side = \"inside\" }",
-                               "sphere = { centre = [0, 0, 0], radius = 0.11, side = \"inside\" }"}) {
+TEST_CASE("A ball circles in a hollow cylinder and on a sphere's inside without loss",
+          "[analyses][touch][bodies]") {
+    for (const char* hollow :
+         {"cylinder = { from = [0, 0, -1], to = [0, 0, 1], radius = 0.11, side = \"inside\" }",
+          "sphere = { centre = [0, 0, 0], radius = 0.11, side = \"inside\" }"}) {
         for (const double step : {1e-2, 1e-3}) {
             INFO(hollow << ", time step " << step);
             BodyRun run(
