@@ -79,6 +79,9 @@ double find_parameter(const Piece& piece, const Vec3& point) {
 
 ClosestOnLine find_on_tube(const Obstacle& obstacle, const Vec3& point) {
     const std::size_t pieces = obstacle.line.size() - 1;
+    double near = std::numeric_limits<double>::infinity();  // no less than the distance that is sought
+    for (const Vec3& place : obstacle.line) near = std::min(near, (point - place).squaredNorm());
+    near = std::sqrt(near);
     double least = std::numeric_limits<double>::infinity();
     std::size_t best = 0;
     double u = 0.0;
@@ -87,7 +90,7 @@ ClosestOnLine find_on_tube(const Obstacle& obstacle, const Vec3& point) {
         const Vec3& end = obstacle.line[index + 1];
         // A piece is no further from the middle of its chord than its chord is long.
         const double length = (end - start).norm();
-        if ((point - 0.5 * (start + end)).norm() - length > least) continue;
+        if ((point - 0.5 * (start + end)).norm() - length > std::min(near, least)) continue;
         const Piece piece = piece_of(obstacle, index);
         const double at = find_parameter(piece, point);
         const double distance = (piece.position(at) - point).norm();

@@ -91,6 +91,27 @@ TEST_CASE("C5a: a ball that loses nothing rebounds to its height", "[analyses][t
     }
 }
 
+TEST_CASE("A ball circles in a hollow cylinder and on a sphere's inside without loss",
+          "[analyses][touch][bodies]") {
+    for (const char* hollow :
+         {"cylinder = { from = [0, 0, -1], to = [0, 0, 1], radius = 0.11, side = \"inside\" }",
+          "sphere = { centre = [0, 0, 0], radius = 0.11, side = \"inside\" }"}) {
+        for (const double step : {1e-2, 1e-3}) {
+            INFO(hollow << ", time step " << step);
+            BodyRun run(
+                fmt::format("[body.ball]\nmass = 0.1\ninertia = [4e-6, 4e-6, 4e-6]\nat = [0.0998, 0, 0]\n"
+                            "sphere = {{ radius = 0.01 }}\n[[initial]]\non = \"ball\"\nvelocity = [0, 1, 0]\n"
+                            "[obstacle.hollow]\n{}\n[contact]\ndissipation = 0\n{}",
+                            hollow,
+                            analysis(1.0, step)));
+            run.finish();
+            // 1.6 turns, in 100 or in 1000 steps.
+            CHECK(std::abs(run.ledger().kinetic_energy / 0.05 - 1.0) < 2e-4);
+            CHECK(std::abs(run.ledger().contact_loss) < 1e-9);
+        }
+    }
+}
+
 TEST_CASE("C5b': a ball slides until it rolls", "[analyses][touch][bodies]") {
     BodyRun run(ball(0.050983, "velocity = [2, 0, 0]\n") + floor(0.3) + analysis(0.4, 5e-4));
     double start = 0.0, place = 0.0;  // where nothing slips

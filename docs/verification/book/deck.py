@@ -62,7 +62,24 @@ class Deck:
             return self._catenary(rod["catenary"])
         if "helix" in rod:
             return self._helix(rod["helix"])
-        raise ValueError("sketches know rods by line, arc, helix or catenary; teach Deck in docs/verification/book/deck.py the others")
+        if "spline" in rod:
+            return self._spline(np.array([self.vector(point) for point in rod["spline"]]))
+        raise ValueError("sketches know rods by line, arc, helix, catenary or spline; teach Deck in docs/verification/book/deck.py the others")
+
+    @staticmethod
+    def _spline(points):
+        """The natural cubic spline whose parameter is the length of the chords."""
+        at = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
+        steps, rises = np.diff(at), np.diff(points, axis=0)
+        matrix, right = np.eye(len(at)), np.zeros_like(points)  # of the second derivatives
+        for i in range(1, len(at) - 1):
+            matrix[i, i - 1:i + 2] = steps[i - 1] / 6.0, (steps[i - 1] + steps[i]) / 3.0, steps[i] / 6.0
+            right[i] = rises[i] / steps[i] - rises[i - 1] / steps[i - 1]
+        bends = np.linalg.solve(matrix, right)
+        s = np.linspace(0.0, at[-1], 4 * ARC_POINTS)
+        i = np.clip(np.searchsorted(at, s, side="right") - 1, 0, len(steps) - 1)
+        h, u = steps[i][:, None], ((s - at[i]) / steps[i])[:, None]
+        return ((1.0 - u) * points[i] + u * points[i + 1] + h**2 / 6.0 * (((1.0 - u)**3 - (1.0 - u)) * bends[i] + (u**3 - u) * bends[i + 1]))
 
     def _helix(self, helix):
         centre, along = self.vector(helix["centre"]), self.vector(helix["axis"])
@@ -211,9 +228,10 @@ class Deck:
                 if not any(np.allclose(place, other, atol=1e-9) for other in found[:index])]
 
     def places(self, names):
-        """Where the histories of these names are, without those of a body or a tendon."""
+        """Where the histories of these names are, without those of a tendon, an obstacle or a whole rod."""
         points = {history["name"]: history["at"] for history in self.tree.get("history", [])}
-        return [self.place(points[name])[0] for name in sorted(names) if points[name] not in self.tree.get("tendon", {}) and points[name] not in self.rods]
+        nowhere = {*self.tree.get("tendon", {}), *self.tree.get("obstacle", {}), *self.rods}
+        return [self.place(points[name])[0] for name in sorted(names) if points[name] not in nowhere]
 
     def gravity(self):
         return self.largest(self.tree.get("gravity", [0, 0, 0]))[0]

@@ -64,6 +64,8 @@ def draw_sizes(pen, deck):
         if "arc" in rod:
             draw_arc_size(pen, deck, rod["arc"], curve)
             continue
+        if "spline" in rod:
+            continue
         words = f"{'L = ' if len(deck.rods) == 1 else ''}{number_text(np.linalg.norm(curve[-1] - curve[0]))}"
         start, end = pen.projection(curve[[0, -1]])
         outwards = symbols.paper_normal(end - start) @ (0.5 * (start + end) - middle)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "assembly/contact/impulse_direction.hpp"
 #include "assembly/scatter.hpp"
 #include "rotation/rotation_map.hpp"
 #include "rotation/tangent_map.hpp"
@@ -216,8 +217,16 @@ void ContactAssembly::add_element_force(
             const SurfaceTouch surface = touch(at, obstacle, p, position);
             const Touching touching = find(obstacle, p, surface.gap);
             if (touching.normal.force == 0.0) continue;
-            const PlaceForce there = compute_place_force(
+            PlaceForce there = compute_place_force(
                 surface, places_.motion_of(place, state), touching.normal, touching.friction);
+            if (at.has_impacts)
+                find_direction(surfaces_[obstacle],
+                               at.before[obstacle],
+                               places_.position(place, state.previous),
+                               surface,
+                               element.radius,
+                               element.law.skin)
+                    .add_to(surface, touching.normal, there);
             Vec3 moment = there.moment;
             if (element.is_body) moment += places_.lever(place, state, at.has_impacts).cross(there.force);
             if (force.size() == 0) force = LoadVector::Zero(6 * element.count);
@@ -319,8 +328,17 @@ void ContactAssembly::add_tangents(const State& state,
                             state.trial[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(j)])]
                                 .theta);
                 }
-                const PlaceForceDerivative there = compute_place_force_derivative(
+                PlaceForceDerivative there = compute_place_force_derivative(
                     surface, places_.motion_of(place, state), touching.normal, touching.friction);
+                ImpulseDirection direction;
+                if (at.has_impacts)
+                    direction = find_direction(surfaces_[obstacle],
+                                               at.before[obstacle],
+                                               places_.position(place, state.previous),
+                                               surface,
+                                               element.radius,
+                                               element.law.skin);
+                direction.add_to(surface, touching.normal, there);
                 for (int j = 0; j < element.count; ++j) {
                     const auto node = static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(j)]);
                     const double part = weight * linearizations[node].placement * place.weight *
@@ -330,11 +348,10 @@ void ContactAssembly::add_tangents(const State& state,
                     own << there.force_by_position, there.force_by_rotation * turn, there.moment_by_position,
                         there.moment_by_rotation * turn;
                     if (element.is_body) {
-                        const Vec3 force =
-                            compute_place_force(
-                                surface, places_.motion_of(place, state), touching.normal, touching.friction)
-                                .force;
-                        own = take_to_node(at, place, state, force, own);
+                        PlaceForce force = compute_place_force(
+                            surface, places_.motion_of(place, state), touching.normal, touching.friction);
+                        direction.add_to(surface, touching.normal, force);
+                        own = take_to_node(at, place, state, force.force, own);
                     }
                     for (int i = 0; i < element.count; ++i)
                         tangent.block<6, 6>(6 * i, 6 * j) -=

@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "assembly/contact/contact_assembly.hpp"
+#include "assembly/contact/impulse_direction.hpp"
 
 // Energies, work and counts of contact.
 namespace gxrod {
@@ -49,11 +50,19 @@ ContactWork ContactAssembly::compute_work(const State& state, double time, doubl
             if (is_off(obstacle, p)) continue;
             const SurfaceTouch surface = touch(at, obstacle, p, position);
             const Touching touching = touch_by_law(at, obstacle, p, surface.gap, state);
-            const PlaceForce after = compute_place_force(surface, motion, touching.normal, touching.friction);
+            PlaceForce after = compute_place_force(surface, motion, touching.normal, touching.friction);
+            const ContactLaw& law = places_.elements[static_cast<std::size_t>(place.element)].law;
+            if (at.has_impacts && touching.normal.force > 0.0)
+                find_direction(surfaces_[obstacle],
+                               at.before[obstacle],
+                               places_.position(place, state.previous),
+                               surface,
+                               motion.radius,
+                               law.skin)
+                    .add_to(surface, touching.normal, after);
             Vec3 force = after.force;
             if (!at.has_impacts) {
                 const double gap = gap_before(at, obstacle, p, state);
-                const ContactLaw& law = places_.elements[static_cast<std::size_t>(place.element)].law;
                 const ObstacleDistance found = surfaces_[obstacle].find_distance(
                     at.before[obstacle], position - motion.displacement, motion.radius, law.skin);
                 const Vec3 before =
@@ -99,8 +108,17 @@ std::vector<ObstacleValues> ContactAssembly::compute_obstacle_values(const State
             if (surface.gap <= 0.0 && !surfaces_[obstacle].body->stiffness) continue;
             const NormalForce normal = law_force(at, obstacle, p, surface.gap, state);
             if (normal.force == 0.0) continue;
-            const PlaceForce force = compute_place_force(
+            PlaceForce force = compute_place_force(
                 surface, places_.motion_of(place, state), normal, friction(obstacle, p, state));
+            const ContactElement& element = places_.elements[static_cast<std::size_t>(place.element)];
+            if (at.has_impacts)
+                find_direction(surfaces_[obstacle],
+                               at.before[obstacle],
+                               places_.position(place, state.previous),
+                               surface,
+                               element.radius,
+                               element.law.skin)
+                    .add_to(surface, normal, force);
             own.force -= place.weight * force.force;
             own.friction -= place.weight * force.traction;
         }

@@ -141,6 +141,7 @@ TEST_CASE("Without friction forces of contact are derivatives of its energy", "[
     for (Obstacle& obstacle : scene.model.contact.obstacles) obstacle.friction = 0.0;
     const System system(scene.model);
     scene.state.contact_memory.on_obstacles.clear();
+    scene.state.previous = scene.state.trial;  // where impulses are along the normal
     const std::vector<Vec6> forces = system.contact()->compute_forces(scene.state, now);
     for (std::size_t node = 0; node < forces.size(); ++node) {
         for (int i = 0; i < 3; ++i) {
