@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "assembly/contact/impulse_direction.hpp"
 #include "assembly/scatter.hpp"
 #include "rotation/rotation_map.hpp"
 #include "rotation/tangent_map.hpp"
@@ -116,17 +115,34 @@ SurfaceTouch ContactAssembly::touch(const At& at,
     return result;
 }
 
+ObstacleDistance ContactAssembly::distance_before(const At& at,
+                                                  std::size_t obstacle,
+                                                  std::size_t place,
+                                                  const State& state) const {
+    const Vec3 position = places_.position(places_.places[place], state.previous);
+    const ContactElement& element = places_.element_of(place);
+    return surfaces_[obstacle].find_distance(at.before[obstacle], position, element.radius, element.law.skin);
+}
+
 double ContactAssembly::gap_before(const At& at,
                                    std::size_t obstacle,
                                    std::size_t place,
                                    const State& state) const {
-    const ContactPlace& own = places_.places[place];
-    const Vec3 position = places_.position(own, state.previous);
-    const ContactElement& element = places_.elements[static_cast<std::size_t>(own.element)];
-    return surfaces_[obstacle]
-               .find_distance(at.before[obstacle], position, element.radius, element.law.skin)
-               .distance -
-           element.radius;
+    return distance_before(at, obstacle, place, state).distance - places_.element_of(place).radius;
+}
+
+// Planes that stay have one normal. Meshes take that at the end, and so does what turns by a right angle.
+ImpulseDirection ContactAssembly::impulse_direction(const At& at,
+                                                    std::size_t obstacle,
+                                                    std::size_t place,
+                                                    const SurfaceTouch& touch,
+                                                    const State& state) const {
+    const ObstacleSurface& surface = surfaces_[obstacle];
+    const bool stays = surface.body->shape == Obstacle::Shape::plane && !surface.body->motion;
+    if (!at.has_impacts || surface.mesh || stays) return {};
+    const Vec3 normal = distance_before(at, obstacle, place, state).normal;
+    if (normal.dot(touch.normal) <= 0.0) return {};
+    return {normal};
 }
 
 CoulombFriction ContactAssembly::friction(std::size_t obstacle, std::size_t place, const State& state) const {
@@ -219,14 +235,7 @@ void ContactAssembly::add_element_force(
             if (touching.normal.force == 0.0) continue;
             PlaceForce there = compute_place_force(
                 surface, places_.motion_of(place, state), touching.normal, touching.friction);
-            if (at.has_impacts)
-                find_direction(surfaces_[obstacle],
-                               at.before[obstacle],
-                               places_.position(place, state.previous),
-                               surface,
-                               element.radius,
-                               element.law.skin)
-                    .add_to(surface, touching.normal, there);
+            impulse_direction(at, obstacle, p, surface, state).add_to(surface, touching.normal, there);
             Vec3 moment = there.moment;
             if (element.is_body) moment += places_.lever(place, state, at.has_impacts).cross(there.force);
             if (force.size() == 0) force = LoadVector::Zero(6 * element.count);
@@ -330,14 +339,7 @@ void ContactAssembly::add_tangents(const State& state,
                 }
                 PlaceForceDerivative there = compute_place_force_derivative(
                     surface, places_.motion_of(place, state), touching.normal, touching.friction);
-                ImpulseDirection direction;
-                if (at.has_impacts)
-                    direction = find_direction(surfaces_[obstacle],
-                                               at.before[obstacle],
-                                               places_.position(place, state.previous),
-                                               surface,
-                                               element.radius,
-                                               element.law.skin);
+                const ImpulseDirection direction = impulse_direction(at, obstacle, p, surface, state);
                 direction.add_to(surface, touching.normal, there);
                 for (int j = 0; j < element.count; ++j) {
                     const auto node = static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(j)]);

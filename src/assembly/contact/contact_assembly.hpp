@@ -10,6 +10,7 @@
 #include "assembly/contact/contact_overlap.hpp"
 #include "assembly/contact/contact_pairs.hpp"
 #include "assembly/contact/contact_places.hpp"
+#include "assembly/contact/impulse_direction.hpp"
 #include "assembly/equation_numbers.hpp"
 #include "assembly/residual.hpp"
 #include "assembly/scale_groups.hpp"
@@ -140,6 +141,16 @@ class ContactAssembly {
                 const std::vector<NodeMotion>& motions,
                 double reach) const;
     SurfaceTouch touch(const At& at, std::size_t obstacle, std::size_t place, const Vec3& position) const;
+    // Of the impulse of a place in a step; in statics forces act along the normal at the end.
+    ImpulseDirection impulse_direction(const At& at,
+                                       std::size_t obstacle,
+                                       std::size_t place,
+                                       const SurfaceTouch& touch,
+                                       const State& state) const;
+    ObstacleDistance distance_before(const At& at,
+                                     std::size_t obstacle,
+                                     std::size_t place,
+                                     const State& state) const;
     double gap_before(const At& at, std::size_t obstacle, std::size_t place, const State& state) const;
     CoulombFriction friction(std::size_t obstacle, std::size_t place, const State& state) const;
     // Of the step, where the obstacle is rigid.

@@ -2,7 +2,6 @@
 #include <limits>
 
 #include "assembly/contact/contact_assembly.hpp"
-#include "assembly/contact/impulse_direction.hpp"
 
 // Energies, work and counts of contact.
 namespace gxrod {
@@ -51,18 +50,12 @@ ContactWork ContactAssembly::compute_work(const State& state, double time, doubl
             const SurfaceTouch surface = touch(at, obstacle, p, position);
             const Touching touching = touch_by_law(at, obstacle, p, surface.gap, state);
             PlaceForce after = compute_place_force(surface, motion, touching.normal, touching.friction);
-            const ContactLaw& law = places_.elements[static_cast<std::size_t>(place.element)].law;
-            if (at.has_impacts && touching.normal.force > 0.0)
-                find_direction(surfaces_[obstacle],
-                               at.before[obstacle],
-                               places_.position(place, state.previous),
-                               surface,
-                               motion.radius,
-                               law.skin)
-                    .add_to(surface, touching.normal, after);
+            if (touching.normal.force > 0.0)
+                impulse_direction(at, obstacle, p, surface, state).add_to(surface, touching.normal, after);
             Vec3 force = after.force;
             if (!at.has_impacts) {
                 const double gap = gap_before(at, obstacle, p, state);
+                const ContactLaw& law = places_.elements[static_cast<std::size_t>(place.element)].law;
                 const ObstacleDistance found = surfaces_[obstacle].find_distance(
                     at.before[obstacle], position - motion.displacement, motion.radius, law.skin);
                 const Vec3 before =
@@ -110,15 +103,7 @@ std::vector<ObstacleValues> ContactAssembly::compute_obstacle_values(const State
             if (normal.force == 0.0) continue;
             PlaceForce force = compute_place_force(
                 surface, places_.motion_of(place, state), normal, friction(obstacle, p, state));
-            const ContactElement& element = places_.elements[static_cast<std::size_t>(place.element)];
-            if (at.has_impacts)
-                find_direction(surfaces_[obstacle],
-                               at.before[obstacle],
-                               places_.position(place, state.previous),
-                               surface,
-                               element.radius,
-                               element.law.skin)
-                    .add_to(surface, normal, force);
+            impulse_direction(at, obstacle, p, surface, state).add_to(surface, normal, force);
             own.force -= place.weight * force.force;
             own.friction -= place.weight * force.traction;
         }

@@ -2,7 +2,6 @@
 #include <limits>
 
 #include "assembly/contact/contact_assembly.hpp"
-#include "assembly/contact/impulse_direction.hpp"
 
 // What touches where, for results.
 namespace gxrod {
@@ -44,14 +43,7 @@ void ContactAssembly::list_element_touches(std::size_t index,
             if (touching.normal.force == 0.0) continue;
             PlaceForce there = compute_place_force(
                 surface, places_.motion_of(place, state), touching.normal, touching.friction);
-            if (at.has_impacts)
-                find_direction(surfaces_[obstacle],
-                               at.before[obstacle],
-                               places_.position(place, state.previous),
-                               surface,
-                               element.radius,
-                               element.law.skin)
-                    .add_to(surface, touching.normal, there);
+            impulse_direction(at, obstacle, p, surface, state).add_to(surface, touching.normal, there);
             // What slides has a traction on the cone, as far as rounding lets it be.
             constexpr double nearly = 1.0 - 1e-9;
             const double most =

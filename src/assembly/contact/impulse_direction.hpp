@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "contact/obstacle_surface.hpp"
 #include "contact/place_force.hpp"
 
 namespace gxrod {
@@ -32,20 +31,5 @@ struct ImpulseDirection {
                             part * part * sum * (touch.curvature * *before).transpose());
     }
 };
-
-// Of a place that was at a position against an obstacle at a placement. Planes that stay have one normal, and
-// meshes those of the end, as what turns by a right angle.
-inline ImpulseDirection find_direction(const ObstacleSurface& surface,
-                                       const ObstaclePlacement& placement,
-                                       const Vec3& position,
-                                       const SurfaceTouch& touch,
-                                       double radius,
-                                       double skin) {
-    const Obstacle& body = *surface.body;
-    if (surface.mesh || (body.shape == Obstacle::Shape::plane && !body.motion)) return {};
-    const Vec3 normal = surface.find_distance(placement, position, radius, skin).normal;
-    if (normal.dot(touch.normal) <= 0.0) return {};
-    return {normal};
-}
 
 }  // namespace gxrod
