@@ -66,10 +66,11 @@ class ReadDeck(unittest.TestCase):
         np.testing.assert_allclose(self.deck.places({"tip"}), [[0, 16, 0]])
 
     def test_supports_and_loads(self):
-        (place, tangent, held, move), = self.deck.supports()
+        (place, tangent, held, move, axes), = self.deck.supports()
         np.testing.assert_allclose(place, [0, 16, 0])
         np.testing.assert_allclose(tangent, [0, -1, 0])  # into the rod
         self.assertEqual((held, move), ({"x", "y", "z", "rx"}, {"rz": -2.0}))
+        np.testing.assert_array_equal(axes, np.eye(3))
         force, moment = self.deck.loads()
         np.testing.assert_allclose(force[2], [3, 0, 0])
         self.assertEqual((force[1], force[3]), ("force", True))
@@ -82,9 +83,17 @@ class ReadDeck(unittest.TestCase):
             np.testing.assert_allclose(curve[-1], end, atol=1e-6)
             self.assertAlmostEqual(np.linalg.norm(np.diff(curve, axis=0), axis=1).sum() / length, 1.0, 4)
 
+    def test_splines_and_own_axes(self):
+        curve = deck.Deck(SOURCE / "docs" / "examples" / "plectoneme" / "plectoneme.toml").rods["rod"]
+        np.testing.assert_allclose(curve[len(curve) // 2], [0, 5.7966, 0], atol=1e-12)
+        self.assertAlmostEqual(np.linalg.norm(np.diff(curve, axis=0), axis=1).sum() / 300.0, 1.0, 3)
+        *_, (_, _, _, move, axes) = deck.Deck(SOURCE / "docs" / "examples" / "winch" / "winch.toml").supports()
+        self.assertEqual(list(move), ["x"])
+        np.testing.assert_allclose(axes[0], [0, 0.031763, 0.999495], atol=1e-6)
+
     def test_other_curves_are_refused(self):
-        with self.assertRaisesRegex(ValueError, "sketches know rods by line, arc, helix or catenary"):
-            self.deck._curve({"spline": {}})  # pylint: disable=protected-access
+        with self.assertRaisesRegex(ValueError, "sketches know rods by line, arc, helix, catenary or spline"):
+            self.deck._curve({"polyline": {}})  # pylint: disable=protected-access
 
 
 class Draw(unittest.TestCase):

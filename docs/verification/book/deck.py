@@ -63,23 +63,8 @@ class Deck:
         if "helix" in rod:
             return self._helix(rod["helix"])
         if "spline" in rod:
-            return self._spline(np.array([self.vector(point) for point in rod["spline"]]))
+            return self._spline(rod["spline"])
         raise ValueError("sketches know rods by line, arc, helix, catenary or spline; teach Deck in docs/verification/book/deck.py the others")
-
-    @staticmethod
-    def _spline(points):
-        """The natural cubic spline whose parameter is the length of the chords."""
-        at = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
-        steps, rises = np.diff(at), np.diff(points, axis=0)
-        matrix, right = np.eye(len(at)), np.zeros_like(points)  # of the second derivatives
-        for i in range(1, len(at) - 1):
-            matrix[i, i - 1:i + 2] = steps[i - 1] / 6.0, (steps[i - 1] + steps[i]) / 3.0, steps[i] / 6.0
-            right[i] = rises[i] / steps[i] - rises[i - 1] / steps[i - 1]
-        bends = np.linalg.solve(matrix, right)
-        s = np.linspace(0.0, at[-1], 4 * ARC_POINTS)
-        i = np.clip(np.searchsorted(at, s, side="right") - 1, 0, len(steps) - 1)
-        h, u = steps[i][:, None], ((s - at[i]) / steps[i])[:, None]
-        return ((1.0 - u) * points[i] + u * points[i + 1] + h**2 / 6.0 * (((1.0 - u)**3 - (1.0 - u)) * bends[i] + (u**3 - u) * bends[i + 1]))
 
     def _helix(self, helix):
         centre, along = self.vector(helix["centre"]), self.vector(helix["axis"])
@@ -89,6 +74,23 @@ class Deck:
         start, pitch = start - rise, self.number(helix["pitch"])
         angles = 2.0 * np.pi * turns[:, None]
         return centre + rise + np.cos(angles) * start + np.sin(angles) * np.cross(along, start) + pitch * turns[:, None] * along
+
+    def _spline(self, corners):
+        """The natural cubic spline: second derivatives m by the length of the chords, then points of each piece."""
+        corners = np.array([self.vector(corner) for corner in corners])
+        chords = np.linalg.norm(np.diff(corners, axis=0), axis=1)
+        slopes = np.diff(corners, axis=0) / chords[:, None]
+        matrix, right = np.eye(len(corners)), np.zeros_like(corners)
+        for i in range(1, len(corners) - 1):
+            matrix[i, i - 1:i + 2] = chords[i - 1], 2.0 * (chords[i - 1] + chords[i]), chords[i]
+            right[i] = 6.0 * (slopes[i] - slopes[i - 1])
+        m = np.linalg.solve(matrix, right)
+        points = [corners[:1]]
+        for i, h in enumerate(chords):
+            b = np.linspace(0.0, 1.0, 21)[1:, None]
+            a = 1.0 - b
+            points.append(a * corners[i] + b * corners[i + 1] + ((a**3 - a) * m[i] + (b**3 - b) * m[i + 1]) * h**2 / 6.0)
+        return np.concatenate(points)
 
     def _catenary(self, line):
         """Of a line on the bed, from its lower end to the touch-down; else from end to end."""
@@ -172,12 +174,13 @@ class Deck:
         return found[sizes.argmax()], bool(np.ptp(found, axis=0).max() > 1e-12 * max(sizes.max(), 1e-300))
 
     def supports(self):
-        """(place, tangent into the rod, components held, {component: largest prescribed}) of each support."""
+        """(place, tangent into the rod, components held, {component: largest prescribed}, rows of own axes) of each support."""
         for support in self.tree.get("support", []):
             move = {key: self.largest([value])[0][0] for key, value in support.get("move", {}).items()}
             place, tangent = self.place(support["at"])
             into = -tangent if support["at"].endswith(".end") else tangent
-            yield place, into, held_components(support.get("fix", [])), move
+            axes = np.array([self.vector(row) for row in support.get("axes", np.eye(3))])
+            yield place, into, held_components(support.get("fix", [])), move, axes
 
     def loads(self):
         """(place, "force" or "moment", the largest in global components, whether it changes)."""

@@ -31,9 +31,9 @@ def move_text(component, size, is_static):
     return f"moved by {number_text(abs(size))}" if is_static else "moved"
 
 
-def direction_of(component, size):
+def direction_of(component, size, axes):
     """Unit vector of a component of a support, with the sign of what is prescribed."""
-    return np.sign(size) * np.eye(3)[COMPONENTS.index(component) % 3]
+    return np.sign(size) * axes[COMPONENTS.index(component) % 3]
 
 
 def choose_projection(deck):
@@ -41,9 +41,9 @@ def choose_projection(deck):
     straight = [vector for _, kind, vector, _ in deck.loads() if kind == "force"]
     straight += [velocity for _, velocity in deck.velocities()] + [deck.gravity()]
     round_about = [vector for _, kind, vector, _ in deck.loads() if kind == "moment"]
-    for _, _, _, move in deck.supports():
+    for _, _, _, move, axes in deck.supports():
         for component, size in move.items():
-            (round_about if component in FREE_AXES else straight).append(direction_of(component, size))
+            (round_about if component in FREE_AXES else straight).append(direction_of(component, size, axes))
     points = np.concatenate(list(deck.rods.values()))
     straight, round_about = ([each for each in some if np.any(each)] for some in (straight, round_about))
     return Projection(find_normal(points, straight, round_about))
@@ -76,7 +76,7 @@ def draw_sizes(pen, deck):
 
 def side_away_from_loads(pen, deck, along):
     """Of a rod, the side to which loads do not point: below if there are none, above where a hinge is."""
-    if any({"x", "y", "z"} <= held and len(held | set(move)) < 6 for _, _, held, move in deck.supports()):
+    if any({"x", "y", "z"} <= held and len(held | set(move)) < 6 for _, _, held, move, _ in deck.supports()):
         return 1.0
     normal = symbols.paper_normal(along)
     push = sum(pen.projection.direction(vector) @ normal for _, kind, vector, _ in deck.loads() if kind == "force")
@@ -99,13 +99,13 @@ def draw_arc_size(pen, deck, arc, curve):
 
 
 def draw_supports(pen, deck):
-    for place, tangent, held, move in deck.supports():
+    for place, tangent, held, move, axes in deck.supports():
         if len(held | set(move)) == 6:
             symbols.clamp(pen, place, tangent)
         elif {"x", "y", "z"} <= held:
             symbols.hinge(pen, place)
         for component, size in move.items():
-            words, vector = move_text(component, size, deck.is_static), direction_of(component, size)
+            words, vector = move_text(component, size, deck.is_static), direction_of(component, size, axes)
             if component in FREE_AXES:
                 symbols.moment(pen, place, vector, words, colour=symbols.MOVE, apart=(0.1, 1.2))
             else:
