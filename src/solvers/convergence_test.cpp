@@ -54,8 +54,11 @@ bool ConvergenceTest::are_closed(const EquilibriumReport& report) const {
 bool ConvergenceTest::has_reached_round_off(const Residual& residual, const EquilibriumReport& report) const {
     constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
     const double nothing = std::max(1e-4 * tolerance_, rounding);
+    constexpr double hardly = 1e-10;
+    // What an increment takes into touch has a force from the next one on.
+    if (system_->contact() != nullptr && increment_before_ > hardly) return false;
     if (last_increment_ <= nothing) return true;
-    if (last_increment_ <= 1e-10 && last_increment_ >= 0.5 * increment_before_) return true;
+    if (last_increment_ <= hardly && last_increment_ >= 0.5 * increment_before_) return true;
     if (report.iterations < 2) return false;
     if (is_as_large_as_forces(*system_, residual, report)) return false;
     const double next_increment = last_increment_ * (last_increment_ / increment_before_);

@@ -120,6 +120,7 @@ fix = ["x", "y", "rotation"]
 [contact]
 [analysis]
 kind = "dynamic"
+newton = { tolerance = 1e-12 }
 time_step = 0.01
 end_time = 2
 )";
