@@ -82,7 +82,7 @@ class Newton {
             if (contact_) limit_prediction();
             return;
         }
-        if (contact_) begin_at_rest();
+        if (contact_ && system_.model().has_inertia) begin_at_rest();
         system_.supports().place(time_, state_);
         if (contact_) limit_prediction();
         update_trial_rates(system_, integrator_, stage_, state_);
@@ -92,8 +92,8 @@ class Newton {
         request_.factor = 1.0 / workspace_.linearizations.front().acceleration;
     }
 
-    // What contact holds chatters: where its accelerations go on it comes to touch where it does not, and half
-    // of the iterations are spent on that. The first increment takes along what moves.
+    // What contact holds chatters between impulses: where its accelerations go on it comes to touch where it
+    // does not, and half of the iterations are spent on that. The first increment takes along what moves.
     void begin_at_rest() {
         for (std::size_t i = 0; i < state_.trial.size(); ++i)
             place(state_.previous[i], state_.previous[i].r, Vec3::Zero(), state_.trial[i]);
