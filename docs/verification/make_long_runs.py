@@ -149,9 +149,11 @@ def make_table(rows):
              "|---|---|---|---|---|---|---|---|---|"]
     for row in rows:
         steps = f"{row['steps']:,}".replace(",", "\u202f")
+        measured = f"{row['memory']:.1f} ({row['predicted_memory']:.0f}; {row['early_memory']:.1f})"
+        memory = measured if row["memory"] > 0.0 else f"not measured ({row['predicted_memory']:.0f})"
         lines.append(f"| {row['case']} | {row['scheme']} | {steps} | {row['energy']:.1e} | {row['energy_at_end']:+.1e} | "
                      f"{row['momentum']:.1e} | {row['orthogonality']:.0e} | {row['megabytes']:.0f} ({row['predicted_megabytes']:.0f}) | "
-                     f"{row['memory']:.1f} ({row['predicted_memory']:.0f}; {row['early_memory']:.1f}) |")
+                     f"{memory} |")
     return "\n".join(lines)
 
 
