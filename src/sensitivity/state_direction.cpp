@@ -73,9 +73,8 @@ StateDirection differentiate(const State& up, const State& down, double step) {
     for (std::size_t i = 0; i < up.bed_contacts.size(); ++i)
         direction.bed_targets.push_back(half * (up.bed_contacts[i].target - down.bed_contacts[i].target));
     for (std::size_t i = 0; i < up.carried_previous.size(); ++i)
-        direction.carried.push_back(
-            {half * (up.carried_previous[i].a - down.carried_previous[i].a),
-             half * (up.carried_previous[i].alpha - down.carried_previous[i].alpha)});
+        direction.carried.push_back({half * (up.carried_previous[i].a - down.carried_previous[i].a),
+                                     half * (up.carried_previous[i].alpha - down.carried_previous[i].alpha)});
     for (std::size_t i = 0; i < up.joints_previous.size(); ++i) {
         JointState a = up.joints_previous[i], b = down.joints_previous[i], by;
         visit_joint(

@@ -57,14 +57,14 @@ struct PathMemory {
 
 // All that a run needs to resume from an accepted step as if it had never stopped.
 struct RestartRecord {
-    std::vector<NodeMotion> nodes;                     // there, theta zero
-    std::vector<SectionHistory> sections;              // State::sections
-    std::vector<double> law_memory;                    // State::law_memory
-    std::vector<BedContact> bed_contacts;              // State::bed_contacts
-    std::vector<Vec3> contact_tractions;               // ContactMemory::on_obstacles
-    std::vector<PairTractionRow> pair_tractions;       // ContactMemory::of_pairs
-    std::vector<JointState> joints;                    // State::joints_previous
-    std::vector<CarriedAcceleration> carried;  // State::carried_previous; can be empty
+    std::vector<NodeMotion> nodes;                // there, theta zero
+    std::vector<SectionHistory> sections;         // State::sections
+    std::vector<double> law_memory;               // State::law_memory
+    std::vector<BedContact> bed_contacts;         // State::bed_contacts
+    std::vector<Vec3> contact_tractions;          // ContactMemory::on_obstacles
+    std::vector<PairTractionRow> pair_tractions;  // ContactMemory::of_pairs
+    std::vector<JointState> joints;               // State::joints_previous
+    std::vector<CarriedAcceleration> carried;     // State::carried_previous; can be empty
     LedgerMemory ledger;
     StepMemory steps;
     RunTotals totals;

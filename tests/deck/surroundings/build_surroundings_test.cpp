@@ -106,8 +106,9 @@ TEST_CASE("What is wrong with water, wind and ground is said where it stands", "
                Contains("x.toml:14") && Contains("fluid: passes everything by") && Contains("fluid = {}"));
     CHECK_THAT(faults_of(tube_deck("") + "[seabed]\nz = 0\nstiffness = 1\n"),
                Contains("seabed: passes everything by"));
-    const std::string ball =
-        gravity_down + replaced(body_deck, "[analysis]", "fluid = { volume = 0.002 }\n[analysis]") + water_deck;
+    const std::string ball = gravity_down +
+                             replaced(body_deck, "[analysis]", "fluid = { volume = 0.002 }\n[analysis]") +
+                             water_deck;
     const std::string ground = "[seabed]\nz = -5\nstiffness = 1\n";
     CHECK(faults_of(ball).empty());
     CHECK_THAT(faults_of(ball + ground), Contains("seabed: holds nothing up: it acts on rods"));

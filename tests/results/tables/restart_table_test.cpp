@@ -32,8 +32,7 @@ void check_equal(const RestartRecord& a, const RestartRecord& b) {
     for (std::size_t i = 0; i < a.sections.size(); ++i)
         CHECK(a.sections[i].Lambda.coeffs() == b.sections[i].Lambda.coeffs());
     CHECK(are_equal(a.sections, b.sections, &SectionHistory::K));
-    CHECK(are_equal(
-        a.carried, b.carried, &CarriedAcceleration::a, &CarriedAcceleration::alpha));
+    CHECK(are_equal(a.carried, b.carried, &CarriedAcceleration::a, &CarriedAcceleration::alpha));
     CHECK(a.ledger.forces == b.ledger.forces);
     CHECK(a.ledger.force_change == b.ledger.force_change);
     CHECK(a.ledger.fluid_forces == b.ledger.fluid_forces);
