@@ -47,6 +47,8 @@ def tightest_bend(lines, starts, ends):
 def _near(lines, starts, ends, reach, bend):
     """Pairs of segments that may be within reach, but for neighbours on a rod, and all of a rod that is bent as tightly as it is thick."""
     middles, halves = 0.5 * (starts + ends), 0.5 * np.linalg.norm(ends - starts, axis=1)
+    # Neighbours as the rod is: pressed together, it is thicker than what was apart is far.
+    arc = np.cumsum(2.0 * halves) - halves
     for first in range(len(middles)):
         distance = np.linalg.norm(middles[first + 1:] - middles[first], axis=1)
         others = first + 1 + np.flatnonzero(distance < halves[first] + halves[first + 1:] + reach)
@@ -54,7 +56,7 @@ def _near(lines, starts, ends, reach, bend):
             same = lines.rod[first] == lines.rod[second]
             if same and bend < 2:
                 continue
-            apart = abs(lines.arc[first] - lines.arc[second]) - halves[first] - halves[second]
+            apart = abs(arc[first] - arc[second]) - halves[first] - halves[second]
             if not same or apart > np.pi * lines.radius[first]:
                 yield first, second
 
