@@ -10,6 +10,7 @@ struct Segment {
     Vec3 start, end;
 
     Vec3 at(double s) const { return start + s * (end - start); }
+    bool operator==(const Segment&) const = default;
 };
 
 struct ClosestPoints {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "contact/closest_points.hpp"
 #include "contact/contact_law.hpp"
 
@@ -24,10 +26,20 @@ struct PairLaw {
 struct PairEnergy {
     double energy = 0.0;
     Vec12 gradient = Vec12::Zero();  // exactly that of `energy`; the forces on the ends are its negative
-    Mat12 hessian = Mat12::Zero();   // exactly that of `energy`
+    Mat12 hessian = Mat12::Zero();   // exactly that of `energy`, or the derivative of impulses
 
     // On a.
     Vec3 force() const { return -(gradient.segment<3>(0) + gradient.segment<3>(3)); }
+};
+
+// Where two segments were at the start of a step with impulses. With it, `gradient` is that of (C19) in
+// docs/theory/contact.md, whose work over the step is at most what the pair gives, and `hessian` its
+// derivative, which is not symmetric.
+struct PairStart {
+    PairStart(const PairLaw& pair, const Segment& start_a, const Segment& start_b);
+
+    Segment a, b;
+    double share = 1.0;  // κ
 };
 
 // Damps the forces, and their derivatives with them: with the motion of the ends since the start of a step,
@@ -37,18 +49,29 @@ struct PairEnergy {
 void damp(PairEnergy& pair, const Vec12& motion, double damping);
 
 // Lengths are those in the reference state, by which the integral counts. The distance must exceed R.
-PairEnergy compute_pair_energy(
-    const PairLaw& pair, const Segment& a, const Segment& b, double length_a, double length_b);
+PairEnergy compute_pair_energy(const PairLaw& pair,
+                               const Segment& a,
+                               const Segment& b,
+                               double length_a,
+                               double length_b,
+                               const std::optional<PairStart>& start = {});
 
 // The same of a point and a line of `length`: E = c ∫ Φ dt over the line, with Φ(u) as above, which is
 // infinite at its ends, too. c is such that the point and a long line repel each other by the law's force at
 // half the skin. By the ends, of which the first is the point.
-PairEnergy compute_point_energy(const PairLaw& pair, const Vec3& point, const Segment& line, double length);
+PairEnergy compute_point_energy(const PairLaw& pair,
+                                const Vec3& point,
+                                const Segment& line,
+                                double length,
+                                const std::optional<PairStart>& start = {});
 
 // The same for two points, or a point and a segment (then a.start = a.end), or two segments, by the law of
 // the least distance: energy V(distance − R). The ends of rods need it, where the double integral stays
 // finite as the gap closes. Where the closest points change between ends and insides, second derivatives
 // jump.
-PairEnergy compute_closest_energy(const PairLaw& pair, const Segment& a, const Segment& b);
+PairEnergy compute_closest_energy(const PairLaw& pair,
+                                  const Segment& a,
+                                  const Segment& b,
+                                  const std::optional<PairStart>& start = {});
 
 }  // namespace gxrod

@@ -1,6 +1,7 @@
 #include "contact/pair_energy.hpp"
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <random>
 
@@ -87,6 +88,36 @@ FourEnds cross_lines(double angle, double d, double length) {
              Vec3(0.55 * length, 0, 0),
              up - 0.52 * length * along,
              up + 0.48 * length * along}};
+}
+
+// Of the three laws.
+using EnergyOf = std::function<PairEnergy(const FourEnds&, const std::optional<PairStart>&)>;
+
+std::vector<EnergyOf> list_energies() {
+    return {[](const FourEnds& ends, const std::optional<PairStart>& start) {
+                return compute_pair_energy(wires, ends.a(), ends.b(), 0.9, 1.3, start);
+            },
+            [](const FourEnds& ends, const std::optional<PairStart>& start) {
+                return compute_closest_energy(wires, ends.a(), ends.b(), start);
+            },
+            // Of the place of a that is as near as a is.
+            [](const FourEnds& ends, const std::optional<PairStart>& start) {
+                return compute_point_energy(wires, ends.ends[0], ends.b(), 1.3, start);
+            }};
+}
+
+// Pairs that touch, of points for the last law, where the least distance has second derivatives.
+FourEnds make_touching(RandomPairs& random, std::size_t law) {
+    while (true) {
+        FourEnds pair = random.make(0.1 + 0.4 * (1.0 + random.number()));
+        const ClosestPoints at = find_closest_points(pair.a(), pair.b());
+        if (law == 2) pair.ends[0] = pair.a().at(at.s);
+        const auto is_clear = [](double place) {
+            return place == 0.0 || place == 1.0 || std::abs(place - 0.5) < 0.48;
+        };
+        const Vec3 A = pair.ends[1] - pair.ends[0], B = pair.ends[3] - pair.ends[2];
+        if (is_clear(at.s) && is_clear(at.t) && A.cross(B).norm() > 0.1 * A.norm() * B.norm()) return pair;
+    }
 }
 
 }  // namespace
@@ -295,6 +326,75 @@ TEST_CASE("A point over a long line has the force of the law at half the skin", 
         before = energy;
     }
     CHECK(compute_point_energy(wires, Vec3(3.521, 0, 0), line, 2.5).energy == 0.0);
+}
+
+TEST_CASE("Impulses of a pair give at most what it stored, however far it came", "[contact]") {
+    RandomPairs random(47);
+    int gains = 0, from_afar = 0;
+    const std::vector<EnergyOf> energies = list_energies();
+    for (std::size_t law = 0; law < energies.size(); ++law) {
+        const EnergyOf& energy_of = energies[law];
+        for (int k = 0; k < 400; ++k) {
+            INFO(law << ", " << k);
+            const FourEnds pair = make_touching(random, law);
+            // From a skin to ten radii, along any way.
+            const double size = 0.02 * std::pow(1000.0, 0.5 * (1.0 + random.number()));
+            const FourEnds before = pair.moved(size * random.direction());
+            const PairStart start(wires, before.a(), before.b());
+            if (find_closest_points(before.a(), before.b()).distance <= wires.radii) continue;
+            const double stored = energy_of(before, {}).energy;
+            const PairEnergy at_end = energy_of(pair, {}), impulse = energy_of(pair, start);
+            CHECK(impulse.energy == at_end.energy);
+            Vec12 way;
+            for (int end = 0; end < 4; ++end) way.segment<3>(3 * end) = pair.ends[end] - before.ends[end];
+            const double given = -impulse.gradient.dot(way), most = stored - impulse.energy;
+            // Eight points on the line that is integrated numerically.
+            CHECK(given <= most + 1e-3 * (stored + impulse.energy));
+            gains += -at_end.gradient.dot(way) > most + 0.1 * impulse.energy ? 1 : 0;
+            from_afar += start.share < 1.0 ? 1 : 0;
+        }
+    }
+    // The gradient at the end is not as careful.
+    CHECK(gains > 30);
+    CHECK(from_afar > 100);
+}
+
+TEST_CASE("Impulses of a pair have their derivative, and no moment from what touched before", "[contact]") {
+    RandomPairs random(48);
+    int touched = 0;
+    const std::vector<EnergyOf> energies = list_energies();
+    for (std::size_t law = 0; law < energies.size(); ++law) {
+        const EnergyOf& energy_of = energies[law];
+        for (int k = 0; k < 60; ++k) {
+            INFO(law << ", " << k);
+            const FourEnds pair = make_touching(random, law);
+            const FourEnds before = pair.moved((k % 2 == 0 ? 1e-2 : 1.0) * random.direction());
+            if (find_closest_points(before.a(), before.b()).distance <= wires.radii) continue;
+            const PairStart start(wires, before.a(), before.b());
+            const Vec12 by = random.direction();
+            const double h = 2e-4 * wires.law.skin;
+            const PairEnergy here = energy_of(pair, start);
+            if (here.energy < 1e-9) continue;
+            Vec12 change = Vec12::Zero();
+            const double weights[3] = {45.0, -9.0, 1.0};
+            for (int i = 1; i <= 3; ++i)
+                change += weights[i - 1] *
+                          (energy_of(pair.moved(i * h * by), start).gradient -
+                           energy_of(pair.moved(-i * h * by), start).gradient) /
+                          (60.0 * h);
+            CHECK((change - here.hessian * by).norm() < 1e-6 * here.hessian.norm());
+            Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+            for (int end = 0; end < 4; ++end) {
+                force += here.gradient.segment<3>(3 * end);
+                moment += (pair.ends[end] + before.ends[end]).cross(here.gradient.segment<3>(3 * end));
+            }
+            CHECK(force.norm() < 1e-12 * here.gradient.norm());
+            if (start.share < 1.0) continue;
+            ++touched;
+            CHECK(moment.norm() < 1e-12 * here.gradient.norm());
+        }
+    }
+    CHECK(touched > 30);
 }
 
 }  // namespace gxrod::test

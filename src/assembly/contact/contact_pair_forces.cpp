@@ -18,39 +18,42 @@ Vec24 with_moments(const Vec12& forces) {
 
 }  // namespace
 
-std::vector<ContactPairs::Touching> ContactPairs::find_touching(const State& state) const {
+const std::vector<ContactPairs::Touching>& ContactPairs::find_touching(const State& state) const {
     const std::vector<NearPieces>& near = state.contact.pieces;
-    const std::vector<Segment> segments = find_segments(state.trial);
+    PiecesPlaced placed = place_pieces(state);
+    if (near == found_.pieces && placed == found_.placed) return found_.touching;
+    found_.pieces = near;
+    found_.placed = std::move(placed);
+    const PiecesPlaced& at = found_.placed;
     std::vector<char> touches(near.size(), 0);
     team_->for_each_range(near.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const PairLaw pair = law_of(near[i]);
             touches[i] =
-                are_within(segments[near[i].first], segments[near[i].second], pair.radii + pair.law.skin);
+                are_within(at.now[near[i].first], at.now[near[i].second], pair.radii + pair.law.skin);
         }
     });
-    std::vector<Touching> touching;
+    std::vector<Touching>& touching = found_.touching;
+    touching.clear();
     for (std::size_t i = 0; i < near.size(); ++i) {
         if (touches[i] != 0) touching.push_back({i, {}});
     }
-    const double elapsed = state.trial_time - state.time;
-    const bool is_damped = damping_ > 0.0 && elapsed > 0.0;
     team_->for_each_range(touching.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const NearPieces& pieces = near[touching[i].index];
-            touching[i].energy = find_energy(pieces, state.trial);
-            if (is_damped) damp(touching[i].energy, find_way(pieces, state), damping_ / elapsed);
+            touching[i].energy = find_energy(pieces, at);
+            if (at.damping > 0.0) damp(touching[i].energy, find_way(pieces, at), at.damping);
         }
     });
     return touching;
 }
 
-Vec12 ContactPairs::find_way(const NearPieces& near, const State& state) const {
-    const PairMotion motion = motion_of(near, state);
+Vec12 ContactPairs::find_way(const NearPieces& near, const PiecesPlaced& placed) {
     Vec12 way;
-    for (std::size_t end = 0; end < 4; ++end)
-        way.segment<3>(static_cast<Eigen::Index>(3 * end)) =
-            motion.positions[end] - motion.positions_before[end];
+    way << placed.now[near.first].start - placed.before[near.first].start,
+        placed.now[near.first].end - placed.before[near.first].end,
+        placed.now[near.second].start - placed.before[near.second].start,
+        placed.now[near.second].end - placed.before[near.second].end;
     return way;
 }
 
@@ -200,7 +203,7 @@ ContactPairs::Shares ContactPairs::find_shares(const NearPieces& near, const Nod
 }
 
 std::vector<ContactPairs::EndTangent> ContactPairs::find_end_tangents(const State& state) const {
-    const std::vector<Touching> touching = find_touching(state);
+    const std::vector<Touching>& touching = find_touching(state);
     const std::vector<NearPieces>& pieces = state.contact.pieces;
     std::vector<EndTangent> tangents;
     std::vector<const PairEnergy*> energies;
@@ -293,7 +296,7 @@ void ContactPairs::start(State& state) const {
 
 void ContactPairs::advance(const std::vector<Vec6>& deltas, State& state) const {
     if (!rub()) return;
-    const std::vector<Touching> touching = find_touching(state);
+    const std::vector<Touching>& touching = find_touching(state);
     const std::vector<NearPieces>& pieces = state.contact.pieces;
     const std::vector<Segment> segments = find_segments(state.trial);
     const double reach = 2.0 * find_reach(deltas);

@@ -63,16 +63,28 @@ PairLaw ContactPairs::law_of(const NearPieces& near) const {
              2.0 * std::min(a.law.stiffness * a.radius, b.law.stiffness * b.radius)}};
 }
 
-PairEnergy ContactPairs::find_energy(const NearPieces& near, const std::vector<NodeMotion>& motions) const {
+ContactPairs::PiecesPlaced ContactPairs::place_pieces(const State& state) const {
+    PiecesPlaced placed;
+    placed.now = find_segments(state.trial);
+    if (!has_impacts_) return placed;
+    placed.before = find_segments(state.previous);
+    const double elapsed = state.trial_time - state.time;
+    if (elapsed > 0.0) placed.damping = damping_ / elapsed;
+    return placed;
+}
+
+PairEnergy ContactPairs::find_energy(const NearPieces& near, const PiecesPlaced& placed) const {
     const PairLaw pair = law_of(near);
     const ContactPiece& of_a = lines_.pieces[near.first];
     const ContactPiece& of_b = lines_.pieces[near.second];
-    const Segment a = segment_of(near.first, motions);
-    const Segment b = segment_of(near.second, motions);
+    const Segment& a = placed.now[near.first];
+    const Segment& b = placed.now[near.second];
     PairEnergy sum;
+    std::optional<PairStart> start;
+    if (has_impacts_) start.emplace(pair, placed.before[near.first], placed.before[near.second]);
     // A sphere has no line.
     if (of_a.length > 0.0 && of_b.length > 0.0)
-        sum = compute_pair_energy(pair, a, b, of_a.length, of_b.length);
+        sum = compute_pair_energy(pair, a, b, of_a.length, of_b.length, start);
     const auto add = [&](const PairEnergy& more, const std::array<int, 4>& ends) {
         sum.energy += more.energy;
         for (int i = 0; i < 4; ++i) {
@@ -93,10 +105,18 @@ PairEnergy ContactPairs::find_energy(const NearPieces& near, const std::vector<N
         const bool sees_line = lines_.element_of(piece).is_body && of_other.length > 0.0;
         for (int end = 0; end < 2; ++end) {
             if (!(end == 0 ? piece.starts_rod : piece.ends_rod)) continue;
-            const Vec3& point = end == 0 ? own.start : own.end;
+            const auto end_of = [end](const Segment& segment) {
+                return end == 0 ? segment.start : segment.end;
+            };
+            const Vec3 point = end_of(own);
+            std::optional<PairStart> of_end;
+            if (start) {
+                const Vec3 before = end_of(is_first ? start->a : start->b);
+                of_end.emplace(pair, Segment{before, before}, is_first ? start->b : start->a);
+            }
             const int at = (is_first ? 0 : 2) + end;
-            add(sees_line ? compute_point_energy(pair, point, other, of_other.length)
-                          : compute_closest_energy(pair, {point, point}, other),
+            add(sees_line ? compute_point_energy(pair, point, other, of_other.length, of_end)
+                          : compute_closest_energy(pair, {point, point}, other, of_end),
                 {at, at, is_first ? 2 : 0, is_first ? 3 : 1});
         }
     };

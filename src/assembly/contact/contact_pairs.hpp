@@ -86,6 +86,14 @@ class ContactPairs {
     double largest_skin() const;
     // How far what reaches so far from its axes may be moved before the next search, as a part of the motion.
     double find_room(double reach, State& state) const;
+    // Where all pieces are, and where they were at the start of a step with impulses.
+    struct PiecesPlaced {
+        std::vector<Segment> now, before;
+        double damping = 0.0;  // of a change of the gap in the step
+
+        bool operator==(const PiecesPlaced&) const = default;
+    };
+    PiecesPlaced place_pieces(const State& state) const;
     struct PairLimit {
         double fraction = 1.0;
         double gap = 0.0;
@@ -126,13 +134,14 @@ class ContactPairs {
     // Relative to a crossing.
     double find_share_of_crossing(const NearPieces& near) const;
     // With what the end of a rod adds, whose integral is finite where it touches.
-    PairEnergy find_energy(const NearPieces& near, const std::vector<NodeMotion>& motions) const;
+    PairEnergy find_energy(const NearPieces& near, const PiecesPlaced& placed) const;
     // Of State::contact.pieces, by index.
     struct Touching {
         std::size_t index = 0;
         PairEnergy energy;
     };
-    std::vector<Touching> find_touching(const State& state) const;  // with damped forces
+    // With damped forces. They last until the next call.
+    const std::vector<Touching>& find_touching(const State& state) const;
     // Of what touches and what is expected to: forces and moments at the ends, and their derivatives by
     // positions and rotations there.
     struct EndTangent {
@@ -151,7 +160,7 @@ class ContactPairs {
         return lines_.places.places[lines_.pieces[piece].place].element;
     }
     PairMotion motion_of(const NearPieces& near, const State& state) const;
-    Vec12 find_way(const NearPieces& near, const State& state) const;  // of the ends since the last step
+    static Vec12 find_way(const NearPieces& near, const PiecesPlaced& placed);  // of the ends in the step
     double coefficient_of(const NearPieces& near) const;
     // As the law has it, or as an iteration takes it for granted.
     CoulombFriction friction_of(std::size_t index, const State& state) const;
@@ -185,6 +194,13 @@ class ContactPairs {
     bool rubs_ = false;
     bool has_impacts_ = false;
     double damping_ = 0.0;  // where there is inertia
+    // What was found last, as a Newton iteration asks for it several times.
+    struct Found {
+        std::vector<NearPieces> pieces;
+        PiecesPlaced placed;
+        std::vector<Touching> touching;
+    };
+    mutable Found found_;
 };
 
 }  // namespace gxrod
