@@ -30,6 +30,8 @@ class LinearSolver {
     virtual Factorization factorize(const std::vector<double>& values) = 0;
     // Replaces the right-hand side by the solution. After a regular factorization only.
     virtual void solve(Eigen::VectorXd& right_hand_side) = 0;
+    // Of a factorization, as far as it is known; else 0.
+    virtual double estimate_flops() const { return 0.0; }
     // Which one it is; never `automatic`.
     virtual LinearSolverKind kind() const = 0;
 };

@@ -167,9 +167,10 @@ class Newton {
                     state_, time_, workspace_.linearizations, workspace_.values, request_);
                 if (workspace_.frame) workspace_.frame->add_stiffness(state_, time_, workspace_.values);
                 if (workspace_.paired) {
-                    std::vector<PairBlock> blocks = contact_->pairs().compute_tangents(
-                        state_, request_.contact_weight, workspace_.linearizations);
-                    workspace_.paired->set_values(workspace_.values, blocks);
+                    workspace_.paired->set_values(
+                        workspace_.values,
+                        contact_->pairs().compute_tangents(
+                            state_, request_.contact_weight, workspace_.linearizations));
                 }
                 break;
             case TangentKind::paper:

@@ -1,12 +1,22 @@
 #include "solvers/paired_matrix.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "assembly/scatter.hpp"
 
 namespace gxrod {
 
+namespace {
+
+// Of a direct factorization, for each unknown, from which on iterations are faster: with AVX-512 they take
+// 0.4 of its time for 32 rods across 32 (4.9e4) and 0.6 for a pile of 100 rods (1.1e5).
+constexpr double flops_for_iterations = 3e4;
+
+}  // namespace
+
 void PairedMatrix::start(std::vector<NodeGroup> groups) {
+    has_failed_ = false;
     std::ranges::sort(groups);
     if (solver_ && groups == groups_) return;
     groups_ = std::move(groups);
@@ -37,7 +47,7 @@ const std::vector<std::int64_t>& PairedMatrix::slots_of(const NodeGroup& group) 
     return slots;
 }
 
-void PairedMatrix::set_values(const std::vector<double>& values, std::vector<PairBlock>& blocks) {
+void PairedMatrix::set_values(const std::vector<double>& values, std::vector<PairBlock> blocks) {
     bool is_new = false;
     for (const PairBlock& block : blocks) {
         const auto at = std::ranges::lower_bound(groups_, block.nodes);
@@ -46,13 +56,56 @@ void PairedMatrix::set_values(const std::vector<double>& values, std::vector<Pai
         is_new = true;
     }
     if (is_new || !solver_) build();
-    values_.assign(static_cast<std::size_t>(pattern_.nonzeros()), 0.0);
-    for (std::size_t i = 0; i < values.size(); ++i) values_[static_cast<std::size_t>(places_[i])] = values[i];
-    for (PairBlock& block : blocks) {
-        if (block.matrix.isZero(0.0)) continue;
+    system_values_ = values;
+    blocks_ = std::move(blocks);
+    std::erase_if(blocks_, [](const PairBlock& block) { return block.matrix.isZero(0.0); });
+    for (PairBlock& block : blocks_)
         turn_to_own_axes(std::span<const int>(block.nodes), system_->equations(), block.matrix);
-        add_to_values(block.matrix.data(), slots_of(block.nodes), values_);
+}
+
+std::vector<CouplingBlock> PairedMatrix::list_couplings() const {
+    std::vector<CouplingBlock> couplings;
+    couplings.reserve(blocks_.size());
+    for (const PairBlock& block : blocks_) {
+        CouplingBlock& coupling = couplings.emplace_back(CouplingBlock{{}, block.matrix});
+        for (const int node : block.nodes) {
+            const std::array<std::int64_t, 6> unknowns = system_->equations().of_node(node);
+            coupling.unknowns.insert(coupling.unknowns.end(), unknowns.begin(), unknowns.end());
+        }
     }
+    return couplings;
+}
+
+Factorization PairedMatrix::factorize() {
+    is_iterative_ = false;
+    if (!has_failed_ &&
+        solver_->estimate_flops() > flops_for_iterations * static_cast<double>(system_->pattern().size())) {
+        if (!coupling_) coupling_ = std::make_unique<CouplingSolver>(system_->pattern(), system_->team());
+        is_iterative_ = coupling_->is_suitable() && coupling_->factorize(system_values_, list_couplings());
+        if (is_iterative_) return {};
+    }
+    return factorize_directly();
+}
+
+Factorization PairedMatrix::factorize_directly() {
+    values_.assign(static_cast<std::size_t>(pattern_.nonzeros()), 0.0);
+    for (std::size_t i = 0; i < system_values_.size(); ++i)
+        values_[static_cast<std::size_t>(places_[i])] = system_values_[i];
+    for (const PairBlock& block : blocks_) add_to_values(block.matrix.data(), slots_of(block.nodes), values_);
+    return solver_->factorize(values_);
+}
+
+void PairedMatrix::solve(Eigen::VectorXd& right_hand_side) {
+    if (is_iterative_) {
+        if (coupling_->solve(right_hand_side)) return;
+        is_iterative_ = false;
+        has_failed_ = true;
+        if (!factorize_directly().regular) {
+            right_hand_side.setConstant(std::numeric_limits<double>::quiet_NaN());
+            return;
+        }
+    }
+    solver_->solve(right_hand_side);
 }
 
 }  // namespace gxrod

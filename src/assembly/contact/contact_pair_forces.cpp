@@ -207,6 +207,7 @@ std::vector<ContactPairs::EndTangent> ContactPairs::find_end_tangents(const Stat
     const std::vector<NearPieces>& pieces = state.contact.pieces;
     std::vector<EndTangent> tangents;
     std::vector<const PairEnergy*> energies;
+    tangents.reserve(touching.size());
     auto next = touching.begin();
     for (std::size_t index = 0; index < pieces.size(); ++index) {
         const bool touches = next != touching.end() && next->index == index;

@@ -19,6 +19,10 @@ class ChainSolver : public LinearSolver {
 
     Factorization factorize(const std::vector<double>& values) override;
     void solve(Eigen::VectorXd& right_hand_side) override;
+    // Of the junctions alone: chains take far less.
+    double estimate_flops() const override {
+        return junction_solver_ ? junction_solver_->estimate_flops() : 0.0;
+    }
     LinearSolverKind kind() const override { return LinearSolverKind::chains; }
 
     // False of a pattern without its diagonal, whose systems all go to a general solver.

@@ -28,6 +28,17 @@ Fronts FrontSolver::fronts() const {
             layout_.children.data()};
 }
 
+double FrontSolver::estimate_flops() const {
+    double flops = 0.0;
+    for (const Front& front : layout_.fronts) {
+        for (std::int32_t pivot = 0; pivot < front.pivots; ++pivot) {
+            const double behind = front.rows - pivot - 1;
+            flops += 2.0 * behind * behind;
+        }
+    }
+    return flops;
+}
+
 bool FrontSolver::factorize(const std::vector<double>& values) {
     double* const stacks[2] = {stacks_[0].data(), stacks_[1].data()};
     const Fronts all = fronts();

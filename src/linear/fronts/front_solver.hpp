@@ -15,6 +15,8 @@ class FrontSolver {
 
     // False if a pivot vanishes.
     bool factorize(const std::vector<double>& values);
+    // Of a factorization.
+    double estimate_flops() const;
     // Of the last regular factorization.
     std::int64_t negative_pivots() const { return negative_pivots_; }
     // Replaces the right-hand side by the solution. After a regular factorization only.
