@@ -23,38 +23,6 @@ namespace {
 constexpr int outer_points = 8;
 using Real = SecondOrder<6>;  // by A·A, A·B, B·B, A·r, B·r, r·r
 
-// A = a1 − a0, B = b1 − b0, r = a0 − b0.
-struct PairVectors {
-    Vec3 A, B, r;
-
-    PairVectors(const Segment& a, const Segment& b)
-        : A(a.end - a.start), B(b.end - b.start), r(a.start - b.start) {}
-
-    // Half way from those at the start of the step, of which κ is taken.
-    PairVectors half_way(const PairStart& start) const {
-        const PairVectors before(start.a, start.b);
-        PairVectors result = *this;
-        result.A = 0.5 * (A + start.share * before.A);
-        result.B = 0.5 * (B + start.share * before.B);
-        result.r = 0.5 * (r + start.share * before.r);
-        return result;
-    }
-    // Of the six products.
-    Eigen::Matrix<double, 6, 9> compute_derivative() const {
-        Eigen::Matrix<double, 6, 9> J = Eigen::Matrix<double, 6, 9>::Zero();
-        J.block<1, 3>(0, 0) = 2.0 * A.transpose();
-        J.block<1, 3>(1, 0) = B.transpose();
-        J.block<1, 3>(1, 3) = A.transpose();
-        J.block<1, 3>(2, 3) = 2.0 * B.transpose();
-        J.block<1, 3>(3, 0) = r.transpose();
-        J.block<1, 3>(3, 6) = A.transpose();
-        J.block<1, 3>(4, 3) = r.transpose();
-        J.block<1, 3>(4, 6) = B.transpose();
-        J.block<1, 3>(5, 6) = 2.0 * r.transpose();
-        return J;
-    }
-};
-
 // Six products of the vectors, and what follows from them: α = |A × B|²/|B|² and so on, G = α s² + 2 β s + γ
 // − R².
 struct PairShape {
@@ -62,8 +30,7 @@ struct PairShape {
     Real length, axial_a, axial_r, alpha, beta, gamma;
     double radii_squared, reach_squared;  // R², (R + ĝ)²
 
-    PairShape(const PairVectors& vectors, const PairLaw& pair) {
-        const Vec3 &A = vectors.A, &B = vectors.B, &r = vectors.r;
+    PairShape(const Vec3& A, const Vec3& B, const Vec3& r, const PairLaw& pair) {
         AA = Real::make_variable(A.squaredNorm(), 0);
         AB = Real::make_variable(A.dot(B), 1);
         BB = Real::make_variable(B.squaredNorm(), 2);
@@ -272,14 +239,18 @@ Real integrate_pair(const PairShape& shape, double w) {
 }
 
 // From derivatives by the six products to those by the ends.
-void spread_to_ends(const Real& energy,
-                    const PairVectors& vectors,
-                    const std::optional<PairStart>& start,
-                    PairEnergy& result) {
-    const Eigen::Matrix<double, 6, 9> J = vectors.compute_derivative();
-    Eigen::Matrix<double, 6, 9> J_half = J;
-    if (start) J_half = vectors.half_way(*start).compute_derivative();
-    const double part = start ? 0.5 : 1.0;
+void spread_to_ends(const Real& energy, const Vec3& A, const Vec3& B, const Vec3& r, PairEnergy& result) {
+    using Mat69 = Eigen::Matrix<double, 6, 9>;
+    Mat69 J = Mat69::Zero();  // of the products by A, B, r
+    J.block<1, 3>(0, 0) = 2.0 * A.transpose();
+    J.block<1, 3>(1, 0) = B.transpose();
+    J.block<1, 3>(1, 3) = A.transpose();
+    J.block<1, 3>(2, 3) = 2.0 * B.transpose();
+    J.block<1, 3>(3, 0) = r.transpose();
+    J.block<1, 3>(3, 6) = A.transpose();
+    J.block<1, 3>(4, 3) = r.transpose();
+    J.block<1, 3>(4, 6) = B.transpose();
+    J.block<1, 3>(5, 6) = 2.0 * r.transpose();
     Vec6 slopes;
     Mat6 curvatures;
     int entry = 0;
@@ -287,14 +258,15 @@ void spread_to_ends(const Real& energy,
         slopes[i] = energy.slopes[i];
         for (int j = i; j < 6; ++j) curvatures(i, j) = curvatures(j, i) = energy.curvatures[entry++];
     }
-    const Eigen::Matrix<double, 9, 1> g = J_half.transpose() * slopes;
-    Eigen::Matrix<double, 9, 9> H = J_half.transpose() * curvatures * J;
+    const Eigen::Matrix<double, 9, 1> g = J.transpose() * slopes;
+    Eigen::Matrix<double, 9, 9> H = J.transpose() * curvatures * J;
     constexpr int places[6][2] = {{0, 0}, {0, 3}, {3, 3}, {0, 6}, {3, 6}, {6, 6}};
     for (int k = 0; k < 6; ++k) {
         const auto [row, column] = places[k];
-        H.block<3, 3>(row, column).diagonal().array() += (row == column ? 2.0 : 1.0) * part * slopes[k];
-        if (row != column) H.block<3, 3>(column, row).diagonal().array() += part * slopes[k];
+        H.block<3, 3>(row, column).diagonal().array() += (row == column ? 2.0 : 1.0) * slopes[k];
+        if (row != column) H.block<3, 3>(column, row).diagonal().array() += slopes[k];
     }
+    // A = a1 − a0, B = b1 − b0, r = a0 − b0.
     constexpr double signs[4][3] = {{-1, 0, 1}, {1, 0, 0}, {0, -1, -1}, {0, 1, 0}};
     for (int end = 0; end < 4; ++end)
         for (int k = 0; k < 3; ++k) {
@@ -310,33 +282,43 @@ void spread_to_ends(const Real& energy,
 
 }  // namespace
 
-// From what begins to touch within the step, only as much of its way is taken as brings it there.
-PairStart::PairStart(const PairLaw& pair, const Segment& start_a, const Segment& start_b)
-    : a(start_a), b(start_b) {
-    const double distance = find_closest_points(a, b).distance;
-    const double reach = pair.radii + pair.law.skin;
-    if (distance > reach) share = reach / distance;
-}
-
-PairEnergy compute_pair_energy(const PairLaw& pair,
-                               const Segment& a,
-                               const Segment& b,
-                               double length_a,
-                               double length_b,
-                               const std::optional<PairStart>& start) {
+PairEnergy compute_pair_energy(
+    const PairLaw& pair, const Segment& a, const Segment& b, double length_a, double length_b) {
     PairEnergy result;
     const double distance = find_closest_points(a, b).distance;
     if (distance >= pair.radii + pair.law.skin) return result;
     assert(distance > pair.radii);
-    const PairVectors vectors(a, b);
+    const Vec3 A = a.end - a.start, B = b.end - b.start, r = a.start - b.start;
     const double w = pair.law.skin * (2.0 * pair.radii + pair.law.skin);
-    const PairShape shape(vectors, pair);
+    const PairShape shape(A, B, r, pair);
     // Long lines that cross at a right angle have π ∫Φ du, hence the force 2 π d Φ, where 2 d is about w/ĝ.
     const double scale = pair.law.stiffness * pair.law.skin / (std::numbers::pi * w) * length_a * length_b;
     const Real energy = integrate_pair(shape, w) * scale;
     result.energy = energy.value;
-    spread_to_ends(energy, vectors, start, result);
+    spread_to_ends(energy, A, B, r, result);
     return result;
+}
+
+void turn_impulse(PairEnergy& pair, const Vec3& normal_before) {
+    const Vec3 force = pair.force();
+    const double size = force.norm();
+    if (size == 0.0) return;
+    const Vec3 n = force / size, &before = normal_before;
+    const double cosine = before.dot(n);
+    if (cosine <= 0.0) return;
+    using Mat312 = Eigen::Matrix<double, 3, 12>;
+    const Vec3 turn = (before - cosine * n) / (1.0 + cosine);
+    const Mat312 force_by = -(pair.hessian.middleRows<3>(0) + pair.hessian.middleRows<3>(3));
+    const Mat312 n_by = (force_by - n * (n.transpose() * force_by)) / size;
+    const Mat312 turn_by = -((n + turn) * (before.transpose() * n_by) + cosine * n_by) / (1.0 + cosine);
+    for (int end = 0; end < 4; ++end) {
+        auto rows = pair.hessian.middleRows<3>(3 * end);
+        auto G = pair.gradient.segment<3>(3 * end);
+        const Eigen::Matrix<double, 1, 12> along_by = n.transpose() * rows + G.transpose() * n_by;
+        const double along = n.dot(G);
+        rows += turn * along_by + along * turn_by;
+        G += along * turn;
+    }
 }
 
 void damp(PairEnergy& pair, const Vec12& motion, double damping) {
@@ -358,15 +340,11 @@ void damp(PairEnergy& pair, const Vec12& motion, double damping) {
     pair.gradient *= factor;
 }
 
-PairEnergy compute_point_energy(const PairLaw& pair,
-                                const Vec3& point,
-                                const Segment& line,
-                                double length,
-                                const std::optional<PairStart>& start) {
+PairEnergy compute_point_energy(const PairLaw& pair, const Vec3& point, const Segment& line, double length) {
     PairEnergy result;
-    const PairVectors vectors({point, point}, line);
+    const Vec3 B = line.end - line.start, r = point - line.start;
     const double w = pair.law.skin * (2.0 * pair.radii + pair.law.skin);
-    const PairShape shape(vectors, pair);
+    const PairShape shape(Vec3::Zero(), B, r, pair);
     const Real G = shape.gamma - Real(shape.radii_squared);
     const Real low = -1.0 * shape.axial_r, high = shape.length - shape.axial_r;
     const LineIntegral found = integrate_line(w, G.value, low.value, high.value);
@@ -381,14 +359,11 @@ PairEnergy compute_point_energy(const PairLaw& pair,
     energy = energy / shape.length *
              (0.5 * pair.law.stiffness * pair.law.skin / (half_skin_slope * std::sqrt(w)) * length);
     result.energy = energy.value;
-    spread_to_ends(energy, vectors, start, result);
+    spread_to_ends(energy, Vec3::Zero(), B, r, result);
     return result;
 }
 
-PairEnergy compute_closest_energy(const PairLaw& pair,
-                                  const Segment& a,
-                                  const Segment& b,
-                                  const std::optional<PairStart>& start) {
+PairEnergy compute_closest_energy(const PairLaw& pair, const Segment& a, const Segment& b) {
     PairEnergy result;
     const ClosestPoints closest = find_closest_points(a, b);
     const double d = closest.distance, gap = d - pair.radii;
@@ -398,49 +373,36 @@ PairEnergy compute_closest_energy(const PairLaw& pair,
     const double s = closest.s, t = closest.t;
     const double shares[4] = {1.0 - s, s, t - 1.0, -t};
     constexpr double by_s[4] = {-1.0, 1.0, 0.0, 0.0}, by_t[4] = {0.0, 0.0, 1.0, -1.0};
-    Vec12 slope;           // of d
-    Vec12 x_by_s, x_by_t;  // of x · A and −x · B by the ends
+    Vec12 slope;                         // of d
+    Mat12 curvature;                     // of d
+    Eigen::Matrix<double, 12, 2> mixed;  // of |x|²/2 by the ends and (s, t)
+    const Mat3 across = (Mat3::Identity() - n * n.transpose()) / d;
     for (int i = 0; i < 4; ++i) {
         slope.segment<3>(3 * i) = shares[i] * n;
-        x_by_s.segment<3>(3 * i) = by_s[i] * x + shares[i] * A;
-        x_by_t.segment<3>(3 * i) = by_t[i] * x - shares[i] * B;
+        mixed.block<3, 1>(3 * i, 0) = by_s[i] * x + shares[i] * A;
+        mixed.block<3, 1>(3 * i, 1) = by_t[i] * x - shares[i] * B;
+        for (int j = 0; j < 4; ++j) curvature.block<3, 3>(3 * i, 3 * j) = shares[i] * shares[j] * across;
     }
-    // The closest points follow where they are inside.
-    Vec12 s_by = Vec12::Zero(), t_by = Vec12::Zero();
+    // The closest points follow where they are inside: condensed.
     const bool inside_a = s > 0.0 && s<1.0, inside_b = t> 0.0 && t < 1.0;
     const double AA = A.squaredNorm(), BB = B.squaredNorm(), AB = A.dot(B);
     if (inside_a && inside_b) {
         const double det = A.cross(B).squaredNorm();
-        if (det > 1e-14 * AA * BB) {
-            s_by = -(BB * x_by_s + AB * x_by_t) / det;
-            t_by = -(AB * x_by_s + AA * x_by_t) / det;
-        }
+        const Vec12 p = mixed.col(0), q = mixed.col(1);
+        if (det > 1e-14 * AA * BB)
+            curvature -= (BB * p * p.transpose() + AA * q * q.transpose() +
+                          AB * (p * q.transpose() + q * p.transpose())) /
+                         (det * d);
     } else if (inside_a) {
-        s_by = -x_by_s / AA;
+        curvature -= mixed.col(0) * mixed.col(0).transpose() / (AA * d);
     } else if (inside_b) {
-        t_by = -x_by_t / BB;
+        curvature -= mixed.col(1) * mixed.col(1).transpose() / (BB * d);
     }
-    // The force acts along y, which is x or that of (C19).
-    const double part = start ? 0.5 : 1.0;
-    Vec3 y = x, y_by_s = A, y_by_t = -B;
-    if (start) {
-        const PairVectors half(PairVectors(a, b).half_way(*start));
-        y = half.r + s * half.A - t * half.B;
-        y_by_s = half.A;
-        y_by_t = -half.B;
-    }
-    const double force = compute_contact_force(pair.law, gap), along = force / d;
-    const double along_slope = (compute_contact_force_slope(pair.law, gap) - along) / d;
+    const double force = compute_contact_force(pair.law, gap);
     result.energy = compute_contact_energy(pair.law, gap);
-    for (int i = 0; i < 4; ++i) {
-        result.gradient.segment<3>(3 * i) = -along * shares[i] * y;
-        auto rows = result.hessian.middleRows<3>(3 * i);
-        rows = -shares[i] * along_slope * y * slope.transpose() -
-               along * ((by_s[i] * y + shares[i] * y_by_s) * s_by.transpose() +
-                        (by_t[i] * y + shares[i] * y_by_t) * t_by.transpose());
-        for (int j = 0; j < 4; ++j)
-            rows.middleCols<3>(3 * j).diagonal().array() -= along * part * shares[i] * shares[j];
-    }
+    result.gradient = -force * slope;
+    result.hessian =
+        -compute_contact_force_slope(pair.law, gap) * slope * slope.transpose() - force * curvature;
     return result;
 }
 

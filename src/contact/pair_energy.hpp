@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "contact/closest_points.hpp"
 #include "contact/contact_law.hpp"
 
@@ -32,15 +30,10 @@ struct PairEnergy {
     Vec3 force() const { return -(gradient.segment<3>(0) + gradient.segment<3>(3)); }
 };
 
-// Where two segments were at the start of a step with impulses. With it, `gradient` is that of (C19) in
-// docs/theory/contact.md, whose work over the step is at most what the pair gives, and `hessian` its
-// derivative, which is not symmetric.
-struct PairStart {
-    PairStart(const PairLaw& pair, const Segment& start_a, const Segment& start_b);
-
-    Segment a, b;
-    double share = 1.0;  // κ
-};
+// Turns the forces to the mean of their direction n and that at the start of a step: each G becomes G + (n̂ −
+// n) (n · G) with n̂ of (C18), so that what slides around a rod keeps its energy. The Hessian becomes the
+// derivative. Nothing changes where both are a right angle apart, or more.
+void turn_impulse(PairEnergy& pair, const Vec3& normal_before);
 
 // Damps the forces, and their derivatives with them: with the motion of the ends since the start of a step,
 // G · motion is what the pair stores more, |F| the force on a, and (G · motion)/|F| how far the pair came
@@ -49,29 +42,18 @@ struct PairStart {
 void damp(PairEnergy& pair, const Vec12& motion, double damping);
 
 // Lengths are those in the reference state, by which the integral counts. The distance must exceed R.
-PairEnergy compute_pair_energy(const PairLaw& pair,
-                               const Segment& a,
-                               const Segment& b,
-                               double length_a,
-                               double length_b,
-                               const std::optional<PairStart>& start = {});
+PairEnergy compute_pair_energy(
+    const PairLaw& pair, const Segment& a, const Segment& b, double length_a, double length_b);
 
 // The same of a point and a line of `length`: E = c ∫ Φ dt over the line, with Φ(u) as above, which is
 // infinite at its ends, too. c is such that the point and a long line repel each other by the law's force at
 // half the skin. By the ends, of which the first is the point.
-PairEnergy compute_point_energy(const PairLaw& pair,
-                                const Vec3& point,
-                                const Segment& line,
-                                double length,
-                                const std::optional<PairStart>& start = {});
+PairEnergy compute_point_energy(const PairLaw& pair, const Vec3& point, const Segment& line, double length);
 
 // The same for two points, or a point and a segment (then a.start = a.end), or two segments, by the law of
 // the least distance: energy V(distance − R). The ends of rods need it, where the double integral stays
 // finite as the gap closes. Where the closest points change between ends and insides, second derivatives
 // jump.
-PairEnergy compute_closest_energy(const PairLaw& pair,
-                                  const Segment& a,
-                                  const Segment& b,
-                                  const std::optional<PairStart>& start = {});
+PairEnergy compute_closest_energy(const PairLaw& pair, const Segment& a, const Segment& b);
 
 }  // namespace gxrod

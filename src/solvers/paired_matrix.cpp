@@ -78,7 +78,7 @@ std::vector<CouplingBlock> PairedMatrix::list_couplings() const {
 
 Factorization PairedMatrix::factorize() {
     is_iterative_ = false;
-    if (!has_failed_ &&
+    if (kind_ == LinearSolverKind::automatic && !has_failed_ &&
         solver_->estimate_flops() > flops_for_iterations * static_cast<double>(system_->pattern().size())) {
         if (!coupling_) coupling_ = std::make_unique<CouplingSolver>(system_->pattern(), system_->team());
         is_iterative_ = coupling_->is_suitable() && coupling_->factorize(system_values_, list_couplings());

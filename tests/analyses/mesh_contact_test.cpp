@@ -258,4 +258,41 @@ TEST_CASE("A rod that starts in what it touches is refused, of any kind of analy
     }
 }
 
+TEST_CASE("A ball that circles within a mesh keeps its energy", "[analyses][touch][bodies]") {
+    StlFiles files;
+    TriangleMesh mesh = make_cylinder(0.11, -0.3, 0.3, 48, 2);
+    // Seen from within.
+    for (std::array<int, 3>& corners : mesh.triangles) std::swap(corners[0], corners[1]);
+    const std::string mesh_key = files.write(mesh);
+    for (const double step : {5e-3, 1e-3}) {
+        INFO("time step " << step);
+        const MeshRun run(fmt::format(R"(
+[body.ball]
+mass = 0.1
+inertia = [4e-6, 4e-6, 4e-6]
+at = [0.0988, 0, 0]
+sphere = {{ radius = 0.01 }}
+[[initial]]
+on = "ball"
+velocity = [0, 1, 0]
+[obstacle.hollow]
+{}
+[contact]
+dissipation = 0
+[analysis]
+kind = "dynamic"
+integrator = "newmark-simplified"
+end_time = 1
+time_step = {}
+)",
+                                      mesh_key,
+                                      step));
+        // 1.6 turns, past 77 edges.
+        const LedgerRow ledger = run.analysis->ledger_row();
+        CHECK(std::abs((ledger.kinetic_energy + ledger.contact_energy) / 0.05 - 1.0) < 2e-4);
+        CHECK(std::abs(ledger.contact_loss) < 1e-5);
+        CHECK(run.least_gap > 0.0);
+    }
+}
+
 }  // namespace gxrod::test

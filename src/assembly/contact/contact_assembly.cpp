@@ -131,7 +131,8 @@ double ContactAssembly::gap_before(const At& at,
     return distance_before(at, obstacle, place, state).distance - places_.element_of(place).radius;
 }
 
-// Planes that stay have one normal. Meshes take that at the end, and so does what turns by a right angle.
+// Planes that stay have one normal. Meshes that move take that at the end, and so does what turns by a right
+// angle.
 ImpulseDirection ContactAssembly::impulse_direction(const At& at,
                                                     std::size_t obstacle,
                                                     std::size_t place,
@@ -139,10 +140,18 @@ ImpulseDirection ContactAssembly::impulse_direction(const At& at,
                                                     const State& state) const {
     const ObstacleSurface& surface = surfaces_[obstacle];
     const bool stays = surface.body->shape == Obstacle::Shape::plane && !surface.body->motion;
-    if (!at.has_impacts || surface.mesh || stays) return {};
-    const Vec3 normal = distance_before(at, obstacle, place, state).normal;
-    if (normal.dot(touch.normal) <= 0.0) return {};
-    return {normal};
+    if (!at.has_impacts || stays || (surface.mesh && surface.body->motion)) return {};
+    const ObstacleDistance before = distance_before(at, obstacle, place, state);
+    if (before.normal.dot(touch.normal) <= 0.0) return {};
+    if (!surface.mesh) return {before.normal};
+    constexpr double shortest = 1e-3;  // of radii
+    const ContactPlace& own = places_.places[place];
+    const double radius = places_.element_of(place).radius;
+    return {std::nullopt,
+            ImpulseDirection::Way{before.slope * before.normal,
+                                  places_.position(own, state.trial) - places_.position(own, state.previous),
+                                  touch.gap + radius - before.distance,
+                                  shortest * radius}};
 }
 
 CoulombFriction ContactAssembly::friction(std::size_t obstacle, std::size_t place, const State& state) const {

@@ -36,13 +36,19 @@ const std::vector<ContactPairs::Touching>& ContactPairs::find_touching(const Sta
     std::vector<Touching>& touching = found_.touching;
     touching.clear();
     for (std::size_t i = 0; i < near.size(); ++i) {
-        if (touches[i] != 0) touching.push_back({i, {}});
+        if (touches[i] != 0) touching.push_back({i, {}, {}});
     }
     team_->for_each_range(touching.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const NearPieces& pieces = near[touching[i].index];
-            touching[i].energy = find_energy(pieces, at);
-            if (at.damping > 0.0) damp(touching[i].energy, find_way(pieces, at), at.damping);
+            touching[i].energy = touching[i].impulse = find_energy(pieces, at);
+            if (!has_impacts_) continue;
+            const ClosestPoints before =
+                find_closest_points(at.before[pieces.first], at.before[pieces.second]);
+            turn_impulse(touching[i].impulse, before.offset / before.distance);
+            if (at.damping == 0.0) continue;
+            for (PairEnergy* one : {&touching[i].energy, &touching[i].impulse})
+                damp(*one, find_way(pieces, at), at.damping);
         }
     });
     return touching;
@@ -132,7 +138,7 @@ void ContactPairs::subtract_forces(const State& state, double weight, Residual& 
     if (weight == 0.0) return;
     for (const Touching& touching : find_touching(state)) {
         const NearPieces& near = state.contact.pieces[touching.index];
-        Vec24 forces = with_moments(-touching.energy.gradient);
+        Vec24 forces = with_moments(-touching.impulse.gradient);
         if (rub())
             forces += compute_pair_friction(
                           touching.energy, motion_of(near, state), friction_of(touching.index, state))
@@ -173,7 +179,7 @@ void ContactPairs::replace_by_tangent_forces(const State& state, double weight, 
     for (const Touching& touching : find_touching(state)) {
         const NearPieces& near = state.contact.pieces[touching.index];
         const bool is_expected = state.contact.pieces_expected[touching.index] > no_contact;
-        if (is_expected) subtract(near, with_moments(touching.energy.gradient));
+        if (is_expected) subtract(near, with_moments(touching.impulse.gradient));
         if (!rub()) continue;
         const PairMotion motion = motion_of(near, state);
         const auto forces = [&](const CoulombFriction& friction) {
@@ -206,14 +212,14 @@ std::vector<ContactPairs::EndTangent> ContactPairs::find_end_tangents(const Stat
     const std::vector<Touching>& touching = find_touching(state);
     const std::vector<NearPieces>& pieces = state.contact.pieces;
     std::vector<EndTangent> tangents;
-    std::vector<const PairEnergy*> energies;
+    std::vector<const Touching*> those;
     tangents.reserve(touching.size());
     auto next = touching.begin();
     for (std::size_t index = 0; index < pieces.size(); ++index) {
         const bool touches = next != touching.end() && next->index == index;
         if (touches || state.contact.pieces_expected[index] > no_contact) {
             tangents.push_back({index, Vec24::Zero(), Mat24::Zero()});
-            energies.push_back(touches ? &next->energy : nullptr);
+            those.push_back(touches ? &*next : nullptr);
         }
         if (touches) ++next;
     }
@@ -230,16 +236,16 @@ std::vector<ContactPairs::EndTangent> ContactPairs::find_end_tangents(const Stat
                 own.forces = with_moments(expected->force * expected->slope);
                 continue;
             }
-            subtract_by_positions(energies[i]->hessian);
+            subtract_by_positions(those[i]->impulse.hessian);
             const bool needs_forces = has_body(pieces[own.index]);
-            if (needs_forces) own.forces = with_moments(-energies[i]->gradient);
+            if (needs_forces) own.forces = with_moments(-those[i]->impulse.gradient);
             if (!rub()) continue;
             const CoulombFriction friction = state.contact.has_parameters
                                                  ? taken_friction_of(own.index, state)
                                                  : friction_of(own.index, state);
             const PairMotion motion = motion_of(pieces[own.index], state);
-            own.derivative += compute_pair_friction_derivative(*energies[i], motion, friction);
-            if (needs_forces) own.forces += compute_pair_friction(*energies[i], motion, friction).forces;
+            own.derivative += compute_pair_friction_derivative(those[i]->energy, motion, friction);
+            if (needs_forces) own.forces += compute_pair_friction(those[i]->energy, motion, friction).forces;
         }
     });
     return tangents;
@@ -378,7 +384,7 @@ double ContactPairs::compute_work(const State& state) const {
     for (const Touching& touching : find_touching(state)) {
         const NearPieces& near = state.contact.pieces[touching.index];
         const PairMotion motion = motion_of(near, state);
-        Vec24 forces = with_moments(-touching.energy.gradient);
+        Vec24 forces = with_moments(-touching.impulse.gradient);
         if (rub())
             forces +=
                 compute_pair_friction(touching.energy, motion, friction_of(touching.index, state)).forces;

@@ -42,7 +42,7 @@ void ContactPairs::add_touches(const State& state, std::vector<ContactTouch>& to
         const double distance = offset.norm();
         const double half = 0.5 * (distance + motion.radius_a - motion.radius_b);
         ElementTouch& own = of_elements[{element_of(near.first), element_of(near.second)}];
-        own.force += at.force * at.normal;
+        own.force += touching.impulse.force();
         own.weight += at.force;
         own.point += at.force * (position + (half / distance) * offset);
         for (std::size_t side = 0; side < 2; ++side) own.places[side] += at.force * places[side];
@@ -51,9 +51,10 @@ void ContactPairs::add_touches(const State& state, std::vector<ContactTouch>& to
         const CoulombFriction friction = friction_of(touching.index, state);
         const Vec3 traction = compute_pair_friction(touching.energy, motion, friction).traction.value;
         own.friction += traction;
-        // What slides has a traction on the cone, as far as rounding lets it be.
-        constexpr double rounding = 1e-9;
-        own.slides = own.slides && traction.norm() >= (1.0 - rounding) * friction.coefficient * at.force;
+        // What slides has a traction on the cone of the impulse of the step, which differs from the force now
+        // by the square of how far the pair turned.
+        constexpr double nearly = 1.0 - 1e-3;
+        own.slides = own.slides && traction.norm() >= nearly * friction.coefficient * at.force;
     }
     for (const auto& [elements, own] : of_elements) {
         const auto rod_of = [&](int element) {

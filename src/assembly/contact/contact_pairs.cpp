@@ -80,11 +80,9 @@ PairEnergy ContactPairs::find_energy(const NearPieces& near, const PiecesPlaced&
     const Segment& a = placed.now[near.first];
     const Segment& b = placed.now[near.second];
     PairEnergy sum;
-    std::optional<PairStart> start;
-    if (has_impacts_) start.emplace(pair, placed.before[near.first], placed.before[near.second]);
     // A sphere has no line.
     if (of_a.length > 0.0 && of_b.length > 0.0)
-        sum = compute_pair_energy(pair, a, b, of_a.length, of_b.length, start);
+        sum = compute_pair_energy(pair, a, b, of_a.length, of_b.length);
     const auto add = [&](const PairEnergy& more, const std::array<int, 4>& ends) {
         sum.energy += more.energy;
         for (int i = 0; i < 4; ++i) {
@@ -105,18 +103,10 @@ PairEnergy ContactPairs::find_energy(const NearPieces& near, const PiecesPlaced&
         const bool sees_line = lines_.element_of(piece).is_body && of_other.length > 0.0;
         for (int end = 0; end < 2; ++end) {
             if (!(end == 0 ? piece.starts_rod : piece.ends_rod)) continue;
-            const auto end_of = [end](const Segment& segment) {
-                return end == 0 ? segment.start : segment.end;
-            };
-            const Vec3 point = end_of(own);
-            std::optional<PairStart> of_end;
-            if (start) {
-                const Vec3 before = end_of(is_first ? start->a : start->b);
-                of_end.emplace(pair, Segment{before, before}, is_first ? start->b : start->a);
-            }
+            const Vec3& point = end == 0 ? own.start : own.end;
             const int at = (is_first ? 0 : 2) + end;
-            add(sees_line ? compute_point_energy(pair, point, other, of_other.length, of_end)
-                          : compute_closest_energy(pair, {point, point}, other, of_end),
+            add(sees_line ? compute_point_energy(pair, point, other, of_other.length)
+                          : compute_closest_energy(pair, {point, point}, other),
                 {at, at, is_first ? 2 : 0, is_first ? 3 : 1});
         }
     };

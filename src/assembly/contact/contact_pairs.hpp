@@ -138,7 +138,8 @@ class ContactPairs {
     // Of State::contact.pieces, by index.
     struct Touching {
         std::size_t index = 0;
-        PairEnergy energy;
+        PairEnergy energy;   // by which friction acts
+        PairEnergy impulse;  // the forces of a step: turned; else those of the energy
     };
     // With damped forces. They last until the next call.
     const std::vector<Touching>& find_touching(const State& state) const;

@@ -127,6 +127,7 @@ bool CouplingSolver::factorize(const std::vector<double>& values, std::vector<Co
     if (!solver_->factorize(values_).regular) return false;
     inverse_.factorize(values_, *team_);
     for (CouplingBlock& block : blocks) leave_out_held(block);
+    std::erase_if(blocks, [](const CouplingBlock& block) { return block.unknowns.empty(); });
     std::vector<CouplingBlock> joined = join_neighbours(blocks);
     blocks_.resize(joined.size());
     std::vector<char> is_finite(joined.size(), 1);

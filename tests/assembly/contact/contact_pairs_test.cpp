@@ -129,21 +129,23 @@ double tangent_error(const Scene& scene) {
 
 TEST_CASE("Pairs: forces are derivatives of their energy, and in balance", "[assembly][touch]") {
     const Scene scene;
+    State state = scene.state;
+    state.previous = state.trial;  // of no motion, whose impulses are forces
     ContactCount count{0, 1.0};
-    scene.pairs().count(scene.state, count);
+    scene.pairs().count(state, count);
     CHECK(count.touching > 10);
     CHECK(count.least_gap > 0.0);
-    const std::vector<Vec6> forces = forces_of(scene.system, scene.state);
+    const std::vector<Vec6> forces = forces_of(scene.system, state);
     Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
     double largest = 0.0;
     for (std::size_t i = 0; i < forces.size(); ++i) {
         sum += forces[i].head<3>();
-        moment += scene.state.trial[i].r.cross(forces[i].head<3>()) + forces[i].tail<3>();
+        moment += state.trial[i].r.cross(forces[i].head<3>()) + forces[i].tail<3>();
         largest = std::max(largest, forces[i].norm());
         for (int k = 0; k < 3; ++k) {
             const double slope = differentiate(
                 [&](double amount) {
-                    State moved = scene.state;
+                    State moved = state;
                     moved.trial[i].r[k] += amount;
                     return scene.pairs().compute_energy(moved);
                 },

@@ -109,6 +109,7 @@ TEST_CASE("Without friction forces of a mesh are derivatives of its energy", "[a
     for (Obstacle& obstacle : scene.model.contact.obstacles) obstacle.friction = 0.0;
     const System system(scene.model);
     scene.state.contact_memory.on_obstacles.clear();
+    scene.state.previous = scene.state.trial;  // of no motion, whose impulses are forces
     const std::vector<Vec6> forces = system.contact()->compute_forces(scene.state, mesh_now);
     Vec3 sum = Vec3::Zero();
     double largest = 0.0;
