@@ -280,6 +280,38 @@ void spread_to_ends(const Real& energy, const Vec3& A, const Vec3& B, const Vec3
         }
 }
 
+using Mat312 = Eigen::Matrix<double, 3, 12>;
+
+// Of the offset between the closest points by the ends. These points follow where they are inside.
+Mat312 compute_offset_slope(const Segment& a, const Segment& b, const ClosestPoints& closest) {
+    const Vec3 &x = closest.offset, A = a.end - a.start, B = b.end - b.start;
+    const double s = closest.s, t = closest.t;
+    const double shares[4] = {1.0 - s, s, t - 1.0, -t};
+    Mat312 slope = Mat312::Zero();
+    Vec12 x_by_s = Vec12::Zero(), x_by_t = Vec12::Zero();  // of x · A and −x · B
+    for (int i = 0; i < 4; ++i) {
+        slope.middleCols<3>(3 * i).diagonal().setConstant(shares[i]);
+        x_by_s.segment<3>(3 * i) = shares[i] * A;
+        x_by_t.segment<3>(3 * i) = -shares[i] * B;
+    }
+    x_by_s.segment<3>(0) -= x;
+    x_by_s.segment<3>(3) += x;
+    x_by_t.segment<3>(6) += x;
+    x_by_t.segment<3>(9) -= x;
+    const bool inside_a = s > 0.0 && s<1.0, inside_b = t> 0.0 && t < 1.0;
+    const double AA = A.squaredNorm(), BB = B.squaredNorm(), AB = A.dot(B);
+    const double det = A.cross(B).squaredNorm();
+    if (inside_a && inside_b && det > 1e-14 * AA * BB) {
+        slope -= A * (BB * x_by_s + AB * x_by_t).transpose() / det;
+        slope += B * (AB * x_by_s + AA * x_by_t).transpose() / det;
+    } else if (inside_a) {
+        slope -= A * x_by_s.transpose() / AA;
+    } else if (inside_b) {
+        slope += B * x_by_t.transpose() / BB;
+    }
+    return slope;
+}
+
 }  // namespace
 
 PairEnergy compute_pair_energy(
@@ -299,17 +331,14 @@ PairEnergy compute_pair_energy(
     return result;
 }
 
-void turn_impulse(PairEnergy& pair, const Vec3& normal_before) {
-    const Vec3 force = pair.force();
-    const double size = force.norm();
-    if (size == 0.0) return;
-    const Vec3 n = force / size, &before = normal_before;
+void turn_impulse(const Segment& a, const Segment& b, const Vec3& normal_before, PairEnergy& pair) {
+    const ClosestPoints closest = find_closest_points(a, b);
+    const Vec3 n = closest.offset / closest.distance, &before = normal_before;
     const double cosine = before.dot(n);
     if (cosine <= 0.0) return;
-    using Mat312 = Eigen::Matrix<double, 3, 12>;
     const Vec3 turn = (before - cosine * n) / (1.0 + cosine);
-    const Mat312 force_by = -(pair.hessian.middleRows<3>(0) + pair.hessian.middleRows<3>(3));
-    const Mat312 n_by = (force_by - n * (n.transpose() * force_by)) / size;
+    const Mat312 n_by =
+        (Mat3::Identity() - n * n.transpose()) / closest.distance * compute_offset_slope(a, b, closest);
     const Mat312 turn_by = -((n + turn) * (before.transpose() * n_by) + cosine * n_by) / (1.0 + cosine);
     for (int end = 0; end < 4; ++end) {
         auto rows = pair.hessian.middleRows<3>(3 * end);

@@ -250,7 +250,7 @@ TEST_CASE("An impulse turned to the mean normal does no work where a pair slides
         for (int end = 0; end < 2; ++end)
             before.ends[end] = turn * Vec3(pair.ends[end] - pair.ends[2]) + pair.ends[2];
         PairEnergy impulse = at_end;
-        turn_impulse(impulse, normal_of(before));
+        turn_impulse(pair.a(), pair.b(), normal_of(before), impulse);
         CHECK(std::abs(work_of(impulse, before, pair)) < 0.01 * force * h * h);
         turned += work_of(at_end, before, pair) > 0.2 * force * h * h ? 1 : 0;
         CHECK((impulse.gradient.segment<3>(0) + impulse.gradient.segment<3>(3) +
@@ -260,7 +260,7 @@ TEST_CASE("An impulse turned to the mean normal does no work where a pair slides
         before = pair;
         for (int end = 0; end < 2; ++end) before.ends[end] += h * (A + B).normalized();
         impulse = at_end;
-        turn_impulse(impulse, normal_of(before));
+        turn_impulse(pair.a(), pair.b(), normal_of(before), impulse);
         CHECK(std::abs(work_of(impulse, before, pair)) < 0.01 * force * h * h);
         ++slid;
     }
@@ -269,8 +269,11 @@ TEST_CASE("An impulse turned to the mean normal does no work where a pair slides
     // From the other side the forces stay.
     const FourEnds pair = random.make(0.5);
     PairEnergy impulse = compute_pair(pair);
-    turn_impulse(impulse, -normal_of(pair));
+    turn_impulse(pair.a(), pair.b(), -normal_of(pair), impulse);
     CHECK(impulse.gradient == compute_pair(pair).gradient);
+    // Nor do they turn without a motion.
+    turn_impulse(pair.a(), pair.b(), normal_of(pair), impulse);
+    CHECK(impulse.gradient.isApprox(compute_pair(pair).gradient, 1e-12));
 }
 
 TEST_CASE("A turned impulse has its derivative", "[contact]") {
@@ -279,11 +282,16 @@ TEST_CASE("A turned impulse has its derivative", "[contact]") {
         INFO(k);
         const FourEnds pair = random.make(0.1 + 0.4 * (1.0 + random.number()));
         if (compute_pair(pair).energy < 1e-9) continue;
-        const Vec3 before =
-            (find_closest_points(pair.a(), pair.b()).offset + 0.8 * random.vector()).normalized();
+        const ClosestPoints at = find_closest_points(pair.a(), pair.b());
+        const auto is_clear = [](double place) {
+            return place == 0.0 || place == 1.0 || std::abs(place - 0.5) < 0.49;
+        };
+        const Vec3 A = pair.ends[1] - pair.ends[0], B = pair.ends[3] - pair.ends[2];
+        if (!is_clear(at.s) || !is_clear(at.t) || A.cross(B).norm() < 0.1 * A.norm() * B.norm()) continue;
+        const Vec3 before = (at.offset + 0.8 * random.vector()).normalized();
         const auto impulse_of = [&](const Vec12& by) {
             PairEnergy impulse = compute_pair(pair.moved(by));
-            turn_impulse(impulse, before);
+            turn_impulse(pair.moved(by).a(), pair.moved(by).b(), before, impulse);
             return impulse;
         };
         const Vec12 by = random.direction();

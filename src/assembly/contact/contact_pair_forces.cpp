@@ -45,7 +45,10 @@ const std::vector<ContactPairs::Touching>& ContactPairs::find_touching(const Sta
             if (!has_impacts_) continue;
             const ClosestPoints before =
                 find_closest_points(at.before[pieces.first], at.before[pieces.second]);
-            turn_impulse(touching[i].impulse, before.offset / before.distance);
+            turn_impulse(at.now[pieces.first],
+                         at.now[pieces.second],
+                         before.offset / before.distance,
+                         touching[i].impulse);
             if (at.damping == 0.0) continue;
             for (PairEnergy* one : {&touching[i].energy, &touching[i].impulse})
                 damp(*one, find_way(pieces, at), at.damping);
