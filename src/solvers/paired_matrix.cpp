@@ -18,13 +18,14 @@ constexpr double flops_for_iterations = 3e4;
 void PairedMatrix::start(std::vector<NodeGroup> groups) {
     has_failed_ = false;
     std::ranges::sort(groups);
-    if (solver_ && groups == groups_) return;
+    if (solver_ && !is_stale_ && groups == groups_) return;
     groups_ = std::move(groups);
     build();
 }
 
 void PairedMatrix::build() {
     ++orderings_;
+    is_stale_ = false;
     std::vector<NodeGroup> all = system_->list_node_groups();
     all.insert(all.end(), groups_.begin(), groups_.end());
     solver_.reset();
@@ -55,7 +56,9 @@ void PairedMatrix::set_values(const std::vector<double>& values, std::vector<Pai
         groups_.insert(at, block.nodes);
         is_new = true;
     }
-    if (is_new || !solver_) build();
+    is_stale_ = is_stale_ || is_new;
+    // Iterations need no pattern, and more groups no fewer of them.
+    if (!solver_ || (is_stale_ && !wants_iterations())) build();
     system_values_ = values;
     blocks_ = std::move(blocks);
     std::erase_if(blocks_, [](const PairBlock& block) { return block.matrix.isZero(0.0); });
@@ -76,10 +79,14 @@ std::vector<CouplingBlock> PairedMatrix::list_couplings() const {
     return couplings;
 }
 
+bool PairedMatrix::wants_iterations() const {
+    return kind_ == LinearSolverKind::automatic && !has_failed_ &&
+           solver_->estimate_flops() > flops_for_iterations * static_cast<double>(system_->pattern().size());
+}
+
 Factorization PairedMatrix::factorize() {
     is_iterative_ = false;
-    if (kind_ == LinearSolverKind::automatic && !has_failed_ &&
-        solver_->estimate_flops() > flops_for_iterations * static_cast<double>(system_->pattern().size())) {
+    if (wants_iterations()) {
         if (!coupling_) coupling_ = std::make_unique<CouplingSolver>(system_->pattern(), system_->team());
         is_iterative_ = coupling_->is_suitable() && coupling_->factorize(system_values_, list_couplings());
         if (is_iterative_) return {};
@@ -88,6 +95,7 @@ Factorization PairedMatrix::factorize() {
 }
 
 Factorization PairedMatrix::factorize_directly() {
+    if (is_stale_) build();
     values_.assign(static_cast<std::size_t>(pattern_.nonzeros()), 0.0);
     for (std::size_t i = 0; i < system_values_.size(); ++i)
         values_[static_cast<std::size_t>(places_[i])] = system_values_[i];

@@ -33,6 +33,7 @@ class PairedMatrix {
 
   private:
     void build();
+    bool wants_iterations() const;
     std::vector<CouplingBlock> list_couplings() const;
     Factorization factorize_directly();
     const std::vector<std::int64_t>& slots_of(const NodeGroup& group);
@@ -48,6 +49,7 @@ class PairedMatrix {
     std::vector<double> system_values_;  // without
     std::vector<PairBlock> blocks_;      // in the axes of the unknowns
     std::unique_ptr<CouplingSolver> coupling_;
+    bool is_stale_ = false;      // whether the pattern lacks groups
     bool is_iterative_ = false;  // the last factorization
     bool has_failed_ = false;    // iterations, in this step
     int orderings_ = 0;

@@ -172,7 +172,8 @@ std::vector<KeySpec> scheme_keys() {
          .sentence =
              "chains: by blocks of the unknowns of nodes, the insides of rods first, then their junctions by "
              "dense fronts. klu: sparse LU, entry by entry. umfpack: LU by dense fronts, which exchanges "
-             "equations to find pivots. auto: chains, or, for many rods that touch each other, iterations for the "
+             "equations to find pivots. auto: chains, or, for many rods that touch each other, iterations "
+             "for the "
              "forces between them.",
          .choices = words_of(linear_solver_choices),
          .only_for = {with_steps}}};

@@ -20,35 +20,40 @@ constexpr int most_iterations = 80;
 // Of a block: rows of S that are smaller than the first by this are left out.
 constexpr double least_row = 1e-12;
 
-// Blocks that have unknowns in common, most of them first, as one, up to half as large again as the largest:
-// those of a place where two elements of one rod, or of both, touch. Larger ones save iterations, but cost
-// more.
-std::vector<CouplingBlock> join_neighbours(const std::vector<CouplingBlock>& blocks) {
+// Two blocks that have so many unknowns in common.
+struct Meeting {
+    std::int64_t shared;
+    std::pair<int, int> blocks;
+};
+
+// Most of them first.
+std::vector<Meeting> list_meetings(const std::vector<CouplingBlock>& blocks) {
     std::vector<std::pair<std::int64_t, int>> of_unknowns;
     for (std::size_t i = 0; i < blocks.size(); ++i)
         for (const std::int64_t unknown : blocks[i].unknowns)
             of_unknowns.emplace_back(unknown, static_cast<int>(i));
     std::ranges::sort(of_unknowns);
-    std::vector<std::pair<int, int>> meetings;
+    std::vector<std::pair<int, int>> pairs;
     for (auto first = of_unknowns.begin(); first != of_unknowns.end();) {
         auto last = first;
         for (; last != of_unknowns.end() && last->first == first->first; ++last) {
-            for (auto other = first; other != last; ++other)
-                meetings.emplace_back(other->second, last->second);
+            for (auto other = first; other != last; ++other) pairs.emplace_back(other->second, last->second);
         }
         first = last;
     }
-    std::ranges::sort(meetings);
-    struct Shared {
-        std::int64_t count;
-        std::pair<int, int> blocks;
-    };
-    std::vector<Shared> shared;
-    for (const std::pair<int, int>& one : meetings) {
-        if (shared.empty() || shared.back().blocks != one) shared.push_back({0, one});
-        ++shared.back().count;
+    std::ranges::sort(pairs);
+    std::vector<Meeting> meetings;
+    for (const std::pair<int, int>& one : pairs) {
+        if (meetings.empty() || meetings.back().blocks != one) meetings.push_back({0, one});
+        ++meetings.back().shared;
     }
-    std::ranges::stable_sort(shared, std::ranges::greater{}, &Shared::count);
+    std::ranges::stable_sort(meetings, std::ranges::greater{}, &Meeting::shared);
+    return meetings;
+}
+
+// Blocks with unknowns in common as one, up to half as large again as the largest: those of a place where two
+// elements of one rod, or of both, touch. Larger ones save iterations, but cost more.
+std::vector<CouplingBlock> join_neighbours(const std::vector<CouplingBlock>& blocks) {
     DisjointSets sets(blocks.size());
     std::vector<std::vector<std::int64_t>> unknowns;
     std::size_t most = 0;
@@ -57,8 +62,8 @@ std::vector<CouplingBlock> join_neighbours(const std::vector<CouplingBlock>& blo
         std::ranges::sort(unknowns.back());
         most = std::max(most, block.unknowns.size() + block.unknowns.size() / 2);
     }
-    for (const Shared& one : shared) {
-        const int a = sets.find(one.blocks.first), b = sets.find(one.blocks.second);
+    for (const Meeting& meeting : list_meetings(blocks)) {
+        const int a = sets.find(meeting.blocks.first), b = sets.find(meeting.blocks.second);
         if (a == b) continue;
         std::vector<std::int64_t> both;
         std::ranges::set_union(unknowns[static_cast<std::size_t>(a)],

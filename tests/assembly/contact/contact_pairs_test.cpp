@@ -462,13 +462,15 @@ time_step = 0.1
     Eigen::VectorXd expected = right;
     direct.solve(expected);
     PairedMatrix matrix(system, LinearSolverKind::automatic);
-    matrix.start(groups);
+    matrix.start({groups.begin(), groups.end() - 1});
     matrix.set_values(values, blocks);
     REQUIRE(matrix.factorize().regular);
     CHECK(matrix.is_iterative());
+    CHECK(matrix.orderings() == 1);
     Eigen::VectorXd found = right;
     matrix.solve(found);
     CHECK(matrix.is_iterative() == !fails);
+    CHECK(matrix.orderings() == (fails ? 2 : 1));
     CHECK((found - expected).norm() < (fails ? 1e-9 : 1e-4) * expected.norm());
     // For the rest of the step.
     REQUIRE(matrix.factorize().regular);
