@@ -77,7 +77,7 @@ Model make_spinning_body(double rate) { return make_free_body(Vec3(1.0, 2.0, 4.0
 TEST_CASE("A rod that its support turns by half and whole turns comes where they end, free of strain",
           "[analyses][static]") {
     for (const char* element : {"objective", "simo"}) {
-        for (const int k : {1, 2, 3, 12}) {
+        for (const int k : {1, 2, 12}) {
             for (const int beside : {-1, 0, 1}) {
                 for (const Vec3& axis : {Vec3(0.0, 0.0, 1.0), Vec3(1.0, 0.0, 0.0), Vec3(0.6, 0.0, 0.8)}) {
                     for (const long steps : {1L, 12L}) {

@@ -154,8 +154,7 @@ class Pictures(PlotTest):
         return np.ptp(columns) / picture.shape[1], np.ptp(rows) / picture.shape[0]
 
     def test_slender_columns_fill_their_pictures(self):
-        for name, end, force in (("tall", "[0, 0, 10]", "[0.05, 0, -1]"), ("long", "[10, 0, 0]", "[-1, 0.05, 0]"),
-                                 ("tall_in_space", "[0, 0, 10]", "[0.05, 0.02, -1]")):
+        for name, end, force in (("long", "[10, 0, 0]", "[-1, 0.05, 0]"), ("tall_in_space", "[0, 0, 10]", "[0.05, 0.02, -1]")):
             with self.subTest(name):
                 path = self.run_column(name, end, force)
                 self.assertEqual(self.run_plot(path, "--what", "shapes", "-o", f"{name}.png").returncode, 0)
@@ -169,9 +168,8 @@ class Pictures(PlotTest):
         self.assertEqual((ended.returncode, ended.stderr), (0, ""))
 
     def test_size_and_title(self):
-        for what in ("shapes", "all"):
-            picture = self.draw("sized.png", "--what", what, "--size", "9", "7")
-            self.assertEqual(picture.shape[:2], (7 * 160, 9 * 160), what)
+        picture = self.draw("sized.png", "--what", "all", "--size", "9", "7")
+        self.assertEqual(picture.shape[:2], (7 * 160, 9 * 160))
         titled = self.draw("titled.png", "--what", "ledger", "--title", "Energies of a spring and a top")
         bare = self.draw("bare.png", "--what", "ledger", "--no-title")
         plain = self.draw("plain.png", "--what", "ledger")

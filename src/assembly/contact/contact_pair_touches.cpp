@@ -51,9 +51,8 @@ void ContactPairs::add_touches(const State& state, std::vector<ContactTouch>& to
         const CoulombFriction friction = friction_of(touching.index, state);
         const Vec3 traction = compute_pair_friction(touching.energy, motion, friction).traction.value;
         own.friction += traction;
-        // What slides has a traction on the cone of the impulse of the step, which differs from the force now
-        // by the square of how far the pair turned.
-        constexpr double nearly = 1.0 - 1e-3;
+        // What slides has a traction on the cone, as far as rounding lets it be.
+        constexpr double nearly = 1.0 - 1e-9;
         own.slides = own.slides && traction.norm() >= nearly * friction.coefficient * at.force;
     }
     for (const auto& [elements, own] : of_elements) {
