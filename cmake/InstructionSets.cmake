@@ -22,7 +22,7 @@ function(gxrod_set_instruction_sets found)
       elseif(source MATCHES "_avx512\\.cpp$")
         # Eigen's headers ask for FMA; products and sums are not contracted all the same. What g++ 12 calls
         # uninitialized are the undefined registers of its own headers.
-        list(APPEND options "-mavx512f" "-mavx512dq" "-mavx512vl" "-mfma" "-Wno-uninitialized"
+        list(APPEND options "-mavx512f" "-mavx512cd" "-mavx512dq" "-mavx512vl" "-mfma" "-Wno-uninitialized"
           "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>")
       endif()
     endif()

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 #include <xsimd/xsimd.hpp>
 
 // Sine, cosine and exponential of several doubles at once, by products and sums alone, so that every
@@ -14,6 +15,16 @@ struct LaneFunctions {
 
     // Added to a number of less than 2⁵¹ it rounds it to an integer, which the last bits hold then.
     static constexpr double rounder = 6755399441055744.0;  // 1.5 · 2⁵²
+
+    // The same bits. xsimd 8 asks for the batch that they become, later ones for its numbers.
+    template <class To, class From>
+    static To cast_bits(const From& from) {
+        if constexpr (std::is_same_v<decltype(xsimd::bitwise_cast<To>(from)), To>) {
+            return xsimd::bitwise_cast<To>(from);
+        } else {
+            return xsimd::bitwise_cast<typename To::value_type>(from);
+        }
+    }
 
     // Coefficients from the lowest; by pairs, then pairs of these and so on (Estrin's scheme), because
     // processors work on several products at once.
@@ -66,7 +77,7 @@ struct LaneFunctions {
         const Real cosine =
             Real(1.0) - Real(0.5) * square + square * square * polynomial(square, cosine_series);
         // Both change their sign with odd n.
-        const Real sign = xsimd::bitwise_cast<Real>(xsimd::bitwise_cast<Bits>(rounded) << 63);
+        const Real sign = cast_bits<Real>(cast_bits<Bits>(rounded) << 63);
         return {sine ^ sign, cosine ^ sign};
     }
 
@@ -87,7 +98,7 @@ struct LaneFunctions {
                                      2.7557268459997064e-06,
                                      2.7620088445409746e-07,
                                      2.510038549551032e-08};
-        const Real power = xsimd::bitwise_cast<Real>((xsimd::bitwise_cast<Bits>(rounded) + Bits(1023)) << 52);
+        const Real power = cast_bits<Real>((cast_bits<Bits>(rounded) + Bits(1023)) << 52);
         return (Real(1.0) + (r + r * r * polynomial(r, series))) * power;
     }
 };

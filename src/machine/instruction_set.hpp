@@ -6,7 +6,7 @@ namespace gxrod {
 enum class InstructionSet {
     baseline,  // what every processor of this kind has: two lanes
     avx2,      // four lanes
-    avx512,    // eight lanes: AVX-512 F, DQ and VL, and FMA, which Eigen's headers ask for
+    avx512,    // eight lanes: AVX-512 F, CD, DQ and VL, and FMA, which headers ask for
 };
 
 // The widest that this machine has. The environment variable GXROD_INSTRUCTION_SET, "baseline", "avx2" or
