@@ -282,35 +282,35 @@ void spread_to_ends(const Real& energy, const Vec3& A, const Vec3& B, const Vec3
 
 using Mat312 = Eigen::Matrix<double, 3, 12>;
 
-// Of the offset between the closest points by the ends. These points follow where they are inside.
-Mat312 compute_offset_slope(const Segment& a, const Segment& b, const ClosestPoints& closest) {
-    const Vec3 &x = closest.offset, A = a.end - a.start, B = b.end - b.start;
-    const double s = closest.s, t = closest.t;
-    const double shares[4] = {1.0 - s, s, t - 1.0, -t};
-    Mat312 slope = Mat312::Zero();
-    Vec12 x_by_s = Vec12::Zero(), x_by_t = Vec12::Zero();  // of x · A and −x · B
-    for (int i = 0; i < 4; ++i) {
-        slope.middleCols<3>(3 * i).diagonal().setConstant(shares[i]);
-        x_by_s.segment<3>(3 * i) = shares[i] * A;
-        x_by_t.segment<3>(3 * i) = -shares[i] * B;
+// How the closest points x(s) and y(t) of two segments follow their ends, where they are inside.
+struct ClosestSlopes {
+    double shares[4];        // of the ends in x − y
+    Vec12 along_a, along_b;  // derivatives of (x − y) · A and (y − x) · B at the same s and t
+    Vec12 s_by = Vec12::Zero(), t_by = Vec12::Zero();
+
+    ClosestSlopes(const Segment& a, const Segment& b, const ClosestPoints& closest)
+        : shares{1.0 - closest.s, closest.s, closest.t - 1.0, -closest.t} {
+        const Vec3 &x = closest.offset, A = a.end - a.start, B = b.end - b.start;
+        constexpr double by_s[4] = {-1.0, 1.0, 0.0, 0.0}, by_t[4] = {0.0, 0.0, 1.0, -1.0};
+        for (int i = 0; i < 4; ++i) {
+            along_a.segment<3>(3 * i) = by_s[i] * x + shares[i] * A;
+            along_b.segment<3>(3 * i) = by_t[i] * x - shares[i] * B;
+        }
+        const bool inside_a = closest.s > 0.0 && closest.s < 1.0;
+        const bool inside_b = closest.t > 0.0 && closest.t < 1.0;
+        const double AA = A.squaredNorm(), BB = B.squaredNorm(), AB = A.dot(B);
+        if (inside_a && inside_b) {
+            const double det = A.cross(B).squaredNorm();
+            if (det <= 1e-14 * AA * BB) return;
+            s_by = -(BB * along_a + AB * along_b) / det;
+            t_by = -(AB * along_a + AA * along_b) / det;
+        } else if (inside_a) {
+            s_by = -along_a / AA;
+        } else if (inside_b) {
+            t_by = -along_b / BB;
+        }
     }
-    x_by_s.segment<3>(0) -= x;
-    x_by_s.segment<3>(3) += x;
-    x_by_t.segment<3>(6) += x;
-    x_by_t.segment<3>(9) -= x;
-    const bool inside_a = s > 0.0 && s<1.0, inside_b = t> 0.0 && t < 1.0;
-    const double AA = A.squaredNorm(), BB = B.squaredNorm(), AB = A.dot(B);
-    const double det = A.cross(B).squaredNorm();
-    if (inside_a && inside_b && det > 1e-14 * AA * BB) {
-        slope -= A * (BB * x_by_s + AB * x_by_t).transpose() / det;
-        slope += B * (AB * x_by_s + AA * x_by_t).transpose() / det;
-    } else if (inside_a) {
-        slope -= A * x_by_s.transpose() / AA;
-    } else if (inside_b) {
-        slope += B * x_by_t.transpose() / BB;
-    }
-    return slope;
-}
+};
 
 }  // namespace
 
@@ -337,8 +337,12 @@ void turn_impulse(const Segment& a, const Segment& b, const Vec3& normal_before,
     const double cosine = before.dot(n);
     if (cosine <= 0.0) return;
     const Vec3 turn = (before - cosine * n) / (1.0 + cosine);
-    const Mat312 n_by =
-        (Mat3::Identity() - n * n.transpose()) / closest.distance * compute_offset_slope(a, b, closest);
+    const ClosestSlopes slopes(a, b, closest);
+    Mat312 offset_by =
+        (a.end - a.start) * slopes.s_by.transpose() - (b.end - b.start) * slopes.t_by.transpose();
+    for (int end = 0; end < 4; ++end)
+        offset_by.middleCols<3>(3 * end).diagonal().array() += slopes.shares[end];
+    const Mat312 n_by = (Mat3::Identity() - n * n.transpose()) / closest.distance * offset_by;
     const Mat312 turn_by = -((n + turn) * (before.transpose() * n_by) + cosine * n_by) / (1.0 + cosine);
     for (int end = 0; end < 4; ++end) {
         auto rows = pair.hessian.middleRows<3>(3 * end);
@@ -398,34 +402,17 @@ PairEnergy compute_closest_energy(const PairLaw& pair, const Segment& a, const S
     const double d = closest.distance, gap = d - pair.radii;
     if (gap >= pair.law.skin) return result;
     assert(gap > 0.0);
-    const Vec3 x = closest.offset, n = x / d, A = a.end - a.start, B = b.end - b.start;
-    const double s = closest.s, t = closest.t;
-    const double shares[4] = {1.0 - s, s, t - 1.0, -t};
-    constexpr double by_s[4] = {-1.0, 1.0, 0.0, 0.0}, by_t[4] = {0.0, 0.0, 1.0, -1.0};
-    Vec12 slope;                         // of d
-    Mat12 curvature;                     // of d
-    Eigen::Matrix<double, 12, 2> mixed;  // of |x|²/2 by the ends and (s, t)
+    const Vec3 n = closest.offset / d;
+    const ClosestSlopes slopes(a, b, closest);
+    // Of d.
+    Vec12 slope;
+    Mat12 curvature =
+        (slopes.along_a * slopes.s_by.transpose() + slopes.along_b * slopes.t_by.transpose()) / d;
     const Mat3 across = (Mat3::Identity() - n * n.transpose()) / d;
     for (int i = 0; i < 4; ++i) {
-        slope.segment<3>(3 * i) = shares[i] * n;
-        mixed.block<3, 1>(3 * i, 0) = by_s[i] * x + shares[i] * A;
-        mixed.block<3, 1>(3 * i, 1) = by_t[i] * x - shares[i] * B;
-        for (int j = 0; j < 4; ++j) curvature.block<3, 3>(3 * i, 3 * j) = shares[i] * shares[j] * across;
-    }
-    // The closest points follow where they are inside: condensed.
-    const bool inside_a = s > 0.0 && s<1.0, inside_b = t> 0.0 && t < 1.0;
-    const double AA = A.squaredNorm(), BB = B.squaredNorm(), AB = A.dot(B);
-    if (inside_a && inside_b) {
-        const double det = A.cross(B).squaredNorm();
-        const Vec12 p = mixed.col(0), q = mixed.col(1);
-        if (det > 1e-14 * AA * BB)
-            curvature -= (BB * p * p.transpose() + AA * q * q.transpose() +
-                          AB * (p * q.transpose() + q * p.transpose())) /
-                         (det * d);
-    } else if (inside_a) {
-        curvature -= mixed.col(0) * mixed.col(0).transpose() / (AA * d);
-    } else if (inside_b) {
-        curvature -= mixed.col(1) * mixed.col(1).transpose() / (BB * d);
+        slope.segment<3>(3 * i) = slopes.shares[i] * n;
+        for (int j = 0; j < 4; ++j)
+            curvature.block<3, 3>(3 * i, 3 * j) += slopes.shares[i] * slopes.shares[j] * across;
     }
     const double force = compute_contact_force(pair.law, gap);
     result.energy = compute_contact_energy(pair.law, gap);

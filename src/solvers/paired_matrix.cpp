@@ -9,8 +9,8 @@ namespace gxrod {
 
 namespace {
 
-// Of a direct factorization, for each unknown, from which on iterations are faster: with AVX-512 they take
-// 0.4 of its time for 32 rods across 32 (4.9e4) and 0.6 for a pile of 100 rods (1.1e5).
+// Of a direct factorization, for each unknown, from which on iterations are faster: with AVX-512 runs take
+// a third of the time for 32 rods across 32 (4.9e4) and half of it for a pile of 100 rods (1.1e5).
 constexpr double flops_for_iterations = 3e4;
 
 }  // namespace
@@ -90,6 +90,7 @@ Factorization PairedMatrix::factorize() {
         if (!coupling_) coupling_ = std::make_unique<CouplingSolver>(system_->pattern(), system_->team());
         is_iterative_ = coupling_->is_suitable() && coupling_->factorize(system_values_, list_couplings());
         if (is_iterative_) return {};
+        has_failed_ = true;
     }
     return factorize_directly();
 }

@@ -8,7 +8,7 @@ namespace gxrod {
 
 // The direction n̂ of the impulse of a place, for which n̂ · Δx is the change of the gap: on spheres and
 // cylinders by the normals at both ends of a step, (C18); on meshes by the mean gradient, and what it lacks
-// along Δx, (C21).
+// along Δx, (C19).
 struct ImpulseDirection {
     // Of meshes, at rest.
     struct Way {
