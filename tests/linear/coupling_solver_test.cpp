@@ -143,14 +143,18 @@ TEST_CASE("Blocks that couple rods are solved for by iterations", "[linear]") {
     REQUIRE(solver.factorize(values, blocks));
     Eigen::VectorXd x = right;
     REQUIRE(solver.solve(x));
+    CHECK((whole * x - right).norm() < 2e-2 * right.norm());
+    const int rough = solver.iterations();
+    x = right;
+    REQUIRE(solver.solve(x, 1e-6));
     CHECK((whole * x - right).norm() < 2e-6 * right.norm());
-    CHECK(solver.iterations() > 3);
+    CHECK(solver.iterations() > rough);
     CHECK(solver.iterations() < 60);
     const ThreadTeam team(3);
     CouplingSolver shared(rods.pattern, team);
     REQUIRE(shared.factorize(values, blocks));
     Eigen::VectorXd by_several = right;
-    REQUIRE(shared.solve(by_several));
+    REQUIRE(shared.solve(by_several, 1e-6));
     CHECK(by_several == x);
     // One block between two rods is what the preconditioner solves.
     CouplingBlock alone{rods.unknowns[1], {}};

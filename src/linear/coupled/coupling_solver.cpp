@@ -14,8 +14,6 @@ namespace {
 
 // Of a level: two nodes of a branch, or an element of order 4.
 constexpr std::int64_t widest_level = 24;
-// Of the right-hand side: Newton's method corrects the rest.
-constexpr double tolerance = 1e-6;
 constexpr int most_iterations = 80;
 // Of a block: rows of S that are smaller than the first by this are left out.
 constexpr double least_row = 1e-12;
@@ -183,7 +181,7 @@ void CouplingSolver::subtract(const Eigen::VectorXd& forces, Eigen::VectorXd& x)
     }
 }
 
-bool CouplingSolver::solve(Eigen::VectorXd& right_hand_side) {
+bool CouplingSolver::solve(Eigen::VectorXd& right_hand_side, double tolerance) {
     Eigen::VectorXd x = right_hand_side;
     solver_->solve(x);
     const auto apply = [&](const Eigen::VectorXd& v) {
