@@ -1,13 +1,13 @@
 #include "check/free_parts.hpp"
 
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 
 #include "check/mechanism/joint_gradient.hpp"
 #include "constraints/joints/list_wide_rows.hpp"
 #include "elements/bushing_element.hpp"
 #include "elements/spring_element.hpp"
+#include "numerics/singular_values.hpp"
 #include "rotation/rotation_map.hpp"
 
 namespace gxrod {
@@ -189,9 +189,9 @@ class TiedParts {
 // Rows whose product with the columns is zero: what the motions that the columns span leave held.
 Eigen::MatrixXd find_held_rows(const Eigen::MatrixXd& columns) {
     if (columns.cols() == 0) return Eigen::MatrixXd::Identity(6, 6);
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(columns, Eigen::ComputeFullU);
-    const Eigen::Index rank = (svd.singularValues().array() > round_off).count();
-    return svd.matrixU().rightCols(6 - rank).transpose();
+    const SingularValues svd = find_singular_values(columns);
+    const Eigen::Index rank = (svd.values.array() > round_off).count();
+    return svd.left.rightCols(6 - rank).transpose();
 }
 
 bool has_ties(const ModelPart& part) {

@@ -20,7 +20,7 @@
 #include "model/newton_choice.hpp"
 #include "model/parts.hpp"
 #include "model/scheme_choice.hpp"
-#include "numerics/symmetric_eigen.hpp"
+#include "numerics/eigenvalues.hpp"
 #include "state/spring_line.hpp"
 
 namespace gxrod {

@@ -15,7 +15,7 @@
 #include "model/analysis_traits.hpp"
 #include "model/frame_interval.hpp"
 #include "model/spring_law.hpp"
-#include "numerics/symmetric_eigen.hpp"
+#include "numerics/eigenvalues.hpp"
 #include "state/spring_line.hpp"
 
 namespace gxrod {

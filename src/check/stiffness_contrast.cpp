@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "model/stiffness_ratio.hpp"
-#include "numerics/symmetric_eigen.hpp"
+#include "numerics/eigenvalues.hpp"
 
 namespace gxrod {
 namespace {

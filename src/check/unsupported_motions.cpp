@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SVD>
 
+#include "numerics/singular_values.hpp"
 #include "rotation/rotation_map.hpp"
 
 namespace gxrod {
@@ -74,9 +74,8 @@ namespace {
 // Columns of length 1 whose product with the rows is zero.
 Eigen::MatrixXd find_null_space(const Eigen::MatrixXd& rows) {
     if (rows.rows() == 0) return Eigen::MatrixXd::Identity(rows.cols(), rows.cols());
-    Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeFullV);
-    svd.setThreshold(round_off);
-    return svd.matrixV().rightCols(rows.cols() - svd.rank());
+    const SingularValues svd = find_singular_values(rows.transpose());
+    return svd.left.rightCols(rows.cols() - svd.rank(round_off));
 }
 
 // Combines columns of (direction; companion) so that the directions are as near to the global axes as can be,
@@ -171,7 +170,7 @@ std::vector<UnsupportedMotion> find_unsupported_motions(const Model& model,
     // Turns: what is left of the free motions when translations are taken out.
     Eigen::MatrixXd turns = find_null_space(constraints);
     if (translations.cols() > 0) {
-        const Vectors basis = Eigen::JacobiSVD<Eigen::MatrixXd>(translations, Eigen::ComputeThinU).matrixU();
+        const Vectors basis = find_singular_values(translations).left.leftCols(translations.cols());
         turns.topRows<3>() -= basis * (basis.transpose() * turns.topRows<3>()).eval();
     }
     Eigen::MatrixXd by_rotation(6, turns.cols());

@@ -1,10 +1,10 @@
 #include "integrators/coupled_stages.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cassert>
 #include <cmath>
 
+#include "numerics/eigenvalues.hpp"
 #include "rotation/tangent_map.hpp"
 #include "state/increment.hpp"
 
@@ -13,8 +13,8 @@ namespace gxrod {
 CoupledStages::CoupledStages(const Matrix& a, Vector fractions, bool ends_with_stage)
     : inverse_(a.inverse()), fractions_(std::move(fractions)), ends_with_stage_(ends_with_stage) {
     const Eigen::Index count = fractions_.size();
-    const Eigen::EigenSolver<Matrix> solver(inverse_);
-    const Eigen::MatrixXcd V = solver.eigenvectors();
+    const ComplexEigen eigen = find_complex_eigen(inverse_);
+    const Eigen::MatrixXcd& V = eigen.vectors;
     const Eigen::MatrixXcd to_equations = V.inverse();
     Matrix powers(count, count);
     for (Eigen::Index j = 0; j < count; ++j)
@@ -22,7 +22,7 @@ CoupledStages::CoupledStages(const Matrix& a, Vector fractions, bool ends_with_s
     carried_ = powers.inverse().bottomRows(count - 1);
     to_real_ = from_real_ = Vector::Zero(count);
     for (Eigen::Index k = 0; k < count; ++k) {
-        const std::complex<double> factor = solver.eigenvalues()[k];
+        const std::complex<double> factor = eigen.values[k];
         if (factor.imag() > 0.0) {
             complex_factor_ = factor;
             to_complex_ = to_equations.row(k).transpose();

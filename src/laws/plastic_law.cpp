@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numerics/symmetric_eigen.hpp"
+#include "numerics/eigenvalues.hpp"
 
 // Numbers of equations: docs/theory/laws.md.
 namespace gxrod {

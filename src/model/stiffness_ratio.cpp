@@ -1,6 +1,6 @@
 #include "model/stiffness_ratio.hpp"
 
-#include "numerics/symmetric_eigen.hpp"
+#include "numerics/eigenvalues.hpp"
 
 #include <fmt/format.h>
 

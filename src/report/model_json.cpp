@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/joint_name.hpp"
-#include "numerics/symmetric_eigen.hpp"
+#include "numerics/eigenvalues.hpp"
 #include "report/wet_rods_json.hpp"
 
 namespace gxrod {

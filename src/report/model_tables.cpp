@@ -8,7 +8,7 @@
 #include "model/analysis_traits.hpp"
 #include "model/joint_name.hpp"
 #include "model/newton_choice.hpp"
-#include "numerics/symmetric_eigen.hpp"
+#include "numerics/eigenvalues.hpp"
 #include "report/centres_json.hpp"
 #include "report/model_json.hpp"
 

@@ -38,12 +38,12 @@ TEST_CASE("the weakest direction is the smallest singular vector", "[check]") {
         const System system(model);
         const ScaledTangent tangent(system, compute_static_tangent(system, make_sample_state(system, seed)));
         const Eigen::MatrixXd dense = make_dense(tangent.pattern(), tangent.values());
-        const SingularValues svd = find_singular_values(dense);
+        const SingularValues svd = find_singular_values(dense.transpose());
         const auto weakest = find_weakest_direction(tangent);
         REQUIRE(weakest);
         const Eigen::Index last = dense.cols() - 1;
         CHECK(weakest->stiffness == Approx(svd.values[last]).epsilon(1e-6));
-        CHECK(std::abs(weakest->scaled.dot(svd.right.col(last))) == Approx(1.0).epsilon(1e-6));
+        CHECK(std::abs(weakest->scaled.dot(svd.left.col(last))) == Approx(1.0).epsilon(1e-6));
     }
 }
 

@@ -3,7 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
-#include <Eigen/SVD>
+
+#include "numerics/eigenvalues.hpp"
 
 namespace gxrod::tools {
 
@@ -33,17 +34,14 @@ double find_determinant(const MatrixXd& A) { return A.determinant(); }
 
 MatrixXd make_orthonormal(const MatrixXd& A) { return A.householderQr().householderQ(); }
 
-VectorXd find_symmetric_eigenvalues(const MatrixXd& A) {
-    return Eigen::SelfAdjointEigenSolver<MatrixXd>(A, Eigen::EigenvaluesOnly).eigenvalues();
-}
+VectorXd find_symmetric_eigenvalues(const MatrixXd& A) { return find_symmetric_eigen(A).values; }
 
 VectorXd find_symmetric_eigenvalues(const MatrixXd& A, const MatrixXd& B) {
-    return Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(A, B, Eigen::EigenvaluesOnly | Eigen::Ax_lBx)
-        .eigenvalues();
+    return find_generalized_eigenvalues(A, B).value();
 }
 
 std::vector<Complex> find_eigenvalues(const MatrixXd& A) {
-    const Eigen::VectorXcd values = Eigen::EigenSolver<MatrixXd>(A, false).eigenvalues();
+    const Eigen::VectorXcd values = find_complex_eigen(A).values;
     return {values.begin(), values.end()};
 }
 
@@ -68,15 +66,6 @@ std::vector<Complex> find_quadratic_eigenvalues(const MatrixXd& K, const MatrixX
     std::vector<Complex> upper = find_eigenvalues(A, B);
     std::erase_if(upper, [](Complex lambda) { return lambda.imag() < 0.0; });
     return upper;
-}
-
-Eigen::Index SingularValues::rank(double tolerance) const {
-    return values.size() == 0 ? 0 : (values.array() > tolerance * values[0]).count();
-}
-
-SingularValues find_singular_values(const MatrixXd& A) {
-    const Eigen::JacobiSVD<MatrixXd> svd(A, Eigen::ComputeFullV);
-    return {svd.singularValues(), svd.matrixV()};
 }
 
 }  // namespace gxrod::tools

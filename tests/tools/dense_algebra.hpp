@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "linear/sparse_pattern.hpp"
+#include "numerics/singular_values.hpp"
 #include "rotation/types.hpp"
 
 // What tests compare with: matrices in full and Eigen's decompositions of them, compiled once.
@@ -34,13 +35,5 @@ std::vector<std::complex<double>> find_eigenvalues(const Eigen::MatrixXd& A, con
 std::vector<std::complex<double>> find_quadratic_eigenvalues(const Eigen::MatrixXd& K,
                                                              const Eigen::MatrixXd& D,
                                                              const Eigen::MatrixXd& M);
-
-struct SingularValues {
-    Eigen::VectorXd values;  // descending
-    Eigen::MatrixXd right;   // vectors, columns
-
-    Eigen::Index rank(double tolerance = 1e-12) const;
-};
-SingularValues find_singular_values(const Eigen::MatrixXd& A);
 
 }  // namespace gxrod::tools

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -12,6 +11,7 @@
 #include "check/mechanism/joint_gradient.hpp"
 #include "check/unsupported_motions.hpp"
 #include "constraints/joints/gear_rows.hpp"
+#include "numerics/singular_values.hpp"
 
 namespace gxrod {
 namespace {
@@ -156,11 +156,9 @@ struct Dependence {
 
 Dependence find_dependence(const Rows& rows) {
     if (rows.empty()) return {};
-    Eigen::BDCSVD<Eigen::MatrixXd> svd(assemble(rows), Eigen::ComputeFullU);
-    svd.setThreshold(round_off);
-    Dependence found{svd.rank(), {}};
-    const Eigen::MatrixXd vanishing =
-        svd.matrixU().rightCols(static_cast<Eigen::Index>(rows.size()) - found.rank);
+    const SingularValues svd = find_singular_values(assemble(rows));
+    Dependence found{svd.rank(round_off), {}};
+    const auto vanishing = svd.left.rightCols(static_cast<Eigen::Index>(rows.size()) - found.rank);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         constexpr double takes_part = 1e-6;
         if (vanishing.row(static_cast<Eigen::Index>(i)).norm() > takes_part)

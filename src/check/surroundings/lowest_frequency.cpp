@@ -1,8 +1,9 @@
 #include "check/surroundings/lowest_frequency.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "numerics/eigenvalues.hpp"
 
 namespace gxrod {
 namespace {
@@ -37,10 +38,9 @@ class SwingingBeam {
         for (int i = 0; i < stiffness_.rows(); ++i)
             if (std::ranges::find(held, i) == held.end()) free.push_back(i);
         const Eigen::MatrixXd K = stiffness_(free, free), M = mass_(free, free);
-        const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-            K, M, Eigen::EigenvaluesOnly | Eigen::Ax_lBx);
-        if (solver.info() != Eigen::Success) return std::nullopt;
-        return solver.eigenvalues()[0];
+        const std::optional<Eigen::VectorXd> all = find_generalized_eigenvalues(K, M);
+        if (!all || !std::isfinite((*all)[0])) return std::nullopt;
+        return (*all)[0];
     }
 
   private:

@@ -5,7 +5,7 @@
 #include "deck/schema/schema_tables.hpp"
 #include "deck/surroundings/body_fluid.hpp"
 #include "model/body_moments.hpp"
-#include "numerics/symmetric_eigen.hpp"
+#include "numerics/eigenvalues.hpp"
 #include "rotation/rotation_map.hpp"
 
 namespace gxrod {

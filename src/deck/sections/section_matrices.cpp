@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "deck/schema/choices.hpp"
-#include "numerics/symmetric_eigen.hpp"
+#include "numerics/eigenvalues.hpp"
 
 namespace gxrod {
 namespace {

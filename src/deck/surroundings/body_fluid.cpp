@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
+
+#include "numerics/eigenvalues.hpp"
 
 namespace gxrod {
 namespace {
@@ -22,7 +23,7 @@ Mat6 find_added_mass(const CheckedTable& fluid, const BuildContext& context) {
         return mass;
     }
     mass = 0.5 * (given + given.transpose());
-    const double least = Eigen::SelfAdjointEigenSolver<Mat6>(mass, Eigen::EigenvaluesOnly).eigenvalues()[0];
+    const double least = find_symmetric_eigen(mass).values[0];
     if (least < -round_off * size) {
         context.add_fault(
             fluid,

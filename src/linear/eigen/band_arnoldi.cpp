@@ -1,11 +1,11 @@
 #include "linear/eigen/band_arnoldi.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "linear/eigen/pencil.hpp"
+#include "numerics/eigenvalues.hpp"
 
 namespace gxrod {
 
@@ -104,8 +104,8 @@ bool BandArnoldi::grow(int steps) {
 }
 
 BandArnoldi::Ritz BandArnoldi::find_ritz() const {
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(H_.topLeftCorner(done_, done_));
-    const Eigen::VectorXcd& all = solver.eigenvalues();
+    const ComplexEigen eigen = find_complex_eigen(H_.topLeftCorner(done_, done_));
+    const Eigen::VectorXcd& all = eigen.values;
     std::vector<Index> order;
     for (Index i = 0; i < done_; ++i) {
         if (all[i].imag() <= 0.0) order.push_back(i);
@@ -114,7 +114,7 @@ BandArnoldi::Ritz BandArnoldi::find_ritz() const {
         order.begin(), order.end(), [&](Index a, Index b) { return std::abs(all[a]) > std::abs(all[b]); });
     Ritz ritz;
     ritz.values = all(order);
-    ritz.combinations = solver.eigenvectors()(Eigen::all, order);
+    ritz.combinations = eigen.vectors(Eigen::all, order);
     // What the operator does beyond the columns to which it was applied.
     const auto beyond = H_.block(done_, 0, end_ - done_, done_);
     ritz.residuals.resize(ritz.values.size());

@@ -5,7 +5,7 @@
 #include <deque>
 #include <numeric>
 
-#include "numerics/symmetric_eigen.hpp"
+#include "numerics/eigenvalues.hpp"
 
 namespace gxrod {
 

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include "numerics/symmetric_eigen.hpp"
+#include "numerics/eigenvalues.hpp"
 #include "solvers/path/bordered_solve.hpp"
 
 namespace gxrod {
