@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-
 #include "numerics/singular_values.hpp"
 #include "rotation/rotation_map.hpp"
 
