@@ -1,5 +1,7 @@
 """Whether rods of a results file intersect, by ipctk, which knows nothing of gxrod."""
 
+import collections
+
 import h5py
 import ipctk
 import numpy as np
@@ -92,8 +94,8 @@ def _obstacle_gap(obstacle, starts, ends, radius):
 
 
 def crossings(path):
-    """Pairs of segments whose lines meet on straight ways from a frame to the next, (frame, rod, rod), but for those that are so near to the
-    end of a rod that they can have gone around it."""
+    """Pairs of rods whose lines cross on straight ways from a frame to the next, (frame, rod, rod), but for segments that are so near to the
+    end of a rod that they can have gone around it. Rods bend on their ways: what crosses twice is on its side again."""
     found = []
     ccd = ipctk.TightInclusionCCD()
     with h5py.File(path) as file:
@@ -103,6 +105,7 @@ def crossings(path):
         to_ends = np.minimum(lines.arc, last - lines.arc)
         for frame in range(1, len(lines.offsets)):
             now = lines.segments(frame)
+            times = collections.defaultdict(list)
             low = np.minimum(np.minimum(before[0], before[1]), np.minimum(now[0], now[1]))
             high = np.maximum(np.maximum(before[0], before[1]), np.maximum(now[0], now[1]))
             for a in range(len(low)):
@@ -114,7 +117,9 @@ def crossings(path):
                     if min(to_ends[a], to_ends[b]) < moved:
                         continue
                     hit = ccd.edge_edge_ccd(before[0][a], before[1][a], before[0][b], before[1][b], now[0][a], now[1][a], now[0][b], now[1][b])
-                    if hit[0] if isinstance(hit, tuple) else hit:
-                        found.append((frame, int(lines.rod[a]), int(lines.rod[b])))
+                    if hit[0]:
+                        times[int(lines.rod[a]), int(lines.rod[b])].append(hit[1])
+            # At the end of a segment the next one meets at the same time.
+            found += [(frame, *rods) for rods, of_pair in times.items() if (1 + np.sum(np.diff(np.sort(of_pair)) > 5e-3)) % 2]
             before = now
     return found
