@@ -30,8 +30,8 @@ class CouplingSolver {
     bool factorize(const std::vector<double>& values, std::vector<CouplingBlock> blocks);
     // Replaces the right-hand side by the solution, up to a residual of `tolerance` times its norm; false,
     // and unchanged, if iterations do not converge. Newton's method corrects a hundredth: two steps of 300
-    // rods that fall on each other take 60 of its iterations with that and 58 with a millionth, and 22 instead
-    // of 56 of these in each.
+    // rods that fall on each other take 60 of its iterations with that and 58 with a millionth, and 22
+    // instead of 56 of these in each.
     bool solve(Eigen::VectorXd& right_hand_side, double tolerance = 1e-2);
 
     // Whether the inverse is cheap enough.
