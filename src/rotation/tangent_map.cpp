@@ -1,6 +1,9 @@
 #include "rotation/tangent_map.hpp"
 
+#include <cmath>
+
 #include "rotation/coefficients.hpp"
+#include "rotation/small_rotation.hpp"
 #include "rotation/tangent_map_formulas.hpp"
 
 // Transposes come by a change of sign: T(φ)ᵀ = T(−φ) differs from T(φ) in the sign of its skew term alone.
@@ -35,7 +38,9 @@ Mat3 tangent_map(const Vec3& phi) {
 }
 
 Mat3 tangent_map_inverse(const Vec3& phi) {
-    return formulas::invert<double>(phi, coefficients::d(phi.norm()));
+    const double square = phi.squaredNorm();
+    if (square < 1.0) return SmallInverseRotation<double>(phi).tangent_map_inverse();
+    return formulas::invert<double>(phi, coefficients::d(std::sqrt(square)));
 }
 
 Mat3 tangent_map_derivative(const Vec3& phi, const Vec3& v) { return compute_derivative(phi, v, 1.0); }

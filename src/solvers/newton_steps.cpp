@@ -28,9 +28,9 @@ Worst find_worst(const System& system,
                              ? system.equations().to_own_axes(node, residual.nodal[node])
                              : residual.nodal[node];
         const ResidualScales& scale = scales.of(node);
-        Vec6 all_scaled;
-        all_scaled << own.head<3>().cwiseAbs() / scale.force, own.tail<3>().cwiseAbs() / scale.moment;
-        if ((all_scaled.array() <= worst.residual).all()) continue;
+        if ((own.head<3>().array().abs() <= worst.residual * scale.force).all() &&
+            (own.tail<3>().array().abs() <= worst.residual * scale.moment).all())
+            continue;
         const HeldComponents& held = supports.held(node);
         for (int component = 0; component < 6; ++component) {
             const double value = std::abs(own[component]);

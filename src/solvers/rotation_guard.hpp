@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <numbers>
 
 #include "assembly/system.hpp"
@@ -17,8 +18,8 @@ class RotationGuard {
     // False, and so reported, if these spins of nodes with these motions could do that.
     template <class SpinOf>
     bool admits(const std::vector<NodeMotion>& motions, const SpinOf& spin, EquilibriumReport& report) {
-        const auto size = [&](std::size_t node) { return spin(node).norm(); };
-        bound_ += 2.0 * system_->team().find_largest(motions.size(), size);
+        const auto square = [&](std::size_t node) { return spin(node).squaredNorm(); };
+        bound_ += 2.0 * std::sqrt(system_->team().find_largest(motions.size(), square));
         if (bound_ < std::numbers::pi) return true;
         std::vector<Vec3> spins(motions.size());
         for (std::size_t node = 0; node < spins.size(); ++node) spins[node] = spin(node);
@@ -37,14 +38,15 @@ class RotationGuard {
     double bound_ = std::numbers::pi;
 };
 
-// False, and so reported, if a node turned by π or more since the last accepted step.
+// False, and so reported, if a node turned by π or more since the last accepted step, up to rounding.
 inline bool check_step_rotations(const System& system,
                                  const std::vector<NodeMotion>& motions,
                                  EquilibriumReport& report) {
-    const auto angle = [&](std::size_t node) { return motions[node].theta.norm(); };
-    if (system.team().find_largest(motions.size(), angle) < std::numbers::pi) return true;
+    constexpr double largest = (1.0 - 1e-12) * std::numbers::pi * std::numbers::pi;
+    const auto square = [&](std::size_t node) { return motions[node].theta.squaredNorm(); };
+    if (system.team().find_largest(motions.size(), square) < largest) return true;
     std::size_t node = 0;
-    while (angle(node) < std::numbers::pi) ++node;
+    while (square(node) < largest) ++node;
     report.outcome = Outcome::rotation_too_large;
     report.worst_node = static_cast<int>(node);
     report.worst_component = -1;

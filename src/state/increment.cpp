@@ -9,11 +9,14 @@ namespace gxrod {
 
 namespace {
 
+// A product of unit quaternions of length 1 again: what rounding adds is too small for its square to count.
+Quat renormalize(const Quat& q) { return Quat((1.5 - 0.5 * q.squaredNorm()) * q.coeffs()); }
+
 // In statics a node can turn by any angle within one step. T(θ)⁻¹ is singular at whole turns, where exp(θ)
 // says nothing of the axis of θ either: there θ is the sum of its spins, elsewhere the nearest to that.
 void turn_beyond_half(const NodeMotion& previous, const Vec3& delta_phi, NodeMotion& trial) {
     constexpr double close = 0.1;  // rad, to a whole turn
-    trial.Lambda = (exp_quaternion(delta_phi) * trial.Lambda).normalized();
+    trial.Lambda = renormalize(exp_quaternion(delta_phi) * trial.Lambda);
     trial.theta += delta_phi;
     const Quat step = trial.Lambda * previous.Lambda.conjugate();
     if (log(step).norm() > close) trial.theta = log_nearest(step, trial.theta);
@@ -21,8 +24,8 @@ void turn_beyond_half(const NodeMotion& previous, const Vec3& delta_phi, NodeMot
 
 // The vector of `step` that is nearest to θ + T(θ)⁻¹ δφ. Of small rotations it is the shortest.
 Vec3 find_rotation(const Quat& step, const Vec3& theta, const Vec3& delta_phi) {
-    constexpr double small = 1.0;
-    if (theta.norm() + delta_phi.norm() < small) return log(step);
+    constexpr double small = 0.5;  // rad²: both together turn by less than 1 rad
+    if (theta.squaredNorm() + delta_phi.squaredNorm() < small) return log(step);
     return log_nearest(step, theta + tangent_map_inverse(theta) * delta_phi);
 }
 
@@ -30,21 +33,21 @@ Vec3 find_rotation(const Quat& step, const Vec3& theta, const Vec3& delta_phi) {
 
 void apply_spin(const NodeMotion& previous, const Vec3& delta_r, const Vec3& delta_phi, NodeMotion& trial) {
     trial.r += delta_r;
-    if (trial.theta.norm() >= std::numbers::pi) {
+    if (trial.theta.squaredNorm() >= std::numbers::pi * std::numbers::pi) {
         turn_beyond_half(previous, delta_phi, trial);
         return;
     }
     // Composed from θ rather than from Λ Λₙᵀ, a small rotation keeps its relative accuracy; rates divide it
     // by Δt².
-    const Quat step = (exp_quaternion(delta_phi) * exp_quaternion(trial.theta)).normalized();
+    const Quat step = renormalize(exp_quaternion(delta_phi) * exp_quaternion(trial.theta));
     trial.theta = find_rotation(step, trial.theta, delta_phi);
-    trial.Lambda = (step * previous.Lambda).normalized();
+    trial.Lambda = renormalize(step * previous.Lambda);
 }
 
 void place(const NodeMotion& previous, const Vec3& r, const Vec3& theta, NodeMotion& trial) {
     trial.r = r;
     trial.theta = theta;
-    trial.Lambda = (exp_quaternion(theta) * previous.Lambda).normalized();
+    trial.Lambda = renormalize(exp_quaternion(theta) * previous.Lambda);
 }
 
 }  // namespace gxrod

@@ -129,7 +129,8 @@ TEST_CASE("two bodies tied by a spring alone keep their momenta", "[analyses][sp
     model.springs.push_back(
         make_spring(point(a, {0.1, 0.2, 0.3}), point(b, {-0.2, 0.0, 0.1}), stiffness, 0.8, 0.5));
     LedgerRow first, last;
-    run(model, make_settings(Scheme::sdirk_4, 1.0, 400), [&](const DynamicAnalysis& analysis) {
+    // In shorter steps round-off grows, of accelerations with 1/Δt².
+    run(model, make_settings(Scheme::sdirk_4, 1.0, 100), [&](const DynamicAnalysis& analysis) {
         last = analysis.ledger_row();
         if (analysis.state().time == 0.0) first = last;
     });

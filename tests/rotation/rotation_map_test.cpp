@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "rotation/samples.hpp"
@@ -95,6 +96,25 @@ TEST_CASE("log keeps the relative accuracy of small rotations", "[rotation][rota
     CHECK(log(Quat::Identity()) == Vec3::Zero());
     CHECK(log(Quat(-1.0, 0.0, 0.0, 0.0)) == Vec3::Zero());
     CHECK(log(Mat3(Mat3::Identity())) == Vec3::Zero());
+}
+
+TEST_CASE("exp and log keep their digits where series end", "[rotation][rotation_map]") {
+    constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
+    const auto check = [&](double angle) {
+        INFO("angle " << angle);
+        const Quat q = exp_quaternion(Vec3(0.0, angle, 0.0));
+        const long double half = 0.5L * static_cast<long double>(angle);
+        CHECK(std::abs(static_cast<double>(q.w() - std::cos(half))) <= rounding);
+        CHECK(std::abs(static_cast<double>(q.y() - std::sin(half))) <= rounding * angle);
+        const Vec3 phi = log(q);
+        const double exact = static_cast<double>(
+            2.0L * std::atan2(static_cast<long double>(q.y()), static_cast<long double>(q.w())));
+        CHECK(std::abs(phi.y() - exact) <= rounding * angle);
+    };
+    for (double angle = 1e-6; angle < pi; angle *= 1.01) check(angle);
+    // exp changes at 1, log at 2 asin 1/4.
+    for (const double change : {1.0, 2.0 * std::asin(0.25)})
+        for (int i = -20; i <= 20; ++i) check(change * (1.0 + 1e-3 * i));
 }
 
 TEST_CASE("log of half turns about the axes and their diagonals", "[rotation][rotation_map]") {

@@ -41,8 +41,8 @@ RotaryInertia<double> RodInertia<Nodes>::turn(int node, const NodeMotion& motion
 
 template <int Nodes>
 Vec3 RodInertia<Nodes>::compute_spin_momentum(int node, const NodeMotion& motion) const {
-    const Quat axes = motion.Lambda * triads_[node];
-    return axes * (lengths_[node] * (section(node).rotary_inertia * (axes.conjugate() * motion.omega)));
+    const Mat3 axes = (motion.Lambda * triads_[node]).toRotationMatrix();
+    return axes * (lengths_[node] * (section(node).rotary_inertia * (axes.transpose() * motion.omega)));
 }
 
 template <int Nodes>
