@@ -143,10 +143,12 @@ bool CouplingSolver::factorize(const std::vector<double>& values, std::vector<Co
         own.preconditioner = own.preconditioner.inverse().eval();
         is_finite[i] = own.preconditioner.allFinite() ? 1 : 0;
     });
-    force_count_ = largest_ = 0;
+    force_count_ = unknown_count_ = largest_ = 0;
     for (Block& block : blocks_) {
         block.first = force_count_;
+        block.first_unknown = unknown_count_;
         force_count_ += block.Q.cols();
+        unknown_count_ += block.Q.rows();
         largest_ = std::max(largest_, block.Q.rows());
     }
     return std::ranges::find(is_finite, 0) == is_finite.end();
@@ -154,31 +156,44 @@ bool CouplingSolver::factorize(const std::vector<double>& values, std::vector<Co
 
 // S R x of all blocks.
 Eigen::VectorXd CouplingSolver::gather(const Eigen::VectorXd& x) const {
-    Eigen::VectorXd forces(force_count_), own(largest_);
-    for (const Block& block : blocks_) {
-        Eigen::Index k = 0;
-        for (const std::int64_t unknown : block.unknowns) own[k++] = x[unknown];
-        forces.segment(block.first, block.S.rows()).noalias() = block.S * own.head(k);
-    }
+    Eigen::VectorXd forces(force_count_);
+    team_->for_each_range(blocks_.size(), [&](std::size_t first, std::size_t last) {
+        Eigen::VectorXd own(largest_);
+        for (std::size_t i = first; i < last; ++i) {
+            const Block& block = blocks_[i];
+            Eigen::Index k = 0;
+            for (const std::int64_t unknown : block.unknowns) own[k++] = x[unknown];
+            forces.segment(block.first, block.S.rows()).noalias() = block.S * own.head(k);
+        }
+    });
     return forces;
 }
 
 Eigen::VectorXd CouplingSolver::precondition(const Eigen::VectorXd& forces) const {
     Eigen::VectorXd result(forces.size());
-    for (const Block& block : blocks_)
-        result.segment(block.first, block.S.rows()).noalias() =
-            block.preconditioner * forces.segment(block.first, block.S.rows());
+    team_->for_each_range(blocks_.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Block& block = blocks_[i];
+            result.segment(block.first, block.S.rows()).noalias() =
+                block.preconditioner * forces.segment(block.first, block.S.rows());
+        }
+    });
     return result;
 }
 
 // x −= Σ Rᵀ Q g.
 void CouplingSolver::subtract(const Eigen::VectorXd& forces, Eigen::VectorXd& x) const {
-    Eigen::VectorXd own(largest_);
-    for (const Block& block : blocks_) {
-        own.head(block.Q.rows()).noalias() = block.Q * forces.segment(block.first, block.Q.cols());
-        Eigen::Index k = 0;
-        for (const std::int64_t unknown : block.unknowns) x[unknown] -= own[k++];
-    }
+    Eigen::VectorXd of_unknowns(unknown_count_);
+    team_->for_each_range(blocks_.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Block& block = blocks_[i];
+            of_unknowns.segment(block.first_unknown, block.Q.rows()).noalias() =
+                block.Q * forces.segment(block.first, block.Q.cols());
+        }
+    });
+    Eigen::Index k = 0;
+    for (const Block& block : blocks_)
+        for (const std::int64_t unknown : block.unknowns) x[unknown] -= of_unknowns[k++];
 }
 
 bool CouplingSolver::solve(Eigen::VectorXd& right_hand_side, double tolerance) {

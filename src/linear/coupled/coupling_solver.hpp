@@ -44,6 +44,7 @@ class CouplingSolver {
         Eigen::MatrixXd Q, S;
         Eigen::MatrixXd preconditioner;  // (1 + S W Q)⁻¹
         Eigen::Index first = 0;          // among the forces
+        Eigen::Index first_unknown = 0;  // among those of all blocks, each with its own
     };
     Eigen::VectorXd gather(const Eigen::VectorXd& x) const;
     Eigen::VectorXd precondition(const Eigen::VectorXd& forces) const;
@@ -53,8 +54,8 @@ class CouplingSolver {
     std::unique_ptr<LinearSolver> solver_;
     NearInverse inverse_;
     std::vector<Block> blocks_;
-    Eigen::Index force_count_ = 0, largest_ = 0;  // unknowns of a block at most
-    std::vector<double> values_;                  // of K, for its solutions
+    Eigen::Index force_count_ = 0, unknown_count_ = 0, largest_ = 0;  // unknowns of a block at most
+    std::vector<double> values_;                                      // of K, for its solutions
     int iterations_ = 0;
 };
 
