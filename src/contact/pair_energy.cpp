@@ -198,12 +198,10 @@ void OuterSum::add_curvatures_of_places(double by_s,
         0.5 * (by_s * xi * xi * d * sinh + of_weight * d * xi * (2.0 * sinh + h * xi * cosh));
 }
 
-// The double integral over [0, 1]².
-Real integrate_pair(const PairShape& shape, double w) {
+// Of a from s = first to last.
+Real integrate_part(
+    const PairShape& shape, const OuterMap& map, const Real& first, const Real& last, double w) {
     static const auto rule = compute_gauss_rule<outer_points>();
-    Real first, last;
-    if (!find_range(shape, first, last)) return {};
-    const OuterMap map(shape, w);
     const Real start = asinh((first - map.centre) / map.width), end = asinh((last - map.centre) / map.width);
     const Real half = 0.5 * (end - start), middle = 0.5 * (end + start);
     const Real* numbers[OuterSum::numbers] = {&map.centre,
@@ -234,6 +232,35 @@ Real integrate_pair(const PairShape& shape, double w) {
     for (int k = 0; k < OuterSum::numbers; ++k)
         for (int entry = 0; entry < Real::products; ++entry)
             energy.curvatures[entry] += sum.gradient[k] * numbers[k]->curvatures[entry];
+    return energy;
+}
+
+// The double integral over [0, 1]². Where an end of b is in range, the integral over b rises within √w of
+// it, most of all at its foot: along lines that are nearly parallel these are short parts of a, which get
+// points of their own.
+Real integrate_pair(const PairShape& shape, double w) {
+    Real first, last;
+    if (!find_range(shape, first, last)) return {};
+    const OuterMap map(shape, w);
+    const double along = shape.axial_a.value;
+    const Real reach = 2.0 * std::sqrt(w) < shape.length.value ? Real(std::sqrt(w)) : 0.5 * shape.length;
+    // Of z, measured from the end of b that comes first along a, times axial_a.
+    const Real near = (along < 0.0 ? shape.length : Real(0.0)) - shape.axial_r;
+    const Real far = (along < 0.0 ? Real(0.0) : shape.length) - shape.axial_r;
+    const Real inwards = (along < 0.0 ? -1.0 : 1.0) * reach;
+    const Real turns[4] = {near, near + inwards, far - inwards, far};
+    Real energy(0.0), from = first;
+    // Across b all that is in range sees the same of it.
+    if (std::abs(along) * (last.value - first.value) < 0.01 * std::sqrt(w))
+        return integrate_part(shape, map, first, last, w) / shape.length;
+    for (const Real& turn : turns) {
+        const double at = turn.value * std::copysign(1.0, along), size = std::abs(along);
+        if (at <= from.value * size || at >= last.value * size) continue;
+        const Real to = turn / shape.axial_a;
+        energy += integrate_part(shape, map, from, to, w);
+        from = to;
+    }
+    energy += integrate_part(shape, map, from, last, w);
     // dt is dz/|B|.
     return energy / shape.length;
 }

@@ -188,6 +188,39 @@ TEST_CASE("A segment that is cut in two keeps its energy", "[contact]") {
             }
 }
 
+TEST_CASE("The force of lines that are nearly parallel is that of many short pieces", "[contact]") {
+    RandomPairs random(41);
+    const PairLaw rods{0.01, {1e-4, 1.5}};
+    const double length = 0.025;
+    double largest = 0.0;
+    for (const double spread : {3e-3, 0.03, 0.1}) {
+        for (int k = 0; k < 200;) {
+            // The end of b lies somewhere along a.
+            const Vec3 along = random.vector().normalized();
+            const Vec3 beside = (along + spread * random.vector()).normalized();
+            const Vec3 middle = 0.8 * length * random.number() * along + 0.002 * random.vector();
+            Segment a{-0.5 * length * along, 0.5 * length * along};
+            const Segment b{middle - 0.5 * length * beside, middle + 0.5 * length * beside};
+            const ClosestPoints closest = find_closest_points(a, b);
+            const double distance = rods.radii + (0.55 + 0.35 * random.number()) * rods.law.skin;
+            const Vec3 shift = (distance / closest.distance - 1.0) * closest.offset;
+            a = {a.start + shift, a.end + shift};
+            if (std::abs(find_closest_points(a, b).distance - distance) > 1e-9) continue;
+            ++k;
+            constexpr int pieces = 64;
+            Vec3 sum = Vec3::Zero();
+            for (int i = 0; i < pieces; ++i) {
+                const Segment piece{a.at(double(i) / pieces), a.at(double(i + 1) / pieces)};
+                sum += compute_pair_energy(rods, piece, b, length / pieces, length).force();
+            }
+            const Vec3 force = compute_pair_energy(rods, a, b, length, length).force();
+            largest = std::max(largest, (force - sum).norm() / sum.norm());
+        }
+    }
+    INFO(largest);
+    CHECK(largest < 0.01);
+}
+
 TEST_CASE("Damped forces of a pair have their derivative, and never do more work", "[contact]") {
     RandomPairs random(11);
     for (int sample = 0; sample < 200; ++sample) {
