@@ -5,6 +5,7 @@
 #include "analyses/steady.hpp"
 #include "integrators/load_stepping.hpp"
 #include "model/newton_choice.hpp"
+#include "solvers/paired_matrix.hpp"
 #include "solvers/step_control.hpp"
 
 namespace gxrod {
@@ -32,7 +33,7 @@ StaticAnalysis::StaticAnalysis(const Model& model, const StaticSettings& setting
       nominal_step_(1.0 / static_cast<double>(settings.steps)),
       counter_(system_),
       has_potential_(find_load_without_potential(model).empty()),
-      trial_(has_contrast_ || system_.contact() ? -1 : 0),
+      trial_(has_contrast_ ? -1 : 0),
       accepted_(trial_) {}
 
 EquilibriumReport StaticAnalysis::start() { return start_at_rest(); }
@@ -42,7 +43,11 @@ Stage StaticAnalysis::current_stage() const {
 }
 
 void StaticAnalysis::judge_equilibrium(EquilibriumReport& report) {
-    if (has_contrast_ || system_.contact()) return;
+    if (workspace_.paired && workspace_.paired->is_iterative()) accepted_ = -1;
+    if (accepted_ < 0) {
+        trial_ = accepted_;
+        return;
+    }
     const bool is_last = steps_->next_time() >= 1.0;
     const auto as_known = [&](std::int64_t count) { return has_potential_ || count < 0 ? count : count % 2; };
     trial_ = as_known(report.negative_pivots);
@@ -53,8 +58,9 @@ void StaticAnalysis::judge_equilibrium(EquilibriumReport& report) {
         trial_ = as_known(counter_.count(*integrator_, current_stage(), workspace_, state_));
     }
     if (trial_ < 0) trial_ = accepted_;
-    const bool can_seek =
-        sought_ < most_sought && steps_->time_step() > nominal_step_ * finest_part * (1.0 + 1e-9);
+    // What contact holds may leave a stable branch that ends for one that goes on in a longer step alone.
+    const bool can_seek = !system_.contact() && sought_ < most_sought &&
+                          steps_->time_step() > nominal_step_ * finest_part * (1.0 + 1e-9);
     if (trial_ > accepted_ && can_seek) report.outcome = Outcome::lost_stability;
 }
 
@@ -73,7 +79,7 @@ void StaticAnalysis::note_equilibrium() {
 bool StaticAnalysis::is_unstable() const { return was_unstable_ || accepted_ > 0; }
 
 std::vector<std::string> StaticAnalysis::list_warnings() const {
-    return describe_stability(changes_, accepted_, state_.time, has_potential_);
+    return describe_stability(changes_, accepted_, state_.time, has_potential_, system_.contact() != nullptr);
 }
 
 std::unique_ptr<SteppedAnalysis> make_analysis(const Model& model,

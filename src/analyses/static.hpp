@@ -32,7 +32,8 @@ class StaticAnalysis : public SteppedAnalysis {
     bool has_potential_;
     std::int64_t trial_ =
         0;  // negative pivots at the trial equilibrium; of det K's sign alone without potential
-    std::int64_t accepted_;  // −1 with a contrast of stiffness, whose round-off makes pivots negative
+    std::int64_t accepted_;  // −1: not counted (any more); with a contrast of stiffness, whose round-off
+                             // makes pivots negative, or where iterations solve
     int sought_ = 0;         // losses of stability that shorter steps could not avoid
     bool was_unstable_ = false;
     std::vector<StabilityChange> changes_;

@@ -405,7 +405,8 @@ std::string SteppedAnalysis::find_weakness() {
         system_.compute_tangent(state_, state_.time, workspace_.linearizations, workspace_.values);
         if (workspace_.frame) workspace_.frame->add_stiffness(state_, state_.time, workspace_.values);
     }
-    const std::optional<Weakness> weakness = describe_weakness(system_, state_, workspace_.values);
+    const std::optional<Weakness> weakness =
+        describe_weakness(system_, state_, system_.pattern(), workspace_.values);
     return weakness && weakness->stiffness < singular_stiffness ? weakness->words : "";
 }
 

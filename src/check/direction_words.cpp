@@ -59,8 +59,9 @@ std::string describe_rigid_direction(const System& system,
 
 std::optional<Weakness> describe_weakness(const System& system,
                                           const State& state,
+                                          const SparsePattern& pattern,
                                           const std::vector<double>& values) {
-    const ScaledTangent tangent(system, values);
+    const ScaledTangent tangent(system, pattern, values);
     const std::optional<WeakestDirection> weakest = find_weakest_direction(tangent);
     if (!weakest) return std::nullopt;
     Describer describer{system, state, find_parts(system.model(), Ties::rods)};

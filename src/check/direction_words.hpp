@@ -17,11 +17,12 @@ struct Weakness {
     double stiffness = 0.0;
 };
 
-// The direction for which a tangent is smallest, at the trial motions of the state. `values` are on the
-// system's pattern; nullopt if they are not finite or nothing can move. Costs a few factorizations: for
+// The direction for which a tangent is smallest, at the trial motions of the state, whose values are on
+// this pattern; nullopt if they are not finite or nothing can move. Costs a few factorizations: for
 // failures only.
 std::optional<Weakness> describe_weakness(const System& system,
                                           const State& state,
+                                          const SparsePattern& pattern,
                                           const std::vector<double>& values);
 
 // What a direction, per node (δr over the model's length, δφ), is as a motion in one piece of the part that

@@ -175,12 +175,15 @@ void find_idle_loads(const Model& model, std::vector<Finding>& findings) {
 void note_lack_of_potential(const Model& model, std::vector<Finding>& findings) {
     const std::string load = find_load_without_potential(model);
     if (load.empty()) return;
-    findings.push_back(
-        {Severity::note,
-         load + ", so it has no potential and the tangent's negative pivots do not count "
-                "unstable shapes: the run reports only where the tangent's determinant changes "
-                "its sign. A stage of kind eigenvalues after this one shows whether the structure stays "
-                "there"});
+    const bool has_shapes = !model.contact.between_rods && !model.contact.within_rods;
+    findings.push_back({Severity::note,
+                        load +
+                            ", so it has no potential and the tangent's negative pivots do not count "
+                            "unstable shapes: the run reports only where the tangent's determinant changes "
+                            "its sign" +
+                            (has_shapes ? ". A stage of kind eigenvalues after this one shows whether the "
+                                          "structure stays there"
+                                        : "")});
 }
 
 double compute_mass(const Model& model) {

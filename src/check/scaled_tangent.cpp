@@ -5,8 +5,10 @@
 
 namespace gxrod {
 
-ScaledTangent::ScaledTangent(const System& system, const std::vector<double>& values)
-    : pattern_(&system.pattern()), values_(values) {
+ScaledTangent::ScaledTangent(const System& system,
+                             const SparsePattern& pattern,
+                             const std::vector<double>& values)
+    : pattern_(&pattern), values_(values) {
     const auto scale = [&system](std::int64_t equation) {
         const EquationNumbers::Unknown unknown = system.equations().unknown(equation);
         const bool is_length = unknown.attached >= 0

@@ -8,8 +8,8 @@ namespace gxrod {
 // the length of its longest column. The system must outlive it.
 class ScaledTangent {
   public:
-    // The values are those on the system's pattern.
-    ScaledTangent(const System& system, const std::vector<double>& values);
+    // Of the system's pattern, or one that has other entries too; it must outlive this.
+    ScaledTangent(const System& system, const SparsePattern& pattern, const std::vector<double>& values);
 
     const SparsePattern& pattern() const { return *pattern_; }
     const std::vector<double>& values() const { return values_; }

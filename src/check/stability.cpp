@@ -6,13 +6,14 @@
 #include <cmath>
 #include <limits>
 
+#include "assembly/contact/contact_assembly.hpp"
 #include "check/direction_words.hpp"
 
 namespace gxrod {
 
 namespace {
 
-constexpr double round_off = 100.0 * std::numeric_limits<double>::epsilon();
+constexpr double rounding = 100.0 * std::numeric_limits<double>::epsilon();
 
 // Whether supports leave the node at most one rotation, about an axis that does not turn: then a moment about
 // it has a potential.
@@ -23,6 +24,14 @@ bool is_hinge(const Model& model, int node) {
         return support.holds(3) + support.holds(4) + support.holds(5) >= 2;
     }
     return false;
+}
+
+bool rubs(const Contact& contact) {
+    const auto of_obstacle = [](const Obstacle& obstacle) { return obstacle.friction > 0.0; };
+    const auto of_exception = [](const ContactException& one) { return one.friction.value_or(0.0) > 0.0; };
+    return ((contact.between_rods || contact.within_rods) && contact.friction > 0.0) ||
+           std::ranges::any_of(contact.obstacles, of_obstacle) ||
+           std::ranges::any_of(contact.exceptions, of_exception);
 }
 
 std::string count_pivots(std::int64_t count) {
@@ -46,16 +55,18 @@ std::string describe_with_potential(const StabilityChange& change) {
         change.shape);
 }
 
-std::string describe_without_potential(const StabilityChange& change) {
+std::string describe_without_potential(const StabilityChange& change, bool has_contact) {
     const std::string between = fmt::format("between t = {:.10g} and {:.10g}", change.from, change.until);
     if (change.after == 0) return between + " the determinant of the tangent became positive again";
     return fmt::format(
         "{} the determinant of the tangent became negative: from one of these equilibria the structure "
         "diverges. "
-        "The shape: {}. Loads that follow the structure may make it flutter as well: a stage of kind "
-        "eigenvalues after this one shows that",
+        "The shape: {}{}",
         between,
-        change.shape);
+        change.shape,
+        has_contact ? ""
+                    : ". Loads that follow the structure may make it flutter as well: a stage of kind "
+                      "eigenvalues after this one shows that");
 }
 
 }  // namespace
@@ -79,71 +90,87 @@ std::string find_load_without_potential(const Model& model) {
     if (around.water && !around.water->current.is_still()) return "the current of fluid drags";
     if (around.air && !around.air->wind.is_still()) return "the wind of air drags";
     if (around.seabed && around.seabed->has_friction()) return "seabed rubs";
+    if (rubs(model.contact)) return "contact rubs";
     return "";
 }
 
 void PivotCounter::compute_tangent(const Integrator& integrator,
                                    const Stage& stage,
                                    SolverWorkspace& workspace,
-                                   State& state) const {
+                                   State& state,
+                                   double round_off) {
     // Without them the tangent is the consistent one.
     std::vector<Vec6> resultants;
     resultants.swap(state.resultants);
     integrator.linearize(state, stage, workspace.linearizations, system_->team());
     system_->compute_tangent(state, integrator.stage_time(stage), workspace.linearizations, workspace.values);
     resultants.swap(state.resultants);
+    const SparsePattern& pattern = system_->pattern();
+    for (std::int64_t i = 0; i < pattern.size(); ++i) {
+        double& entry = workspace.values[pattern.slot(i, i)];
+        entry += round_off * std::abs(entry);
+    }
+    if (!workspace.paired) return;
+    if (!paired_) paired_ = std::make_unique<PairedMatrix>(*system_, LinearSolverKind::chains);
+    const ContactPairs& pairs = system_->contact()->pairs();
+    paired_->start(pairs.list_groups(state));
+    paired_->set_values(workspace.values, pairs.compute_tangents(state, 1.0, workspace.linearizations));
 }
 
 std::int64_t PivotCounter::count(const Integrator& integrator,
                                  const Stage& stage,
                                  SolverWorkspace& workspace,
                                  State& state) {
+    if (workspace.paired && workspace.paired->is_iterative()) return -1;
     const PhaseTimer timer(workspace.seconds.solve);
-    compute_tangent(integrator, stage, workspace, state);
-    const SparsePattern& pattern = system_->pattern();
-    for (std::int64_t i = 0; i < pattern.size(); ++i) {
-        double& entry = workspace.values[pattern.slot(i, i)];
-        entry += round_off * std::abs(entry);
-    }
-    const bool counts = workspace.linear_solver->kind() == LinearSolverKind::chains;
-    if (!counts && !chains_) chains_ = make_linear_solver(LinearSolverKind::chains, pattern, system_->team());
-    LinearSolver& solver = counts ? *workspace.linear_solver : *chains_;
+    compute_tangent(integrator, stage, workspace, state, rounding);
+    const auto factorize = [&] {
+        if (paired_) return paired_->factorize();
+        if (workspace.linear_solver->kind() == LinearSolverKind::chains)
+            return workspace.linear_solver->factorize(workspace.values);
+        if (!chains_)
+            chains_ = make_linear_solver(LinearSolverKind::chains, system_->pattern(), system_->team());
+        return chains_->factorize(workspace.values);
+    };
     // Each multiplier of a joint adds one.
-    const std::int64_t count = solver.factorize(workspace.values).negative_pivots;
+    const std::int64_t count = factorize().negative_pivots;
     return count < 0 ? count : count - system_->equations().attached_count();
 }
 
 std::string PivotCounter::describe_shape(const Integrator& integrator,
                                          const Stage& stage,
                                          SolverWorkspace& workspace,
-                                         State& state) const {
-    compute_tangent(integrator, stage, workspace, state);
-    const std::optional<Weakness> weakness = describe_weakness(*system_, state, workspace.values);
+                                         State& state) {
+    compute_tangent(integrator, stage, workspace, state, 0.0);
+    const std::vector<double>& values = paired_ ? paired_->assemble() : workspace.values;
+    const SparsePattern& pattern = paired_ ? paired_->pattern() : system_->pattern();
+    const std::optional<Weakness> weakness = describe_weakness(*system_, state, pattern, values);
     return weakness ? weakness->words : "";
 }
 
 std::vector<std::string> describe_stability(const std::vector<StabilityChange>& changes,
                                             std::int64_t pivots_at_end,
                                             double end,
-                                            bool has_potential) {
+                                            bool has_potential,
+                                            bool has_contact) {
     constexpr std::size_t most = 6;
     std::vector<std::string> sentences;
     for (std::size_t i = 0; i < std::min(most, changes.size()); ++i) {
         sentences.push_back(has_potential ? describe_with_potential(changes[i])
-                                          : describe_without_potential(changes[i]));
+                                          : describe_without_potential(changes[i], has_contact));
     }
     if (changes.size() > most) {
         sentences.push_back(
             fmt::format("stability changed {} more times (/solver/negative_pivots)", changes.size() - most));
     }
     if (has_potential && pivots_at_end > 0) {
-        sentences.push_back(fmt::format(
-            "the state at t = {:.10g} is unstable ({}): a structure leaves it at a touch. kind = \"path\" "
-            "with "
-            "branches = 1, or a small side load in the shape that gives way, shows where it goes; a dynamic "
-            "analysis how",
-            end,
-            count_pivots(pivots_at_end)));
+        sentences.push_back(
+            fmt::format("the state at t = {:.10g} is unstable ({}): a structure leaves it at a touch. {} "
+                        "small side load in "
+                        "the shape that gives way shows where it goes; a dynamic analysis how",
+                        end,
+                        count_pivots(pivots_at_end),
+                        has_contact ? "A" : "kind = \"path\" with branches = 1 or a"));
     }
     return sentences;
 }

@@ -8,6 +8,7 @@
 #include "assembly/system.hpp"
 #include "integrators/integrator.hpp"
 #include "solvers/equilibrium.hpp"
+#include "solvers/paired_matrix.hpp"
 
 // Whether static equilibria are stable: the number of negative pivots of their tangent (Sylvester's law of
 // inertia: of a symmetric K they count the negative eigenvalues).
@@ -23,7 +24,7 @@ struct StabilityChange {
 };
 
 // Why the pivots of this model's tangent do not count unstable shapes, as a sentence begins: "load[0] follows
-// its point". "" if they do: all loads have a potential.
+// its point". "" if they do: all loads have a potential, and no contact rubs.
 std::string find_load_without_potential(const Model& model);
 
 // Counts negative pivots at equilibria of one system.
@@ -33,8 +34,8 @@ class PivotCounter {
     explicit PivotCounter(const System& system) : system_(&system) {}
 
     // Of the consistent tangent of the trial motions at the load factor of `stage`, or −1 if a pivot
-    // vanishes. What round-off alone makes negative does not count: the diagonal is raised by 100 units of
-    // rounding.
+    // vanishes, or where iterations solve for the forces between rods, because factors would be too large.
+    // What round-off alone makes negative does not count: the diagonal is raised by 100 units of rounding.
     std::int64_t count(const Integrator& integrator,
                        const Stage& stage,
                        SolverWorkspace& workspace,
@@ -43,23 +44,28 @@ class PivotCounter {
     std::string describe_shape(const Integrator& integrator,
                                const Stage& stage,
                                SolverWorkspace& workspace,
-                               State& state) const;
+                               State& state);
 
   private:
+    // With `round_off` times each entry of the diagonal added to it; into workspace.values, and with rods
+    // that touch each other into paired_.
     void compute_tangent(const Integrator& integrator,
                          const Stage& stage,
                          SolverWorkspace& workspace,
-                         State& state) const;
+                         State& state,
+                         double round_off);
 
     const System* system_;
     std::unique_ptr<LinearSolver>
         chains_;  // where the run's solver exchanges rows; none before the first use
+    std::unique_ptr<PairedMatrix> paired_;  // where rods touch each other; none before the first use
 };
 
-// The changes and the end in words, a sentence each.
+// The changes and the end in words, a sentence each. Paths go on where the model has no contact.
 std::vector<std::string> describe_stability(const std::vector<StabilityChange>& changes,
                                             std::int64_t pivots_at_end,
                                             double end,
-                                            bool has_potential);
+                                            bool has_potential,
+                                            bool has_contact);
 
 }  // namespace gxrod

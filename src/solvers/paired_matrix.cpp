@@ -96,12 +96,17 @@ Factorization PairedMatrix::factorize() {
 }
 
 Factorization PairedMatrix::factorize_directly() {
+    const std::vector<double>& values = assemble();  // may make another solver_
+    return solver_->factorize(values);
+}
+
+const std::vector<double>& PairedMatrix::assemble() {
     if (is_stale_) build();
     values_.assign(static_cast<std::size_t>(pattern_.nonzeros()), 0.0);
     for (std::size_t i = 0; i < system_values_.size(); ++i)
         values_[static_cast<std::size_t>(places_[i])] = system_values_[i];
     for (const PairBlock& block : blocks_) add_to_values(block.matrix.data(), slots_of(block.nodes), values_);
-    return solver_->factorize(values_);
+    return values_;
 }
 
 void PairedMatrix::solve(Eigen::VectorXd& right_hand_side) {

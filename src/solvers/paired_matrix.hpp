@@ -23,6 +23,9 @@ class PairedMatrix {
     void start(std::vector<NodeGroup> groups);
     // Of values on the system's pattern, and blocks of pairs in global axes.
     void set_values(const std::vector<double>& values, std::vector<PairBlock> blocks);
+    // All of the values that were set, on a pattern that has all groups.
+    const std::vector<double>& assemble();
+    const SparsePattern& pattern() const { return pattern_; }  // of assemble
     Factorization factorize();
     // Not finite where the system is found to be singular.
     void solve(Eigen::VectorXd& right_hand_side);

@@ -21,7 +21,8 @@ namespace {
 Weakness find_weakness(const Model& model) {
     const System system(model);
     const State state = system.initial_state();
-    const auto weakness = describe_weakness(system, state, compute_static_tangent(system, state));
+    const auto weakness =
+        describe_weakness(system, state, system.pattern(), compute_static_tangent(system, state));
     REQUIRE(weakness);
     return *weakness;
 }
@@ -113,7 +114,7 @@ TEST_CASE("a body without rods is named, and turns about its node", "[check]") {
     const State state = system.initial_state();
     std::vector<double> mass;
     system.compute_tangent(state, 0.0, mass_linearizations(state.trial.size()), mass);
-    CHECK(describe_weakness(system, state, mass)->words == "body body turns about z");
+    CHECK(describe_weakness(system, state, system.pattern(), mass)->words == "body body turns about z");
     CHECK(find_mechanism(model) == "body body moves along x, y or z, or turns about x, y or z");
 }
 
@@ -167,7 +168,8 @@ TEST_CASE("section axes turn with the rod", "[check]") {
     for (std::size_t i = 0; i < state.trial.size(); ++i) {
         place(state.previous[i], exp_quaternion(quarter) * state.previous[i].r, quarter, state.trial[i]);
     }
-    const auto weakness = describe_weakness(system, state, compute_static_tangent(system, state));
+    const auto weakness =
+        describe_weakness(system, state, system.pattern(), compute_static_tangent(system, state));
     REQUIRE(weakness);
     CHECK(weakness->words == "rod cable, cable.end: bending about y");
 }
@@ -185,12 +187,12 @@ TEST_CASE("without unknowns or finite values there is no weakness", "[check]") {
         const State state = system.initial_state();
         std::vector<double> values = compute_static_tangent(system, state);
         values[7] = std::numeric_limits<double>::quiet_NaN();
-        CHECK_FALSE(describe_weakness(system, state, values));
+        CHECK_FALSE(describe_weakness(system, state, system.pattern(), values));
     }
     add_support(model, 0, {0, 1, 2, 3, 4, 5});
     const System system(model);
     const State state = system.initial_state();
-    CHECK_FALSE(describe_weakness(system, state, compute_static_tangent(system, state)));
+    CHECK_FALSE(describe_weakness(system, state, system.pattern(), compute_static_tangent(system, state)));
 }
 
 TEST_CASE("a screw is not one of the simple motions", "[check]") {

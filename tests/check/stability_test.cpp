@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "analyses/static.hpp"
+#include "deck/decks.hpp"
 #include "tools/catch.hpp"
 #include "tools/rod_models.hpp"
 #include "tools/static_run.hpp"
@@ -70,6 +71,30 @@ Watched watch(const Model& model, const StaticSettings& settings) {
     watched.is_unstable = analysis.is_unstable();
     watched.state = analysis.state();
     return watched;
+}
+
+// A clamped column of length 1, whose end moves along itself and across one plane alone, between two short
+// clamped rods that cross it on both sides of this plane at 0.98, with a gap of half the skin.
+constexpr double flexural = 1e9 * std::numbers::pi * 1e-8 / 4.0;
+
+Model make_held_column(double push, double apart, const std::string& more = "") {
+    const auto across = [](const std::string& name, double y) {
+        const std::string at = "0.98, " + std::to_string(y) + ", ";
+        return "[rod." + name + "]\nsection = \"s\"\nline = { from = [" + at + "-0.1], to = [" + at +
+               "0.1] }\nelements = 4\norder = 2\n[[support]]\nat = \"" + name +
+               ".start\"\nfix = \"all\"\n[[support]]\nat = \"" + name + ".end\"\nfix = \"all\"\n";
+    };
+    return test::read(
+               "[section.s]\nshape = { circle = { radius = 0.01 } }\n"
+               "material = { E = 1e9, nu = 0.3, density = 1000 }\n[rod.column]\nsection = \"s\"\n"
+               "line = { from = [0, 0, 0], to = [1, 0, 0] }\nelements = 20\norder = 2\n"
+               "[[support]]\nat = \"column.start\"\nfix = \"all\"\n"
+               "[[support]]\nat = \"column.end\"\nfix = [\"z\"]\n"
+               "[[load]]\nat = \"column.end\"\nforce = [" +
+               std::to_string(-push) + ", 0, 0]\n" + across("left", 0.0201 + apart) +
+               across("right", -0.0201 - apart) + "[contact]\n" + more +
+               "[analysis]\nkind = \"static\"\nsteps = 10\n")
+        .model;
 }
 
 StaticSettings settings_of(LinearSolverKind solver) {
@@ -177,4 +202,46 @@ TEST_CASE("where round-off hides what bends, no pivots are counted", "[check]") 
     const Watched run = watch(model, make_static_settings(10, 1e-8));
     CHECK(run.warnings == std::vector<std::string>{});
     CHECK(run.pivots == std::vector<std::int64_t>(run.pivots.size(), -1));
+}
+
+TEST_CASE("what rods hold by contact is as stable as with a support", "[check][touch]") {
+    const double free = std::numbers::pi * std::numbers::pi * flexural / 4.0;
+    const double pinned = 20.190729 * flexural;  // tan √(P/EI) = √(P/EI): clamped, and held across at the end
+    for (const LinearSolverKind solver : {LinearSolverKind::automatic, LinearSolverKind::klu}) {
+        CAPTURE(static_cast<int>(solver));
+        StaticSettings settings = make_static_settings(100, 1e-10);
+        settings.linear_solver = solver;
+        const Watched alone = watch(make_held_column(2.0 * free, 0.1), settings);
+        CHECK(alone.first_with(1) * 2.0 == Approx(1.01).margin(0.01 + 3e-3));
+        CHECK_THAT(alone.warnings.at(0), Contains("rod column, column.end: bending about z"));
+
+        const Watched stable = watch(make_held_column(0.97 * pinned, 0.0), settings);
+        CHECK(stable.warnings.empty());
+        CHECK(stable.pivots == std::vector<std::int64_t>(100, 0));
+
+        // By contact about z, a fiftieth from the end, and by the support about y.
+        const Watched held = watch(make_held_column(1.2 * pinned, 0.0), settings);
+        CHECK(held.first_with(1) * 1.2 == Approx(1.006).margin(0.006 + 0.02));
+        CHECK(held.pivots.back() == 2);
+        CHECK_THAT(held.warnings.at(0), Contains("became unstable (the tangent has 1 negative pivot)"));
+        CHECK_THAT(held.warnings.back(), Contains("leaves it at a touch. A small side load"));
+    }
+}
+
+TEST_CASE("contact has a potential unless it rubs", "[check][touch]") {
+    CHECK(find_load_without_potential(make_held_column(1.0, 0.0)).empty());
+    CHECK(find_load_without_potential(make_held_column(1.0, 0.0, "friction = 0.1\n")) == "contact rubs");
+    const std::string smooth = "[[contact.pair]]\nbetween = [\"column\", \"left\"]\nfriction = ";
+    CHECK(find_load_without_potential(make_held_column(1.0, 0.0, smooth + "0.1\n")) == "contact rubs");
+    CHECK(find_load_without_potential(make_held_column(1.0, 0.0, smooth + "0\n")).empty());
+}
+
+TEST_CASE("with friction of contact only divergence is reported", "[check][touch]") {
+    const double free = std::numbers::pi * std::numbers::pi * flexural / 4.0;
+    const Watched run =
+        watch(make_held_column(2.0 * free, 0.1, "friction = 0.1\n"), make_static_settings(100, 1e-10));
+    CHECK(run.first_with(1) * 2.0 == Approx(1.01).margin(0.01 + 3e-3));
+    REQUIRE(run.warnings.size() == 1);
+    CHECK_THAT(run.warnings[0], Contains("the determinant of the tangent became negative"));
+    CHECK_THAT(run.warnings[0], !Contains("eigenvalues"));
 }

@@ -19,7 +19,7 @@ TEST_CASE("a scaled tangent compares displacements over the length with rotation
         expected.col(i) *= system.length_scale();
     }
     expected /= expected.colwise().norm().maxCoeff();
-    const ScaledTangent tangent(system, values);
+    const ScaledTangent tangent(system, system.pattern(), values);
     CHECK(tangent.is_finite());
     CHECK(make_dense(tangent.pattern(), tangent.values()).isApprox(expected, 1e-14));
     CHECK(make_dense(tangent.pattern(), tangent.compute_transpose()).isApprox(expected.transpose(), 1e-14));
@@ -36,7 +36,8 @@ TEST_CASE("the weakest direction is the smallest singular vector", "[check]") {
         model.supports.erase(model.supports.begin() + 1);
         model.supports[0].fixed.fill(true);
         const System system(model);
-        const ScaledTangent tangent(system, compute_static_tangent(system, make_sample_state(system, seed)));
+        const ScaledTangent tangent(
+            system, system.pattern(), compute_static_tangent(system, make_sample_state(system, seed)));
         const Eigen::MatrixXd dense = make_dense(tangent.pattern(), tangent.values());
         const SingularValues svd = find_singular_values(dense.transpose());
         const auto weakest = find_weakest_direction(tangent);
@@ -54,7 +55,8 @@ TEST_CASE("the weakest direction of a long rod is found without loss", "[check]"
     add_support(model, 0, {0, 1, 2});
     add_support(model, 1000, {0, 1, 2});
     const System system(model);
-    const ScaledTangent tangent(system, compute_static_tangent(system, system.initial_state()));
+    const ScaledTangent tangent(
+        system, system.pattern(), compute_static_tangent(system, system.initial_state()));
     const auto weakest = find_weakest_direction(tangent);
     REQUIRE(weakest);
     CHECK(weakest->stiffness < 1e-15);

@@ -105,7 +105,8 @@ void PathAnalysis::describe(CriticalPoint& point, const Eigen::MatrixXd& kernel)
     }
     point.nodes = state_.trial;
     compute_consistent_tangent(system_, *integrator_, point.load_factor, workspace_, state_);
-    const std::optional<Weakness> weakness = describe_weakness(system_, state_, workspace_.values);
+    const std::optional<Weakness> weakness =
+        describe_weakness(system_, state_, system_.pattern(), workspace_.values);
     if (weakness) point.shape = weakness->words;
 }
 
