@@ -8,6 +8,7 @@
 
 #include "assembly/contact/contact_assembly.hpp"
 #include "check/direction_words.hpp"
+#include "model/contact_friction.hpp"
 
 namespace gxrod {
 
@@ -24,14 +25,6 @@ bool is_hinge(const Model& model, int node) {
         return support.holds(3) + support.holds(4) + support.holds(5) >= 2;
     }
     return false;
-}
-
-bool rubs(const Contact& contact) {
-    const auto of_obstacle = [](const Obstacle& obstacle) { return obstacle.friction > 0.0; };
-    const auto of_exception = [](const ContactException& one) { return one.friction.value_or(0.0) > 0.0; };
-    return ((contact.between_rods || contact.within_rods) && contact.friction > 0.0) ||
-           std::ranges::any_of(contact.obstacles, of_obstacle) ||
-           std::ranges::any_of(contact.exceptions, of_exception);
 }
 
 std::string count_pivots(std::int64_t count) {
@@ -121,7 +114,6 @@ std::int64_t PivotCounter::count(const Integrator& integrator,
                                  const Stage& stage,
                                  SolverWorkspace& workspace,
                                  State& state) {
-    if (workspace.paired && workspace.paired->is_iterative()) return -1;
     const PhaseTimer timer(workspace.seconds.solve);
     compute_tangent(integrator, stage, workspace, state, rounding);
     const auto factorize = [&] {

@@ -34,8 +34,8 @@ class PivotCounter {
     explicit PivotCounter(const System& system) : system_(&system) {}
 
     // Of the consistent tangent of the trial motions at the load factor of `stage`, or −1 if a pivot
-    // vanishes, or where iterations solve for the forces between rods, because factors would be too large.
-    // What round-off alone makes negative does not count: the diagonal is raised by 100 units of rounding.
+    // vanishes. What round-off alone makes negative does not count: the diagonal is raised by 100 units of
+    // rounding.
     std::int64_t count(const Integrator& integrator,
                        const Stage& stage,
                        SolverWorkspace& workspace,

@@ -159,13 +159,6 @@ Json describe_obstacles(const Model& model) {
     return list;
 }
 
-bool rubs(const Contact& contact) {
-    const bool has_rods = contact.between_rods || contact.within_rods;
-    const auto rubs_there = [](const ContactException& one) { return one.friction.value_or(0.0) > 0.0; };
-    return (has_rods && contact.friction > 0.0) || std::ranges::any_of(contact.exceptions, rubs_there) ||
-           std::ranges::any_of(contact.obstacles, [](const Obstacle& one) { return one.friction > 0.0; });
-}
-
 std::size_t count_moved_obstacles(const Model& model) {
     return static_cast<std::size_t>(std::ranges::count_if(
         model.contact.obstacles, [](const Obstacle& one) { return one.motion.has_value(); }));

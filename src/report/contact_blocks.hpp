@@ -36,8 +36,6 @@ class ContactBlocks {
 // Name, shape, place at t = 0: points, tangents left out; `moved` is its number among those that move, or −1.
 nlohmann::ordered_json describe_obstacles(const Model& model);
 
-bool rubs(const Contact& contact);
-
 std::size_t count_moved_obstacles(const Model& model);
 
 // "obstacles": of each frame, for each obstacle that moves, displacement and rotation (quaternion w x y z)

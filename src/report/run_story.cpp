@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "model/contact_friction.hpp"
 #include "model/energy_round_off.hpp"
 #include "report/centres_json.hpp"
 #include "report/contact_blocks.hpp"
