@@ -362,15 +362,16 @@ void turn_impulse(const Segment& a, const Segment& b, const Vec3& normal_before,
     const ClosestPoints closest = find_closest_points(a, b);
     const Vec3 n = closest.offset / closest.distance, &before = normal_before;
     const double cosine = before.dot(n);
-    if (cosine <= 0.0) return;
-    const Vec3 turn = (before - cosine * n) / (1.0 + cosine);
+    const bool passes = cosine <= 0.0;
+    const Vec3 turn = passes ? before : Vec3((before - cosine * n) / (1.0 + cosine));
     const ClosestSlopes slopes(a, b, closest);
     Mat312 offset_by =
         (a.end - a.start) * slopes.s_by.transpose() - (b.end - b.start) * slopes.t_by.transpose();
     for (int end = 0; end < 4; ++end)
         offset_by.middleCols<3>(3 * end).diagonal().array() += slopes.shares[end];
     const Mat312 n_by = (Mat3::Identity() - n * n.transpose()) / closest.distance * offset_by;
-    const Mat312 turn_by = -((n + turn) * (before.transpose() * n_by) + cosine * n_by) / (1.0 + cosine);
+    Mat312 turn_by = Mat312::Zero();
+    if (!passes) turn_by = -((n + turn) * (before.transpose() * n_by) + cosine * n_by) / (1.0 + cosine);
     for (int end = 0; end < 4; ++end) {
         auto rows = pair.hessian.middleRows<3>(3 * end);
         auto G = pair.gradient.segment<3>(3 * end);

@@ -32,8 +32,8 @@ struct PairEnergy {
 
 // Turns the forces between two segments to the mean of the normal n between their closest points and that at
 // the start of a step: each G becomes G + (n̂ − n) (n · G) with n̂ of (C18), which is (C20), so that what
-// slides around a rod keeps its energy. The Hessian becomes the derivative. Nothing changes where both are a
-// right angle apart, or more.
+// slides around a rod keeps its energy, and what passes to its other side gains none. The Hessian becomes the
+// derivative.
 void turn_impulse(const Segment& a, const Segment& b, const Vec3& normal_before, PairEnergy& pair);
 
 // Damps the forces, and their derivatives with them: with the motion of the ends since the start of a step,

@@ -142,7 +142,6 @@ ImpulseDirection ContactAssembly::impulse_direction(const At& at,
     const bool stays = surface.body->shape == Obstacle::Shape::plane && !surface.body->motion;
     if (!at.has_impacts || stays || (surface.mesh && surface.body->motion)) return {};
     const ObstacleDistance before = distance_before(at, obstacle, place, state);
-    if (before.normal.dot(touch.normal) <= 0.0) return {};
     if (!surface.mesh) return {before.normal};
     constexpr double shortest = 1e-3;  // of radii
     const ContactPlace& own = places_.places[place];

@@ -7,8 +7,8 @@
 namespace gxrod {
 
 // The direction n̂ of the impulse of a place, for which n̂ · Δx is the change of the gap: on spheres and
-// cylinders by the normals at both ends of a step, (C18); on meshes by the mean gradient, and what it lacks
-// along Δx, (C19).
+// cylinders by the normals at both ends of a step, (C18), or a part of the change where they turn by more
+// than a right angle; on meshes by the mean gradient, and what it lacks along Δx, (C19).
 struct ImpulseDirection {
     // Of meshes, at rest.
     struct Way {
@@ -24,6 +24,7 @@ struct ImpulseDirection {
     Vec3 turn(const SurfaceTouch& touch) const {
         if (way) return mean(touch) + lack(touch) * way->move - touch.slope * touch.normal;
         const double cosine = before->dot(touch.normal);
+        if (cosine <= 0.0) return *before;
         return (*before - cosine * touch.normal) / (1.0 + cosine);
     }
     void add_to(const SurfaceTouch& touch, const NormalForce& normal, PlaceForce& force) const {
@@ -52,8 +53,10 @@ struct ImpulseDirection {
                lacking * Mat3::Identity();
     }
     Mat3 bisector_by(const SurfaceTouch& touch) const {
+        const double cosine = before->dot(touch.normal);
+        if (cosine <= 0.0) return Mat3::Zero();
         const Vec3 sum = *before + touch.normal;
-        const double part = 1.0 / (1.0 + before->dot(touch.normal));
+        const double part = 1.0 / (1.0 + cosine);
         return (part - 1.0) * touch.curvature - part * part * sum * (touch.curvature * *before).transpose();
     }
 };
