@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "contact/closest_slopes.hpp"
 #include "contact/line_integral.hpp"
 #include "contact/second_order.hpp"
 #include "numerics/gauss_legendre.hpp"
@@ -307,38 +308,6 @@ void spread_to_ends(const Real& energy, const Vec3& A, const Vec3& B, const Vec3
         }
 }
 
-using Mat312 = Eigen::Matrix<double, 3, 12>;
-
-// How the closest points x(s) and y(t) of two segments follow their ends, where they are inside.
-struct ClosestSlopes {
-    double shares[4];        // of the ends in x − y
-    Vec12 along_a, along_b;  // derivatives of (x − y) · A and (y − x) · B at the same s and t
-    Vec12 s_by = Vec12::Zero(), t_by = Vec12::Zero();
-
-    ClosestSlopes(const Segment& a, const Segment& b, const ClosestPoints& closest)
-        : shares{1.0 - closest.s, closest.s, closest.t - 1.0, -closest.t} {
-        const Vec3 &x = closest.offset, A = a.end - a.start, B = b.end - b.start;
-        constexpr double by_s[4] = {-1.0, 1.0, 0.0, 0.0}, by_t[4] = {0.0, 0.0, 1.0, -1.0};
-        for (int i = 0; i < 4; ++i) {
-            along_a.segment<3>(3 * i) = by_s[i] * x + shares[i] * A;
-            along_b.segment<3>(3 * i) = by_t[i] * x - shares[i] * B;
-        }
-        const bool inside_a = closest.s > 0.0 && closest.s < 1.0;
-        const bool inside_b = closest.t > 0.0 && closest.t < 1.0;
-        const double AA = A.squaredNorm(), BB = B.squaredNorm(), AB = A.dot(B);
-        if (inside_a && inside_b) {
-            const double det = A.cross(B).squaredNorm();
-            if (det <= 1e-14 * AA * BB) return;
-            s_by = -(BB * along_a + AB * along_b) / det;
-            t_by = -(AB * along_a + AA * along_b) / det;
-        } else if (inside_a) {
-            s_by = -along_a / AA;
-        } else if (inside_b) {
-            t_by = -along_b / BB;
-        }
-    }
-};
-
 }  // namespace
 
 PairEnergy compute_pair_energy(
@@ -356,49 +325,6 @@ PairEnergy compute_pair_energy(
     result.energy = energy.value;
     spread_to_ends(energy, A, B, r, result);
     return result;
-}
-
-void turn_impulse(const Segment& a, const Segment& b, const Vec3& normal_before, PairEnergy& pair) {
-    const ClosestPoints closest = find_closest_points(a, b);
-    const Vec3 n = closest.offset / closest.distance, &before = normal_before;
-    const double cosine = before.dot(n);
-    const bool passes = cosine <= 0.0;
-    const Vec3 turn = passes ? before : Vec3((before - cosine * n) / (1.0 + cosine));
-    const ClosestSlopes slopes(a, b, closest);
-    Mat312 offset_by =
-        (a.end - a.start) * slopes.s_by.transpose() - (b.end - b.start) * slopes.t_by.transpose();
-    for (int end = 0; end < 4; ++end)
-        offset_by.middleCols<3>(3 * end).diagonal().array() += slopes.shares[end];
-    const Mat312 n_by = (Mat3::Identity() - n * n.transpose()) / closest.distance * offset_by;
-    Mat312 turn_by = Mat312::Zero();
-    if (!passes) turn_by = -((n + turn) * (before.transpose() * n_by) + cosine * n_by) / (1.0 + cosine);
-    for (int end = 0; end < 4; ++end) {
-        auto rows = pair.hessian.middleRows<3>(3 * end);
-        auto G = pair.gradient.segment<3>(3 * end);
-        const Eigen::Matrix<double, 1, 12> along_by = n.transpose() * rows + G.transpose() * n_by;
-        const double along = n.dot(G);
-        rows += turn * along_by + along * turn_by;
-        G += along * turn;
-    }
-}
-
-void damp(PairEnergy& pair, const Vec12& motion, double damping) {
-    const Vec3 force = pair.force();
-    const double size = force.norm();
-    if (size == 0.0) return;
-    const double work = pair.gradient.dot(motion);
-    const double factor = 1.0 + damping * work / size;
-    if (factor <= 0.0) {
-        pair.gradient.setZero();
-        pair.hessian.setZero();
-        return;
-    }
-    const Vec12 size_by =
-        -(pair.hessian.middleRows<3>(0) + pair.hessian.middleRows<3>(3)).transpose() * force / size;
-    const Vec12 factor_by =
-        (damping / size) * (pair.hessian.transpose() * motion + pair.gradient - (work / size) * size_by);
-    pair.hessian = (factor * pair.hessian + pair.gradient * factor_by.transpose()).eval();
-    pair.gradient *= factor;
 }
 
 PairEnergy compute_point_energy(const PairLaw& pair, const Vec3& point, const Segment& line, double length) {

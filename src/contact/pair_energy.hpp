@@ -30,18 +30,6 @@ struct PairEnergy {
     Vec3 force() const { return -(gradient.segment<3>(0) + gradient.segment<3>(3)); }
 };
 
-// Turns the forces between two segments to the mean of the normal n between their closest points and that at
-// the start of a step: each G becomes G + (n̂ − n) (n · G) with n̂ of (C18), which is (C20), so that what
-// slides around a rod keeps its energy, and what passes to its other side gains none. The Hessian becomes the
-// derivative.
-void turn_impulse(const Segment& a, const Segment& b, const Vec3& normal_before, PairEnergy& pair);
-
-// Damps the forces, and their derivatives with them: with the motion of the ends since the start of a step,
-// G · motion is what the pair stores more, |F| the force on a, and (G · motion)/|F| how far the pair came
-// closer. G becomes (1 + damping (G · motion)/|F|) G, and 0 where that factor is negative; the Hessian its
-// derivative, which is not symmetric.
-void damp(PairEnergy& pair, const Vec12& motion, double damping);
-
 // Lengths are those in the reference state, by which the integral counts. The distance must exceed R.
 PairEnergy compute_pair_energy(
     const PairLaw& pair, const Segment& a, const Segment& b, double length_a, double length_b);

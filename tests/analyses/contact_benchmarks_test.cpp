@@ -28,6 +28,45 @@ friction = {}
            rod("a", "0, 0, 0.050979", "1, 0, 0.050979", 4) + more;
 }
 
+// A rod across two that are held, in equilibrium in their skin but for friction.
+std::string on_two_rods(double angle, double friction, const std::string& more) {
+    constexpr double gravity = 9.81;
+    std::string text = fmt::format(R"(
+gravity = [{}, 0, {}]
+[section.s]
+shape = {{ circle = {{ radius = 0.02 }} }}
+material = {{ E = 2e9, nu = 0.3, density = 1000 }}
+[rod.top]
+section = "s"
+line = {{ from = [-0.5, 0, 0.0403917], to = [0.5, 0, 0.0403917] }}
+elements = 4
+order = 2
+[contact]
+friction = {}
+{})",
+                                   gravity * std::sin(angle),
+                                   -gravity * std::cos(angle),
+                                   friction,
+                                   more);
+    for (const double x : {-0.25, 0.25})
+        text += fmt::format(R"(
+[rod.r{0}]
+section = "s"
+line = {{ from = [{1}, -0.1, 0], to = [{1}, 0.1, 0] }}
+elements = 2
+order = 2
+[[support]]
+at = "r{0}.start"
+fix = "all"
+[[support]]
+at = "r{0}.end"
+fix = "all"
+)",
+                            x < 0.0 ? 1 : 2,
+                            x);
+    return text;
+}
+
 }  // namespace
 
 TEST_CASE("C1c: a cantilever on a cylinder is pushed as the elastica is", "[analyses][touch]") {
@@ -172,43 +211,8 @@ TEST_CASE("A rod on two rods that lie on an incline holds below the cone, and sl
           "[analyses][touch]") {
     const double angle = 0.25, gravity = 9.81;
     const auto deck = [&](double friction) {
-        std::string text = fmt::format(R"(
-gravity = [{}, 0, {}]
-[section.s]
-shape = {{ circle = {{ radius = 0.02 }} }}
-material = {{ E = 2e9, nu = 0.3, density = 1000 }}
-[rod.top]
-section = "s"
-line = {{ from = [-0.5, 0, 0.0403917], to = [0.5, 0, 0.0403917] }}
-elements = 4
-order = 2
-[contact]
-friction = {}
-[analysis]
-kind = "dynamic"
-end_time = 0.4
-time_step = 0.002
-)",
-                                       gravity * std::sin(angle),
-                                       -gravity * std::cos(angle),
-                                       friction);
-        for (const double x : {-0.25, 0.25})
-            text += fmt::format(R"(
-[rod.r{0}]
-section = "s"
-line = {{ from = [{1}, -0.1, 0], to = [{1}, 0.1, 0] }}
-elements = 2
-order = 2
-[[support]]
-at = "r{0}.start"
-fix = "all"
-[[support]]
-at = "r{0}.end"
-fix = "all"
-)",
-                                x < 0.0 ? 1 : 2,
-                                x);
-        return text;
+        return on_two_rods(
+            angle, friction, "[analysis]\nkind = \"dynamic\"\nend_time = 0.4\ntime_step = 0.002\n");
     };
     SECTION("holds") {
         Run run(deck(0.3));
@@ -226,6 +230,31 @@ fix = "all"
         CHECK(run.ledger().contact_loss ==
               Approx(0.2 * mass * gravity * std::cos(angle) * way).epsilon(0.05));
     }
+}
+
+TEST_CASE("Without friction a rod slides along others as if nothing held it", "[analyses][touch]") {
+    const double mass = M_PI * 0.02 * 0.02 * 1000.0;
+    // Half a radius a step.
+    Run run(on_two_rods(0.0, 0.0, R"(
+[[initial]]
+on = "top"
+velocity = [5, 0, 0]
+[analysis]
+kind = "dynamic"
+end_time = 0.04
+time_step = 0.002
+)"));
+    double before = 0.0;
+    while (!run.is_finished()) {
+        run.step();
+        const double loss = run.ledger().contact_loss;
+        CHECK(loss > before - 1e-9 * run.ledger().kinetic_energy);
+        before = loss;
+    }
+    const double way = run.at("top.start").r[0] + 0.5;
+    CHECK(way == Approx(0.2).epsilon(1e-3));
+    // As a part of what its weight times the way would be with a friction of 1.
+    CHECK(before / (mass * 9.81 * way) < 2e-3);
 }
 
 TEST_CASE("C5a: without dissipation a rod bounces as high as it fell from, at any step",

@@ -1,4 +1,4 @@
-#include "contact/pair_energy.hpp"
+#include "contact/pair_impulse.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -87,6 +87,21 @@ FourEnds cross_lines(double angle, double d, double length) {
              Vec3(0.55 * length, 0, 0),
              up - 0.52 * length * along,
              up + 0.48 * length * along}};
+}
+
+// Of contact, with forces of the end of a motion.
+double work_of(const PairEnergy& pair, const FourEnds& from, const FourEnds& to) {
+    double work = 0.0;
+    for (int end = 0; end < 4; ++end)
+        work -= pair.gradient.segment<3>(3 * end).dot(to.ends[end] - from.ends[end]);
+    return work;
+}
+
+PairStart start_of(const FourEnds& before, const FourEnds& after, const OpenEnds& open = {}) {
+    const OpenContact contact = find_open_contact(before.a(), before.b(), open);
+    PairStart start{contact.s, contact.t, contact.offset, contact.offset.norm(), {}};
+    for (int end = 0; end < 4; ++end) start.way.segment<3>(3 * end) = after.ends[end] - before.ends[end];
+    return start;
 }
 
 }  // namespace
@@ -258,15 +273,6 @@ TEST_CASE("An impulse turned to the mean normal does no work where a pair slides
     RandomPairs random(47);
     const double h = 0.05;
     int turned = 0, passed = 0, slid = 0;
-    const auto work_of = [](const PairEnergy& pair, const FourEnds& from, const FourEnds& to) {
-        double work = 0.0;
-        for (int end = 0; end < 4; ++end)
-            work -= pair.gradient.segment<3>(3 * end).dot(to.ends[end] - from.ends[end]);
-        return work;
-    };
-    const auto normal_of = [](const FourEnds& ends) -> Vec3 {
-        return find_closest_points(ends.a(), ends.b()).offset.normalized();
-    };
     for (int k = 0; k < 200; ++k) {
         INFO(k);
         const FourEnds pair = random.make(0.1 + 0.4 * (1.0 + random.number()));
@@ -283,7 +289,7 @@ TEST_CASE("An impulse turned to the mean normal does no work where a pair slides
         for (int end = 0; end < 2; ++end)
             before.ends[end] = turn * Vec3(pair.ends[end] - pair.ends[2]) + pair.ends[2];
         PairEnergy impulse = at_end;
-        turn_impulse(pair.a(), pair.b(), normal_of(before), impulse);
+        turn_impulse(pair.a(), pair.b(), {}, start_of(before, pair), wires.radii, impulse);
         CHECK(std::abs(work_of(impulse, before, pair)) < 0.01 * force * h * h);
         turned += work_of(at_end, before, pair) > 0.2 * force * h * h ? 1 : 0;
         CHECK((impulse.gradient.segment<3>(0) + impulse.gradient.segment<3>(3) +
@@ -294,14 +300,14 @@ TEST_CASE("An impulse turned to the mean normal does no work where a pair slides
         for (int end = 0; end < 2; ++end)
             before.ends[end] = far * Vec3(pair.ends[end] - pair.ends[2]) + pair.ends[2];
         impulse = at_end;
-        turn_impulse(pair.a(), pair.b(), normal_of(before), impulse);
+        turn_impulse(pair.a(), pair.b(), {}, start_of(before, pair), wires.radii, impulse);
         CHECK(std::abs(work_of(impulse, before, pair)) < 0.01 * force * wires.radii);
         passed += work_of(at_end, before, pair) > 1.5 * force * wires.radii ? 1 : 0;
         // Along both lines.
         before = pair;
         for (int end = 0; end < 2; ++end) before.ends[end] += h * (A + B).normalized();
         impulse = at_end;
-        turn_impulse(pair.a(), pair.b(), normal_of(before), impulse);
+        turn_impulse(pair.a(), pair.b(), {}, start_of(before, pair), wires.radii, impulse);
         CHECK(std::abs(work_of(impulse, before, pair)) < 0.01 * force * h * h);
         ++slid;
     }
@@ -311,8 +317,79 @@ TEST_CASE("An impulse turned to the mean normal does no work where a pair slides
     // Forces do not turn without a motion.
     const FourEnds pair = random.make(0.5);
     PairEnergy impulse = compute_pair(pair);
-    turn_impulse(pair.a(), pair.b(), normal_of(pair), impulse);
+    turn_impulse(pair.a(), pair.b(), {}, start_of(pair, pair), wires.radii, impulse);
     CHECK(impulse.gradient.isApprox(compute_pair(pair).gradient, 1e-12));
+}
+
+TEST_CASE("An impulse keeps energy and angular momentum up to the third power of a motion", "[contact]") {
+    RandomPairs random(49);
+    for (int k = 0; k < 20; ++k) {
+        INFO(k);
+        const FourEnds pair = cross_lines(1.15 + 0.4 * random.number(), 2.01, 20.0);
+        const ClosestPoints at = find_closest_points(pair.a(), pair.b());
+        const PairEnergy at_end = compute_pair(pair, 20.0, 20.0);
+        const double force = at_end.force().norm();
+        // A turn about the normal changes the angle of the lines, and with it their energy.
+        const Vec3 flat(1.0, 1.0, 0.0);
+        const Vec3 turns[2] = {random.vector().cwiseProduct(flat), random.vector().cwiseProduct(flat)},
+                   moves[2] = {Vec3(1, 1, 0.1).cwiseProduct(random.vector()),
+                               Vec3(1, 1, 0.1).cwiseProduct(random.vector())};
+        // What the work differs by from that of the change of the gap, and the change of angular momentum.
+        const auto errors_of = [&](double h, bool turned) {
+            FourEnds before = pair;
+            for (int end = 0; end < 4; ++end) {
+                const int line = end / 2;
+                const Vec3 about = line == 0 ? pair.a().at(at.s) : pair.b().at(at.t);
+                before.ends[end] =
+                    about + h * moves[line] + exp_quaternion(h * turns[line]) * Vec3(pair.ends[end] - about);
+            }
+            PairEnergy impulse = at_end;
+            if (turned) turn_impulse(pair.a(), pair.b(), {}, start_of(before, pair), wires.radii, impulse);
+            Vec3 moment = Vec3::Zero();
+            for (int end = 0; end < 4; ++end)
+                moment -=
+                    0.5 * (before.ends[end] + pair.ends[end]).cross(impulse.gradient.segment<3>(3 * end));
+            const double change = at.distance - find_closest_points(before.a(), before.b()).distance;
+            return std::pair(std::abs(work_of(impulse, before, pair) - force * change) / force,
+                             moment.norm() / force);
+        };
+        const auto [work, moment] = errors_of(0.02, true);
+        const auto [plain_work, plain_moment] = errors_of(0.02, false);
+        CHECK(work < 2e-5);
+        CHECK(moment < 1e-3);
+        CHECK(moment < 0.1 * plain_moment);
+        if (plain_work > 1e-4) CHECK(work < 0.1 * plain_work);
+    }
+}
+
+TEST_CASE("What slides along a line of several pieces is not braked", "[contact]") {
+    const double length = 1.2;
+    double braked = 0.0;
+    for (const double place : {-0.5, -0.2, 0.0, 0.1, 0.45}) {
+        INFO(place);
+        double work = 0.0, clamped_work = 0.0, force = 0.0;
+        const double slide = 0.7;
+        for (int piece = -2; piece < 2; ++piece) {
+            const Vec3 along(std::cos(1.1), std::sin(1.1), 0.0), up(0.0, 0.0, 2.01);
+            const double start = (piece + place) * length;
+            const FourEnds pair{
+                {Vec3(-8, 0, 0), Vec3(8, 0, 0), up + start * along, up + (start + length) * along}};
+            FourEnds before = pair;
+            for (int end = 2; end < 4; ++end) before.ends[end] -= slide * along;
+            const PairEnergy at_end = compute_pair(pair, 16.0, length);
+            if (at_end.energy == 0.0) continue;
+            force += at_end.force().norm();
+            const OpenEnds open{false, false, true, true};
+            PairEnergy impulse = at_end, clamped = at_end;
+            turn_impulse(pair.a(), pair.b(), open, start_of(before, pair, open), wires.radii, impulse);
+            turn_impulse(pair.a(), pair.b(), {}, start_of(before, pair), wires.radii, clamped);
+            work += work_of(impulse, before, pair);
+            clamped_work += work_of(clamped, before, pair);
+        }
+        CHECK(std::abs(work) < 1e-4 * force * slide);
+        braked = std::max(braked, std::abs(clamped_work) / (force * slide));
+    }
+    CHECK(braked > 0.05);
 }
 
 TEST_CASE("A turned impulse has its derivative", "[contact]") {
@@ -328,10 +405,22 @@ TEST_CASE("A turned impulse has its derivative", "[contact]") {
         const Vec3 A = pair.ends[1] - pair.ends[0], B = pair.ends[3] - pair.ends[2];
         if (!is_clear(at.s) || !is_clear(at.t) || A.cross(B).norm() < 0.1 * A.norm() * B.norm()) continue;
         const double side = k % 3 == 0 ? -1.0 : 1.0;
-        const Vec3 before = (side * at.offset.normalized() + 0.8 * random.vector()).normalized();
+        const Vec3 offset = side * at.offset.normalized() + 0.8 * random.vector();
+        const PairStart start{at.s + 0.3 * random.number(),
+                              random.number(),
+                              offset,
+                              offset.norm(),
+                              (k % 7 == 0 ? 0.1 : 2.0) * random.direction()};
+        const OpenEnds open{k % 2 == 0, k % 4 < 2, k % 5 < 3, k % 5 > 1};
         const auto impulse_of = [&](const Vec12& by) {
-            PairEnergy impulse = compute_pair(pair.moved(by));
-            turn_impulse(pair.moved(by).a(), pair.moved(by).b(), before, impulse);
+            const FourEnds moved = pair.moved(by);
+            PairEnergy impulse = compute_pair(moved);
+            turn_impulse(moved.a(),
+                         moved.b(),
+                         open,
+                         {start.s, start.t, start.offset, start.distance, start.way + by},
+                         wires.radii,
+                         impulse);
             return impulse;
         };
         const Vec12 by = random.direction();

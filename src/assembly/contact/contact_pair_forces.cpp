@@ -43,11 +43,11 @@ const std::vector<ContactPairs::Touching>& ContactPairs::find_touching(const Sta
             const NearPieces& pieces = near[touching[i].index];
             touching[i].energy = touching[i].impulse = find_energy(pieces, at);
             if (!has_impacts_) continue;
-            const ClosestPoints before =
-                find_closest_points(at.before[pieces.first], at.before[pieces.second]);
             turn_impulse(at.now[pieces.first],
                          at.now[pieces.second],
-                         before.offset / before.distance,
+                         open_ends(pieces),
+                         find_start(pieces, at),
+                         law_of(pieces).radii,
                          touching[i].impulse);
             if (at.damping == 0.0) continue;
             for (PairEnergy* one : {&touching[i].energy, &touching[i].impulse})

@@ -47,10 +47,17 @@ Segment ContactPairs::segment_of(std::size_t piece, const std::vector<NodeMotion
 }
 
 std::vector<Segment> ContactPairs::find_segments(const std::vector<NodeMotion>& motions) const {
-    std::vector<Segment> segments(lines_.pieces.size());
-    team_->for_each_range(segments.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) segments[i] = segment_of(i, motions);
+    // Most places end one piece and start the next.
+    std::vector<Vec3> positions(lines_.places.places.size());
+    team_->for_each_range(positions.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            positions[i] = lines_.places.position(lines_.places.places[i], motions);
     });
+    std::vector<Segment> segments(lines_.pieces.size());
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        const std::size_t place = lines_.pieces[i].place;
+        segments[i] = {positions[place], positions[place + 1]};
+    }
     return segments;
 }
 

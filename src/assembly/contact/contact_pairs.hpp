@@ -14,6 +14,7 @@
 #include "assembly/residual.hpp"
 #include "assembly/scale_groups.hpp"
 #include "contact/pair_friction.hpp"
+#include "contact/pair_impulse.hpp"
 #include "parallel/thread_team.hpp"
 #include "state/contact_touch.hpp"
 
@@ -161,6 +162,11 @@ class ContactPairs {
         return lines_.places.places[lines_.pieces[piece].place].element;
     }
     PairMotion motion_of(const NearPieces& near, const State& state) const;
+    OpenEnds open_ends(const NearPieces& near) const;
+    std::uint32_t find_next(std::uint32_t piece, int steps) const;  // along its rod
+    // From two pieces on, along both rods, to those that are nearer.
+    NearPieces find_nearest(NearPieces near, const std::vector<Segment>& segments) const;
+    PairStart find_start(const NearPieces& near, const PiecesPlaced& placed) const;
     static Vec12 find_way(const NearPieces& near, const PiecesPlaced& placed);  // of the ends in the step
     double coefficient_of(const NearPieces& near) const;
     // As the law has it, or as an iteration takes it for granted.
