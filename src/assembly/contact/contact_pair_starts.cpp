@@ -1,6 +1,6 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
-#include <cstdlib>
 
 #include "assembly/contact/contact_pairs.hpp"
 
@@ -45,20 +45,26 @@ NearPieces ContactPairs::find_nearest(NearPieces near, const std::vector<Segment
 }
 
 PairStart ContactPairs::find_start(const NearPieces& near, const PiecesPlaced& placed) const {
+    const auto contact_of = [&](const NearPieces& pieces) {
+        return find_open_contact(
+            placed.before[pieces.first], placed.before[pieces.second], open_ends(pieces));
+    };
     const NearPieces nearest = find_nearest(near, placed.before);
-    const int gone_a = static_cast<int>(nearest.first) - static_cast<int>(near.first);
-    const int gone_b = static_cast<int>(nearest.second) - static_cast<int>(near.second);
-    // What has not gone far keeps the straight lines of its pieces, or its direction would turn at rest.
-    constexpr int far = 3;
-    const bool is_far = std::max(std::abs(gone_a), std::abs(gone_b)) > far;
-    const NearPieces& at = is_far ? nearest : near;
-    const OpenContact contact =
-        find_open_contact(placed.before[at.first], placed.before[at.second], open_ends(at));
-    return {contact.s + (is_far ? gone_a : 0),
-            contact.t + (is_far ? gone_b : 0),
-            contact.offset,
-            find_closest_points(placed.before[nearest.first], placed.before[nearest.second]).distance,
-            find_way(near, placed)};
+    PairStart start;
+    start.distance =
+        find_closest_points(placed.before[nearest.first], placed.before[nearest.second]).distance;
+    start.way = find_way(near, placed);
+    // What goes on straight has the same direction at rest, but not where a rod is bent far from its piece.
+    constexpr double furthest = 4.0;
+    OpenContact contact = contact_of(near);
+    if (std::max(std::abs(contact.s - 0.5), std::abs(contact.t - 0.5)) > furthest) {
+        contact = contact_of(nearest);
+        contact.s += static_cast<int>(nearest.first) - static_cast<int>(near.first);
+        contact.t += static_cast<int>(nearest.second) - static_cast<int>(near.second);
+    }
+    start.s = contact.s, start.t = contact.t;
+    start.offset = contact.offset;
+    return start;
 }
 
 }  // namespace gxrod
