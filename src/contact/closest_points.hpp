@@ -5,6 +5,11 @@
 // Where two straight segments are closest.
 namespace gxrod {
 
+// By the positions of the four ends of two segments.
+using Vec12 = Eigen::Matrix<double, 12, 1>;
+using Row12 = Eigen::Matrix<double, 1, 12>;
+using Mat312 = Eigen::Matrix<double, 3, 12>;
+
 // The points start + s (end − start), s in [0, 1]. Both ends may coincide.
 struct Segment {
     Vec3 start, end;

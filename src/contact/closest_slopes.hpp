@@ -6,8 +6,7 @@ namespace gxrod {
 
 // How the closest points x(s) and y(t) of two segments follow their ends, where they are inside.
 struct ClosestSlopes {
-    double shares[4];  // of the ends in x − y
-    using Vec12 = Eigen::Matrix<double, 12, 1>;
+    double shares[4];        // of the ends in x − y
     Vec12 along_a, along_b;  // derivatives of (x − y) · A and (y − x) · B at the same s and t
     Vec12 s_by = Vec12::Zero(), t_by = Vec12::Zero();
 
@@ -34,9 +33,8 @@ struct ClosestSlopes {
         }
     }
 
-    Eigen::Matrix<double, 3, 12> find_offset_by(const Segment& a, const Segment& b) const {
-        Eigen::Matrix<double, 3, 12> by =
-            (a.end - a.start) * s_by.transpose() - (b.end - b.start) * t_by.transpose();
+    Mat312 find_offset_by(const Segment& a, const Segment& b) const {
+        Mat312 by = (a.end - a.start) * s_by.transpose() - (b.end - b.start) * t_by.transpose();
         for (int end = 0; end < 4; ++end) by.middleCols<3>(3 * end).diagonal().array() += shares[end];
         return by;
     }

@@ -7,10 +7,6 @@
 namespace gxrod {
 namespace {
 
-using Vec12 = OpenContact::Vec12;
-using Mat312 = OpenContact::Mat312;
-using Row12 = Eigen::Matrix<double, 1, 12>;
-
 // A segment as a direction and a length, with its derivatives by all four ends.
 struct Line {
     Vec3 direction = Vec3::Zero();
@@ -40,6 +36,7 @@ OpenContact find_open_contact(const Segment& a, const Segment& b, const OpenEnds
     const ClosestSlopes slopes(a, b, closest);
     const Line of_a(a, 0), of_b(b, 2);
     OpenContact result;
+    result.inside = closest;
     result.s = closest.s, result.t = closest.t;
     result.s_by = slopes.s_by, result.t_by = slopes.t_by;
     result.offset = closest.offset;

@@ -14,9 +14,7 @@ struct OpenEnds {
 // along each other are continuous, whichever pieces of them are near. Along lines that are nearly parallel no
 // place is the closest: `crossing` falls to nothing, and the offset is at right angles to what is common.
 struct OpenContact {
-    using Vec12 = Eigen::Matrix<double, 12, 1>;
-    using Mat312 = Eigen::Matrix<double, 3, 12>;
-
+    ClosestPoints inside;        // of the segments themselves
     double s = 0.0, t = 0.0;     // below 0 or above 1 beyond the segments
     Vec3 offset = Vec3::Zero();  // from the point of the second line to that of the first
     double crossing = 0.0;       // 1 at a right angle

@@ -12,7 +12,6 @@
 // infinite energy.)
 namespace gxrod {
 
-using Vec12 = Eigen::Matrix<double, 12, 1>;
 using Mat12 = Eigen::Matrix<double, 12, 12>;
 
 struct PairLaw {

@@ -6,9 +6,6 @@
 namespace gxrod {
 namespace {
 
-using Mat312 = Eigen::Matrix<double, 3, 12>;
-using Row12 = Eigen::Matrix<double, 1, 12>;
-
 // The parts n · G of the forces on four ends along the normal, and their derivatives.
 struct NormalParts {
     double values[4];
@@ -103,7 +100,7 @@ void turn_impulse(const Segment& a,
     parts.take_back(0, contact.s - start.s, contact.s_by, contact);
     parts.take_back(2, contact.t - start.t, contact.t_by, contact);
     Direction mean = find_mean(start.offset.normalized(), n);
-    const ClosestPoints inside = find_closest_points(a, b);
+    const ClosestPoints& inside = contact.inside;
     const double shares[4] = {1.0 - inside.s, inside.s, inside.t - 1.0, -inside.t};
     Vec12 change_by;
     for (int end = 0; end < 4; ++end)

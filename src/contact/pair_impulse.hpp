@@ -3,7 +3,7 @@
 #include "contact/open_contact.hpp"
 #include "contact/pair_energy.hpp"
 
-// What makes the forces of pairs those of a step of time (docs/theory/contact.md, (C16) to (C20)).
+// What makes the forces of pairs those of a step of time (docs/theory/contact.md, (C16) to (C21)).
 namespace gxrod {
 
 // Where two lines were closest at the start of a step, in parts of the segments that are closest at its end,
@@ -16,9 +16,9 @@ struct PairStart {
 };
 
 // Makes the forces between two segments impulses, (C20): in the mean direction of the normals between their
-// closest points at the start and at the end, and half way between the places there. So what slides around
-// a rod, or along it, keeps its energy and its angular momentum, and what passes to its other side gains
-// none. `radii` is the sum of both. The Hessian becomes the derivative.
+// closest points at the start and at the end, and half way between the places there, and with (C21). So what
+// slides around a rod, or along it, keeps its energy and its angular momentum, and what passes to its other
+// side gains none. `radii` is the sum of both. The Hessian becomes the derivative.
 void turn_impulse(const Segment& a,
                   const Segment& b,
                   const OpenEnds& open,
