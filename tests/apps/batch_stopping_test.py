@@ -126,7 +126,9 @@ class Stopping(BatchTest):
                          ["batch.json", "cases", "index.csv", "lock"])
 
     def test_interrupted_at_its_last_cases_it_is_complete(self):
-        self.write("plan.toml", PLAN.replace("time_step\" = [0.05, 0.02]", "time_step\" = [0.0005]"))
+        # Three cases of a second each, that all are seen at once.
+        self.write("plan.toml", PLAN.replace("\"analysis.time_step\" = [0.05, 0.02]", "\"analysis.end_time\" = [30]\n"
+                                             "\"analysis.time_step\" = [0.0005]"))
         process = self.start("plan.toml", "-j", "3")
         self.wait_for_workers(process, 3)
         os.killpg(process.pid, signal.SIGINT)
