@@ -50,11 +50,12 @@ std::string count_cuts(const StepCuts& cuts) {
     return fmt::format("{} of {} steps were cut, {} times in all", cuts.cut_steps, cuts.steps, cuts.cuts);
 }
 
-std::string advise_on_cuts(const Model& model, const AnalysisSettings& analysis) {
+std::string advise_on_cuts(const Model& model, const AnalysisSettings& analysis, bool is_unstable) {
     if (const auto* dynamic = std::get_if<DynamicSettings>(&analysis))
         return advise_on_motion(model, *dynamic);
     const bool is_consistent = choose_tangent(model, analysis).tangent == TangentKind::consistent;
-    return std::string(". Try more steps") + (model.contact.is_empty() ? "" : ", or a thicker contact.skin") +
+    return std::string(". Try more steps") +
+           (model.contact.is_empty() || is_unstable ? "" : ", or a thicker contact.skin") +
            (is_consistent ? ", or newton.tangent = \"mixed\", which converges in larger ones." : ".");
 }
 

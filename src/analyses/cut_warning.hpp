@@ -23,7 +23,7 @@ bool are_worth_telling(const StepCuts& cuts);
 std::string count_cuts(const StepCuts& cuts);
 
 // What makes Newton's method cut steps of this model, and what to try, as the end of a sentence: "; rod b is
-// … times as stiff in …. Try …".
-std::string advise_on_cuts(const Model& model, const AnalysisSettings& analysis);
+// … times as stiff in …. Try …". Nothing that lets a run pass by where it is unstable.
+std::string advise_on_cuts(const Model& model, const AnalysisSettings& analysis, bool is_unstable);
 
 }  // namespace gxrod

@@ -90,7 +90,7 @@ void RunBooks::sum_up_cuts(const StageSequence& stages, const std::string& prefi
     const StepCuts cuts = tally.count(stages.analysis().steps().steps_done() - first_step_);
     if (!are_worth_telling(cuts)) return;
     add_sentence(count_cuts(cuts) + ": " + tally.describe_reasons(model_) +
-                     advise_on_cuts(stages.model(), stages.settings()),
+                     advise_on_cuts(stages.model(), stages.settings(), stages.analysis().is_unstable()),
                  prefix,
                  summary_.cuts);
 }

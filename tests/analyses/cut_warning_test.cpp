@@ -7,9 +7,9 @@ using namespace gxrod;
 
 namespace {
 
-std::string advise(const std::string& deck) {
+std::string advise(const std::string& deck, bool is_unstable = false) {
     const Problem problem = test::read(deck);
-    return advise_on_cuts(problem.model, problem.analysis);
+    return advise_on_cuts(problem.model, problem.analysis, is_unstable);
 }
 
 }  // namespace
@@ -51,6 +51,7 @@ TEST_CASE("What is said of cuts is what the model and its settings make of them"
         return test::replaced(deck, "[rod.r]", "radius = 0.1\n[contact]\n[rod.r]");
     };
     CHECK(advise(touching(test::static_rod_deck)) == ". Try more steps, or a thicker contact.skin.");
+    CHECK(advise(touching(test::static_rod_deck), true) == ". Try more steps.");
     CHECK(advise(touching(test::rod_deck)) ==
           mixed + ", or gamma = 0.6 and beta = 0.3, which damp what is too fast for the steps.");
     CHECK(advise(test::static_rod_deck + "newton.tangent = \"consistent\"\n") ==
