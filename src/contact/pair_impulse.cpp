@@ -85,6 +85,12 @@ void take_gain(const NormalParts& parts,
 
 }  // namespace
 
+Vec12 find_ends(const Segment& a, const Segment& b) {
+    Vec12 ends;
+    ends << a.start, a.end, b.start, b.end;
+    return ends;
+}
+
 void turn_impulse(const Segment& a,
                   const Segment& b,
                   const OpenEnds& open,
@@ -105,7 +111,7 @@ void turn_impulse(const Segment& a,
     Vec12 change_by;
     for (int end = 0; end < 4; ++end)
         change_by.segment<3>(3 * end) = shares[end] / inside.distance * inside.offset;
-    take_gain(parts, start.way, inside.distance - start.distance, change_by, radii, mean);
+    take_gain(parts, find_ends(a, b) - start.ends, inside.distance - start.distance, change_by, radii, mean);
     for (int end = 0; end < 4; ++end) {
         pair.hessian.middleRows<3>(3 * end) += mean.value * parts.by[end] + parts.values[end] * mean.by -
                                                n.value * at_end.by[end] - at_end.values[end] * n.by;

@@ -6,14 +6,16 @@
 // What makes the forces of pairs those of a step of time (docs/theory/contact.md, (C16) to (C21)).
 namespace gxrod {
 
-// Where two lines were closest at the start of a step, in parts of the segments that are closest at its end,
-// and how the four ends of these have moved.
+// Where two lines were closest at the start of a step, in parts of the segments that are closest at its end.
 struct PairStart {
     double s = 0.0, t = 0.0;     // of straight lines, as OpenContact has them
     Vec3 offset = Vec3::Zero();  // of these
     double distance = 0.0;       // of the lines as they are
-    Vec12 way;
+    Vec12 ends;                  // of these segments
 };
+
+// Their positions.
+Vec12 find_ends(const Segment& a, const Segment& b);
 
 // Makes the forces between two segments impulses, (C20): in the mean direction of the normals between their
 // closest points at the start and at the end, and half way between the places there, and with (C21). So what

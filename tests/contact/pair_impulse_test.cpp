@@ -15,11 +15,9 @@ double work_of(const PairEnergy& pair, const FourEnds& from, const FourEnds& to)
     return work;
 }
 
-PairStart start_of(const FourEnds& before, const FourEnds& after, const OpenEnds& open = {}) {
+PairStart start_of(const FourEnds& before, const OpenEnds& open = {}) {
     const OpenContact contact = find_open_contact(before.a(), before.b(), open);
-    PairStart start{contact.s, contact.t, contact.offset, contact.offset.norm(), {}};
-    for (int end = 0; end < 4; ++end) start.way.segment<3>(3 * end) = after.ends[end] - before.ends[end];
-    return start;
+    return {contact.s, contact.t, contact.offset, contact.offset.norm(), find_ends(before.a(), before.b())};
 }
 
 }  // namespace
@@ -77,7 +75,7 @@ TEST_CASE("An impulse turned to the mean normal does no work where a pair slides
         for (int end = 0; end < 2; ++end)
             before.ends[end] = turn * Vec3(pair.ends[end] - pair.ends[2]) + pair.ends[2];
         PairEnergy impulse = at_end;
-        turn_impulse(pair.a(), pair.b(), {}, start_of(before, pair), wires.radii, impulse);
+        turn_impulse(pair.a(), pair.b(), {}, start_of(before), wires.radii, impulse);
         CHECK(std::abs(work_of(impulse, before, pair)) < 0.01 * force * h * h);
         turned += work_of(at_end, before, pair) > 0.2 * force * h * h ? 1 : 0;
         CHECK((impulse.gradient.segment<3>(0) + impulse.gradient.segment<3>(3) +
@@ -88,14 +86,14 @@ TEST_CASE("An impulse turned to the mean normal does no work where a pair slides
         for (int end = 0; end < 2; ++end)
             before.ends[end] = far * Vec3(pair.ends[end] - pair.ends[2]) + pair.ends[2];
         impulse = at_end;
-        turn_impulse(pair.a(), pair.b(), {}, start_of(before, pair), wires.radii, impulse);
+        turn_impulse(pair.a(), pair.b(), {}, start_of(before), wires.radii, impulse);
         CHECK(std::abs(work_of(impulse, before, pair)) < 0.01 * force * wires.radii);
         passed += work_of(at_end, before, pair) > 1.5 * force * wires.radii ? 1 : 0;
         // Along both lines.
         before = pair;
         for (int end = 0; end < 2; ++end) before.ends[end] += h * (A + B).normalized();
         impulse = at_end;
-        turn_impulse(pair.a(), pair.b(), {}, start_of(before, pair), wires.radii, impulse);
+        turn_impulse(pair.a(), pair.b(), {}, start_of(before), wires.radii, impulse);
         CHECK(std::abs(work_of(impulse, before, pair)) < 0.01 * force * h * h);
         ++slid;
     }
@@ -105,7 +103,7 @@ TEST_CASE("An impulse turned to the mean normal does no work where a pair slides
     // Forces do not turn without a motion.
     const FourEnds pair = random.make(0.5);
     PairEnergy impulse = compute_pair(pair);
-    turn_impulse(pair.a(), pair.b(), {}, start_of(pair, pair), wires.radii, impulse);
+    turn_impulse(pair.a(), pair.b(), {}, start_of(pair), wires.radii, impulse);
     CHECK(impulse.gradient.isApprox(compute_pair(pair).gradient, 1e-12));
 }
 
@@ -132,7 +130,7 @@ TEST_CASE("An impulse keeps energy and angular momentum up to the third power of
                     about + h * moves[line] + exp_quaternion(h * turns[line]) * Vec3(pair.ends[end] - about);
             }
             PairEnergy impulse = at_end;
-            if (turned) turn_impulse(pair.a(), pair.b(), {}, start_of(before, pair), wires.radii, impulse);
+            if (turned) turn_impulse(pair.a(), pair.b(), {}, start_of(before), wires.radii, impulse);
             Vec3 moment = Vec3::Zero();
             for (int end = 0; end < 4; ++end)
                 moment -=
@@ -166,7 +164,7 @@ TEST_CASE("No impulse does more work than that of the change of the gap, however
             for (int end = 2 * line; end < 2 * line + 2; ++end)
                 before.ends[end] = move + turn * pair.ends[end];
         }
-        const PairStart start = start_of(before, pair);
+        const PairStart start = start_of(before);
         PairStart unlimited = start;
         unlimited.distance = -1e6;  // nothing would be too much
         PairEnergy impulse = at_end, whole = at_end;
@@ -204,8 +202,8 @@ TEST_CASE("What slides along a line of several pieces is not braked", "[contact]
             force += at_end.force().norm();
             const OpenEnds open{false, false, true, true};
             PairEnergy impulse = at_end, clamped = at_end;
-            turn_impulse(pair.a(), pair.b(), open, start_of(before, pair, open), wires.radii, impulse);
-            turn_impulse(pair.a(), pair.b(), {}, start_of(before, pair), wires.radii, clamped);
+            turn_impulse(pair.a(), pair.b(), open, start_of(before, open), wires.radii, impulse);
+            turn_impulse(pair.a(), pair.b(), {}, start_of(before), wires.radii, clamped);
             work += work_of(impulse, before, pair);
             clamped_work += work_of(clamped, before, pair);
         }
@@ -233,17 +231,12 @@ TEST_CASE("A turned impulse has its derivative", "[contact]") {
                               random.number(),
                               offset,
                               k % 5 == 0 ? 1e3 : offset.norm(),
-                              (k % 7 == 0 ? 0.1 : 2.0) * random.direction()};
+                              find_ends(pair.a(), pair.b()) - (k % 7 == 0 ? 0.1 : 2.0) * random.direction()};
         const OpenEnds open{k % 2 == 0, k % 4 < 2, k % 5 < 3, k % 5 > 1};
         const auto impulse_of = [&](const Vec12& by) {
             const FourEnds moved = pair.moved(by);
             PairEnergy impulse = compute_pair(moved);
-            turn_impulse(moved.a(),
-                         moved.b(),
-                         open,
-                         {start.s, start.t, start.offset, start.distance, start.way + by},
-                         wires.radii,
-                         impulse);
+            turn_impulse(moved.a(), moved.b(), open, start, wires.radii, impulse);
             return impulse;
         };
         const Vec12 by = random.direction();

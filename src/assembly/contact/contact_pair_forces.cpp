@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <map>
+#include <tuple>
 
 #include "assembly/contact/contact_pairs.hpp"
 #include "rotation/tangent_map.hpp"
@@ -21,7 +21,10 @@ Vec24 with_moments(const Vec12& forces) {
 const std::vector<ContactPairs::Touching>& ContactPairs::find_touching(const State& state) const {
     const std::vector<NearPieces>& near = state.contact.pieces;
     PiecesPlaced placed = place_pieces(state);
-    if (near == found_.pieces && placed == found_.placed) return found_.touching;
+    const bool has_same_pieces = near == found_.pieces;
+    if (has_same_pieces && placed == found_.placed) return found_.touching;
+    if (!has_same_pieces || placed.before != found_.placed.before)
+        found_.starts.assign(near.size(), std::nullopt);
     found_.pieces = near;
     found_.placed = std::move(placed);
     const PiecesPlaced& at = found_.placed;
@@ -43,41 +46,33 @@ const std::vector<ContactPairs::Touching>& ContactPairs::find_touching(const Sta
             const NearPieces& pieces = near[touching[i].index];
             touching[i].energy = touching[i].impulse = find_energy(pieces, at);
             if (!has_impacts_) continue;
-            turn_impulse(at.now[pieces.first],
-                         at.now[pieces.second],
-                         open_ends(pieces),
-                         find_start(pieces, at),
-                         law_of(pieces).radii,
-                         touching[i].impulse);
+            const Segment &a = at.now[pieces.first], &b = at.now[pieces.second];
+            std::optional<PairStart>& start = found_.starts[touching[i].index];
+            if (!start) start = find_start(pieces, at.before);
+            turn_impulse(a, b, open_ends(pieces), *start, law_of(pieces).radii, touching[i].impulse);
             if (at.damping == 0.0) continue;
             for (PairEnergy* one : {&touching[i].energy, &touching[i].impulse})
-                damp(*one, find_way(pieces, at), at.damping);
+                damp(*one, find_ends(a, b) - start->ends, at.damping);
         }
     });
     return touching;
 }
 
-Vec12 ContactPairs::find_way(const NearPieces& near, const PiecesPlaced& placed) {
-    Vec12 way;
-    way << placed.now[near.first].start - placed.before[near.first].start,
-        placed.now[near.first].end - placed.before[near.first].end,
-        placed.now[near.second].start - placed.before[near.second].start,
-        placed.now[near.second].end - placed.before[near.second].end;
-    return way;
-}
-
 PairMotion ContactPairs::motion_of(const NearPieces& near, const State& state) const {
     const ContactPlaces& all = lines_.places;
-    PairMotion motion;
+    const PiecesPlaced& placed = found_.placed;
+    const auto ends_of = [&](const std::vector<Segment>& segments) -> std::array<Vec3, 4> {
+        const Segment &a = segments[near.first], &b = segments[near.second];
+        return {a.start, a.end, b.start, b.end};
+    };
+    // Before is asked for only where there is friction.
+    PairMotion motion{ends_of(placed.now), ends_of(placed.before.empty() ? placed.now : placed.before), {}};
     std::size_t end = 0;
     for (const std::uint32_t index : {near.first, near.second}) {
         const ContactPiece& piece = lines_.pieces[index];
         (end == 0 ? motion.radius_a : motion.radius_b) = lines_.element_of(piece).radius;
-        for (std::size_t p = piece.place; p < piece.place + 2; ++p, ++end) {
-            motion.positions[end] = all.position(all.places[p], state.trial);
-            motion.positions_before[end] = all.position(all.places[p], state.previous);
+        for (std::size_t p = piece.place; p < piece.place + 2; ++p, ++end)
             motion.rotations[end] = all.interpolate(all.places[p], state.trial, &NodeMotion::theta);
-        }
     }
     return motion;
 }
@@ -211,85 +206,103 @@ ContactPairs::Shares ContactPairs::find_shares(const NearPieces& near, const Nod
     return shares;
 }
 
-std::vector<ContactPairs::EndTangent> ContactPairs::find_end_tangents(const State& state) const {
+std::vector<ContactPairs::Tangible> ContactPairs::list_tangible(const State& state) const {
     const std::vector<Touching>& touching = find_touching(state);
     const std::vector<NearPieces>& pieces = state.contact.pieces;
-    std::vector<EndTangent> tangents;
-    std::vector<const Touching*> those;
-    tangents.reserve(touching.size());
+    std::vector<Tangible> those;
     auto next = touching.begin();
     for (std::size_t index = 0; index < pieces.size(); ++index) {
         const bool touches = next != touching.end() && next->index == index;
         if (touches || state.contact.pieces_expected[index] > no_contact) {
-            tangents.push_back({index, Vec24::Zero(), Mat24::Zero()});
-            those.push_back(touches ? &*next : nullptr);
+            const std::pair elements(element_of(pieces[index].first), element_of(pieces[index].second));
+            those.push_back({elements, index, touches ? &*next : nullptr});
         }
         if (touches) ++next;
     }
-    team_->for_each_range(tangents.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            EndTangent& own = tangents[i];
-            const auto subtract_by_positions = [&](const Mat12& hessian) {
-                for (int a = 0; a < 4; ++a)
-                    for (int b = 0; b < 4; ++b)
-                        own.derivative.block<3, 3>(6 * a, 6 * b) -= hessian.block<3, 3>(3 * a, 3 * b);
-            };
-            if (const std::optional<Expected> expected = find_expected(own.index, state)) {
-                subtract_by_positions(expected->stiffness * expected->slope * expected->slope.transpose());
-                own.forces = with_moments(expected->force * expected->slope);
-                continue;
-            }
-            subtract_by_positions(those[i]->impulse.hessian);
-            const bool needs_forces = has_body(pieces[own.index]);
-            if (needs_forces) own.forces = with_moments(-those[i]->impulse.gradient);
-            if (!rub()) continue;
-            const CoulombFriction friction = state.contact.has_parameters
-                                                 ? taken_friction_of(own.index, state)
-                                                 : friction_of(own.index, state);
-            const PairMotion motion = motion_of(pieces[own.index], state);
-            own.derivative += compute_pair_friction_derivative(those[i]->energy, motion, friction);
-            if (needs_forces) own.forces += compute_pair_friction(those[i]->energy, motion, friction).forces;
-        }
-    });
-    return tangents;
+    std::ranges::sort(those, {}, [](const Tangible& one) { return std::tie(one.elements, one.index); });
+    return those;
 }
 
-std::vector<PairBlock> ContactPairs::compute_tangents(
-    const State& state, double weight, const std::vector<NodeLinearization>& linearizations) const {
-    std::map<std::pair<int, int>, PairBlock> of_elements;
-    for (const EndTangent& tangent : find_end_tangents(state)) {
-        const NearPieces& near = state.contact.pieces[tangent.index];
-        const int first = element_of(near.first), second = element_of(near.second);
-        PairBlock& block = of_elements[{first, second}];
-        if (block.nodes.empty()) {
-            block.nodes = list_nodes(first, second);
-            const auto size = static_cast<Eigen::Index>(6 * block.nodes.size());
-            block.matrix = Eigen::MatrixXd::Zero(size, size);
-        }
-        const Shares shares = find_shares(near, block.nodes);
-        if (has_body(near)) {
+ContactPairs::EndTangent ContactPairs::find_end_tangent(const Tangible& one, const State& state) const {
+    EndTangent own;
+    own.index = one.index;
+    const auto subtract_by_positions = [&](const Mat12& hessian) {
+        for (int a = 0; a < 4; ++a)
+            for (int b = 0; b < 4; ++b)
+                own.derivative.block<3, 3>(6 * a, 6 * b) -= hessian.block<3, 3>(3 * a, 3 * b);
+    };
+    if (const std::optional<Expected> expected = find_expected(one.index, state)) {
+        subtract_by_positions(expected->stiffness * expected->slope * expected->slope.transpose());
+        own.forces = with_moments(expected->force * expected->slope);
+        return own;
+    }
+    const NearPieces& near = state.contact.pieces[one.index];
+    subtract_by_positions(one.touching->impulse.hessian);
+    const bool needs_forces = has_body(near);
+    if (needs_forces) own.forces = with_moments(-one.touching->impulse.gradient);
+    if (!rub()) return own;
+    const CoulombFriction friction =
+        state.contact.has_parameters ? taken_friction_of(one.index, state) : friction_of(one.index, state);
+    const PairMotion motion = motion_of(near, state);
+    own.derivative += compute_pair_friction_derivative(one.touching->energy, motion, friction);
+    if (needs_forces) own.forces += compute_pair_friction(one.touching->energy, motion, friction).forces;
+    return own;
+}
+
+PairBlock ContactPairs::compute_block(std::span<const Tangible> those,
+                                      const State& state,
+                                      double weight,
+                                      const std::vector<NodeLinearization>& linearizations) const {
+    PairBlock block{list_nodes(those[0].elements.first, those[0].elements.second), {}};
+    const auto size = static_cast<Eigen::Index>(6 * block.nodes.size());
+    block.matrix = Eigen::MatrixXd::Zero(size, size);
+    const bool with_body = has_body(state.contact.pieces[those[0].index]);
+    for (const Tangible& one : those) {
+        const EndTangent tangent = find_end_tangent(one, state);
+        const Shares shares = find_shares(state.contact.pieces[one.index], block.nodes);
+        if (with_body) {
             add_tangent_with_body(tangent, weight, linearizations, state, shares, block);
             continue;
         }
         for (Eigen::Index column = 0; column < shares.cols(); ++column) {
-            const auto node = static_cast<std::size_t>(block.nodes[static_cast<std::size_t>(column)]);
-            const double part = weight * linearizations[node].placement;
-            const Mat3 turn = rub() ? tangent_map_inverse(state.trial[node].theta) : Mat3(Mat3::Identity());
-            for (Eigen::Index row = 0; row < shares.cols(); ++row) {
-                Mat6 sum = Mat6::Zero();
-                for (int a = 0; a < 4; ++a) {
-                    for (int b = 0; b < 4; ++b) {
+            for (int b = 0; b < 4; ++b) {
+                if (shares(b, column) == 0.0) continue;
+                for (Eigen::Index row = 0; row < shares.cols(); ++row) {
+                    for (int a = 0; a < 4; ++a) {
                         const double share = shares(a, row) * shares(b, column);
-                        if (share != 0.0) sum += share * tangent.derivative.block<6, 6>(6 * a, 6 * b);
+                        if (share != 0.0)
+                            block.matrix.block<6, 6>(6 * row, 6 * column) -=
+                                share * tangent.derivative.block<6, 6>(6 * a, 6 * b);
                     }
                 }
-                sum.rightCols<3>() = (sum.rightCols<3>() * turn).eval();
-                block.matrix.block<6, 6>(6 * row, 6 * column) -= part * sum;
             }
         }
     }
-    std::vector<PairBlock> blocks;
-    for (auto& [elements, block] : of_elements) blocks.push_back(std::move(block));
+    if (with_body) return block;
+    for (std::size_t i = 0; i < block.nodes.size(); ++i) {
+        const auto node = static_cast<std::size_t>(block.nodes[i]);
+        auto columns = block.matrix.middleCols<6>(6 * static_cast<Eigen::Index>(i));
+        columns *= weight * linearizations[node].placement;
+        if (rub())
+            columns.rightCols<3>() =
+                (columns.rightCols<3>() * tangent_map_inverse(state.trial[node].theta)).eval();
+    }
+    return block;
+}
+
+std::vector<PairBlock> ContactPairs::compute_tangents(
+    const State& state, double weight, const std::vector<NodeLinearization>& linearizations) const {
+    const std::vector<Tangible> those = list_tangible(state);
+    std::vector<std::span<const Tangible>> of_elements;
+    for (std::size_t first = 0, end = 0; first < those.size(); first = end) {
+        while (end < those.size() && those[end].elements == those[first].elements) ++end;
+        of_elements.emplace_back(&those[first], end - first);
+    }
+    std::vector<PairBlock> blocks(of_elements.size());
+    team_->for_each_range(blocks.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            blocks[i] = compute_block(of_elements[i], state, weight, linearizations);
+    });
     return blocks;
 }
 

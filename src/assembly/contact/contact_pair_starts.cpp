@@ -44,16 +44,14 @@ NearPieces ContactPairs::find_nearest(NearPieces near, const std::vector<Segment
     return near;
 }
 
-PairStart ContactPairs::find_start(const NearPieces& near, const PiecesPlaced& placed) const {
+PairStart ContactPairs::find_start(const NearPieces& near, const std::vector<Segment>& before) const {
     const auto contact_of = [&](const NearPieces& pieces) {
-        return find_open_contact(
-            placed.before[pieces.first], placed.before[pieces.second], open_ends(pieces));
+        return find_open_contact(before[pieces.first], before[pieces.second], open_ends(pieces));
     };
-    const NearPieces nearest = find_nearest(near, placed.before);
+    const NearPieces nearest = find_nearest(near, before);
     PairStart start;
-    start.distance =
-        find_closest_points(placed.before[nearest.first], placed.before[nearest.second]).distance;
-    start.way = find_way(near, placed);
+    start.distance = find_closest_points(before[nearest.first], before[nearest.second]).distance;
+    start.ends = find_ends(before[near.first], before[near.second]);
     // What goes on straight has the same direction at rest, but not where a rod is bent far from its piece.
     constexpr double furthest = 4.0;
     OpenContact contact = contact_of(near);

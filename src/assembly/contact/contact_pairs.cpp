@@ -73,8 +73,8 @@ PairLaw ContactPairs::law_of(const NearPieces& near) const {
 ContactPairs::PiecesPlaced ContactPairs::place_pieces(const State& state) const {
     PiecesPlaced placed;
     placed.now = find_segments(state.trial);
+    if (has_impacts_ || rub()) placed.before = find_segments(state.previous);
     if (!has_impacts_) return placed;
-    placed.before = find_segments(state.previous);
     const double elapsed = state.trial_time - state.time;
     if (elapsed > 0.0) placed.damping = damping_ / elapsed;
     return placed;

@@ -87,7 +87,7 @@ class ContactPairs {
     double largest_skin() const;
     // How far what reaches so far from its axes may be moved before the next search, as a part of the motion.
     double find_room(double reach, State& state) const;
-    // Where all pieces are, and where they were at the start of a step with impulses.
+    // Where all pieces are, and where they were at the start of a step.
     struct PiecesPlaced {
         std::vector<Segment> now, before;
         double damping = 0.0;  // of a change of the gap in the step
@@ -144,14 +144,25 @@ class ContactPairs {
     };
     // With damped forces. They last until the next call.
     const std::vector<Touching>& find_touching(const State& state) const;
-    // Of what touches and what is expected to: forces and moments at the ends, and their derivatives by
-    // positions and rotations there.
+    // What touches, or nullptr where it is expected to.
+    struct Tangible {
+        std::pair<int, int> elements;
+        std::size_t index = 0;
+        const Touching* touching = nullptr;
+    };
+    std::vector<Tangible> list_tangible(const State& state) const;  // sorted
+    // Forces and moments at the ends, and their derivatives by positions and rotations there.
     struct EndTangent {
         std::size_t index = 0;
-        Vec24 forces;  // where there is a body
-        Mat24 derivative;
+        Vec24 forces = Vec24::Zero();  // where there is a body
+        Mat24 derivative = Mat24::Zero();
     };
-    std::vector<EndTangent> find_end_tangents(const State& state) const;
+    EndTangent find_end_tangent(const Tangible& one, const State& state) const;
+    // Of the same two elements.
+    PairBlock compute_block(std::span<const Tangible> those,
+                            const State& state,
+                            double weight,
+                            const std::vector<NodeLinearization>& linearizations) const;
     PairIncrement find_increment(const NearPieces& near,
                                  const std::vector<Vec6>& deltas,
                                  const State& state) const;
@@ -161,13 +172,13 @@ class ContactPairs {
     int element_of(std::uint32_t piece) const {
         return lines_.places.places[lines_.pieces[piece].place].element;
     }
+    // Where all pieces are as find_touching last found them.
     PairMotion motion_of(const NearPieces& near, const State& state) const;
     OpenEnds open_ends(const NearPieces& near) const;
     std::uint32_t find_next(std::uint32_t piece, int steps) const;  // along its rod
     // From two pieces on, along both rods, to those that are nearer.
     NearPieces find_nearest(NearPieces near, const std::vector<Segment>& segments) const;
-    PairStart find_start(const NearPieces& near, const PiecesPlaced& placed) const;
-    static Vec12 find_way(const NearPieces& near, const PiecesPlaced& placed);  // of the ends in the step
+    PairStart find_start(const NearPieces& near, const std::vector<Segment>& before) const;
     double coefficient_of(const NearPieces& near) const;
     // As the law has it, or as an iteration takes it for granted.
     CoulombFriction friction_of(std::size_t index, const State& state) const;
@@ -206,6 +217,7 @@ class ContactPairs {
         std::vector<NearPieces> pieces;
         PiecesPlaced placed;
         std::vector<Touching> touching;
+        std::vector<std::optional<PairStart>> starts;  // of pieces, as far as asked for; the same for a step
     };
     mutable Found found_;
 };
