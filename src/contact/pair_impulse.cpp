@@ -55,7 +55,7 @@ void take_gain(const NormalParts& parts,
                const Vec12& change_by,
                double radii,
                Direction& direction) {
-    constexpr double shortest = 1e-3, most = 0.5;
+    constexpr double shortest = 1e-3, most = 0.9;
     const double sum = parts.values[0] + parts.values[1];
     if (sum == 0.0) return;
     Vec3 moved = Vec3::Zero();
