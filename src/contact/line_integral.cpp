@@ -1,5 +1,6 @@
 #include "contact/line_integral.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 // Legend: lo and hi the ends of the part in range, |z| ≤ √(w − G). J_k = ∫ dz/u^k from lo to hi.
@@ -58,7 +59,9 @@ LineIntegral integrate_line(double w, double G, double z0, double z1) {
     const double lo = low_free ? z0 : -reach, hi = high_free ? z1 : reach;
     if (lo >= hi) return integral;
     const double u_lo = low_free ? G + lo * lo : w, u_hi = high_free ? G + hi * hi : w;
-    const bool from_foot = lo <= 0.0 && hi >= 0.0;
+    // So near the foot that their powers may vanish, ends are as good as beyond it.
+    const double near_foot = 1e-3 * std::sqrt(std::max(G, 0.0));
+    const bool from_foot = lo <= near_foot && hi >= -near_foot;
     const TailIntegrals low = integrate_inverses(G, lo, u_lo, from_foot);
     const TailIntegrals high = integrate_inverses(G, hi, u_hi, from_foot);
     const double length = hi - lo;

@@ -5,7 +5,6 @@
 #include <limits>
 #include <numbers>
 
-#include "contact/closest_slopes.hpp"
 #include "contact/line_integral.hpp"
 #include "contact/second_order.hpp"
 #include "numerics/gauss_legendre.hpp"
@@ -350,29 +349,21 @@ PairEnergy compute_point_energy(const PairLaw& pair, const Vec3& point, const Se
     return result;
 }
 
-PairEnergy compute_closest_energy(const PairLaw& pair, const Segment& a, const Segment& b) {
+PairEnergy compute_points_energy(const PairLaw& pair, const Vec3& a, const Vec3& b) {
     PairEnergy result;
-    const ClosestPoints closest = find_closest_points(a, b);
-    const double d = closest.distance, gap = d - pair.radii;
+    const double d = (a - b).norm(), gap = d - pair.radii;
     if (gap >= pair.law.skin) return result;
     assert(gap > 0.0);
-    const Vec3 n = closest.offset / d;
-    const ClosestSlopes slopes(a, b, closest);
-    // Of d.
-    Vec12 slope;
-    Mat12 curvature =
-        (slopes.along_a * slopes.s_by.transpose() + slopes.along_b * slopes.t_by.transpose()) / d;
-    const Mat3 across = (Mat3::Identity() - n * n.transpose()) / d;
-    for (int i = 0; i < 4; ++i) {
-        slope.segment<3>(3 * i) = slopes.shares[i] * n;
-        for (int j = 0; j < 4; ++j)
-            curvature.block<3, 3>(3 * i, 3 * j) += slopes.shares[i] * slopes.shares[j] * across;
-    }
+    const Vec3 n = (a - b) / d;
+    const Mat3 along = n * n.transpose();
     const double force = compute_contact_force(pair.law, gap);
+    const Mat3 hessian =
+        -compute_contact_force_slope(pair.law, gap) * along - force / d * (Mat3::Identity() - along);
     result.energy = compute_contact_energy(pair.law, gap);
-    result.gradient = -force * slope;
-    result.hessian =
-        -compute_contact_force_slope(pair.law, gap) * slope * slope.transpose() - force * curvature;
+    result.gradient.segment<3>(0) = -force * n;
+    result.gradient.segment<3>(6) = force * n;
+    for (const int i : {0, 6})
+        for (const int j : {0, 6}) result.hessian.block<3, 3>(i, j) = i == j ? hessian : Mat3(-hessian);
     return result;
 }
 

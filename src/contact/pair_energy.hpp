@@ -38,10 +38,7 @@ PairEnergy compute_pair_energy(
 // half the skin. By the ends, of which the first is the point.
 PairEnergy compute_point_energy(const PairLaw& pair, const Vec3& point, const Segment& line, double length);
 
-// The same for two points, or a point and a segment (then a.start = a.end), or two segments, by the law of
-// the least distance: energy V(distance − R). The ends of rods need it, where the double integral stays
-// finite as the gap closes. Where the closest points change between ends and insides, second derivatives
-// jump.
-PairEnergy compute_closest_energy(const PairLaw& pair, const Segment& a, const Segment& b);
+// Of two points by the law of the gap: energy V(|a − b| − R). By the ends a.start and b.start.
+PairEnergy compute_points_energy(const PairLaw& pair, const Vec3& a, const Vec3& b);
 
 }  // namespace gxrod

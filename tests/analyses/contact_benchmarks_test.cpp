@@ -257,6 +257,38 @@ time_step = 0.002
     CHECK(before / (mass * 9.81 * way) < 2e-3);
 }
 
+TEST_CASE("Without friction the end of a rod slides along another without bumps", "[analyses][touch]") {
+    // Pressed with 10 kN, over the borders of five pieces.
+    std::string deck = R"(
+[section.s]
+shape = { circle = { radius = 0.05 } }
+material = { E = 1e10, nu = 0.3, density = 1000 }
+[contact]
+[[initial]]
+on = "post"
+velocity = [1, 0, 0]
+[[load]]
+at = "post.end"
+force = [0, 0, -1e4]
+[analysis]
+kind = "dynamic"
+gamma = 0.6
+beta = 0.3
+time_step = 1e-3
+end_time = 0.5
+)" + rod("beam", "0, 0, 0", "1, 0, 0", 10, 1) +
+                       rod("post", "0.23, 0, 0.1005", "0.23, 0, 0.6005", 1, 1);
+    for (int node = 0; node <= 10; ++node)
+        deck +=
+            fmt::format("[[support]]\nat = \"beam@{}\"\nfix = [\"position\", \"rotation\"]\n", 0.1 * node);
+    for (const char* end : {"start", "end"})
+        deck += fmt::format("[[support]]\nat = \"post.{}\"\nfix = [\"y\", \"rotation\"]\n", end);
+    Run run(deck);
+    run.finish();
+    CHECK(run.at("post.start").v.x() == Approx(1.0).epsilon(1e-5));
+    CHECK(run.at("post.start").r.x() == Approx(0.73).epsilon(1e-5));
+}
+
 TEST_CASE("C5a: without dissipation a rod bounces as high as it fell from, at any step",
           "[analyses][touch]") {
     constexpr double fall = 0.5 * 9.81;  // per mass

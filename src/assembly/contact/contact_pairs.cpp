@@ -100,25 +100,25 @@ PairEnergy ContactPairs::find_energy(const NearPieces& near, const PiecesPlaced&
                     more.hessian.block<3, 3>(3 * i, 3 * j);
         }
     };
-    // A point is a segment whose ends are the same. Points of bodies see a line as long as they touch it, so
-    // that nothing changes where two pieces meet.
-    const auto add_ends = [&](const ContactPiece& piece, const ContactPiece& of_other, bool is_first) {
-        const Segment& own = is_first ? a : b;
-        const Segment& other = is_first ? b : a;
-        if (piece.length > 0.0 && of_other.length == 0.0) return;
-        if (piece.length == 0.0 && of_other.length == 0.0 && !is_first) return;
-        const bool sees_line = lines_.element_of(piece).is_body && of_other.length > 0.0;
-        for (int end = 0; end < 2; ++end) {
-            if (!(end == 0 ? piece.starts_rod : piece.ends_rod)) continue;
-            const Vec3& point = end == 0 ? own.start : own.end;
-            const int at = (is_first ? 0 : 2) + end;
-            add(sees_line ? compute_point_energy(pair, point, other, of_other.length)
-                          : compute_closest_energy(pair, {point, point}, other),
-                {at, at, is_first ? 2 : 0, is_first ? 3 : 1});
-        }
+    const auto is_end = [](const ContactPiece& piece, int end) {
+        return end == 0 ? piece.starts_rod : piece.ends_rod;
     };
-    add_ends(of_a, of_b, true);
-    add_ends(of_b, of_a, false);
+    const auto point_of = [](const Segment& segment, int end) -> const Vec3& {
+        return end == 0 ? segment.start : segment.end;
+    };
+    for (int end = 0; end < 2; ++end) {
+        if (of_b.length > 0.0 && is_end(of_a, end))
+            add(compute_point_energy(pair, point_of(a, end), b, of_b.length), {end, end, 2, 3});
+        if (of_a.length > 0.0 && is_end(of_b, end))
+            add(compute_point_energy(pair, point_of(b, end), a, of_a.length), {2 + end, 2 + end, 0, 1});
+        // A sphere and the end of a line have enough with these.
+        if ((of_a.length > 0.0) != (of_b.length > 0.0)) continue;
+        for (int other = 0; other < 2; ++other) {
+            if (!is_end(of_a, end) || !is_end(of_b, other)) continue;
+            add(compute_points_energy(pair, point_of(a, end), point_of(b, other)),
+                {end, end, 2 + other, 2 + other});
+        }
+    }
     return sum;
 }
 
