@@ -142,15 +142,16 @@ ImpulseDirection ContactAssembly::impulse_direction(const At& at,
     const bool stays = surface.body->shape == Obstacle::Shape::plane && !surface.body->motion;
     if (!at.has_impacts || stays || (surface.mesh && surface.body->motion)) return {};
     const ObstacleDistance before = distance_before(at, obstacle, place, state);
-    if (!surface.mesh) return {before.normal};
+    if (surface.body->motion) return {before.normal};
     constexpr double shortest = 1e-3;  // of radii
     const ContactPlace& own = places_.places[place];
     const double radius = places_.element_of(place).radius;
-    return {std::nullopt,
-            ImpulseDirection::Way{before.slope * before.normal,
-                                  places_.position(own, state.trial) - places_.position(own, state.previous),
-                                  touch.gap + radius - before.distance,
-                                  shortest * radius}};
+    const ImpulseDirection::Way way{
+        before.slope * before.normal,
+        places_.position(own, state.trial) - places_.position(own, state.previous),
+        touch.gap + radius - before.distance,
+        shortest * radius};
+    return {surface.mesh ? std::nullopt : std::optional(before.normal), way};
 }
 
 CoulombFriction ContactAssembly::friction(std::size_t obstacle, std::size_t place, const State& state) const {

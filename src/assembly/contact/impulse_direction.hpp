@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "contact/place_force.hpp"
@@ -10,22 +11,22 @@ namespace gxrod {
 // cylinders by the normals at both ends of a step, (C18), or a part of the change where they turn by more
 // than a right angle; on meshes by the mean gradient, and what it lacks along Δx, (C19).
 struct ImpulseDirection {
-    // Of meshes, at rest.
+    // Of obstacles at rest.
     struct Way {
         Vec3 gradient;          // of the gap at the start
         Vec3 move;              // Δx
         double change = 0.0;    // of the gap
-        double shortest = 0.0;  // of moves for which the mean gradient is good enough
+        double shortest = 0.0;  // of moves for which n̂ is good enough without it
     };
-    std::optional<Vec3> before = {};  // the normal at the start; none where that at the end is taken
-    std::optional<Way> way = {};
+    std::optional<Vec3> before = {};  // the normal at the start, of (C18)
+    std::optional<Way> way = {};      // of (C19); of (C18) it limits the work to that of the change
 
     // n̂ less the gradient at the end.
     Vec3 turn(const SurfaceTouch& touch) const {
-        if (way) return mean(touch) + lack(touch) * way->move - touch.slope * touch.normal;
-        const double cosine = before->dot(touch.normal);
-        if (cosine <= 0.0) return *before;
-        return (*before - cosine * touch.normal) / (1.0 + cosine);
+        const Vec3 gradient = touch.slope * touch.normal;
+        if (!before) return mean(touch) + lack(mean(touch)) * way->move - gradient;
+        const Vec3 between = bisector(touch);
+        return between + excess(between) - gradient;
     }
     void add_to(const SurfaceTouch& touch, const NormalForce& normal, PlaceForce& force) const {
         if (before || way) force.force += normal.force * turn(touch);
@@ -36,28 +37,50 @@ struct ImpulseDirection {
         if (!before && !way) return;
         const Vec3 gradient = touch.slope * touch.normal;
         derivative.force_by_position -= normal.stiffness * turn(touch) * gradient.transpose();
-        derivative.force_by_position += normal.force * (way ? turn_by_position(touch) : bisector_by(touch));
+        derivative.force_by_position += normal.force * turn_by_position(touch);
     }
 
   private:
+    static constexpr double most = 0.9;  // of n̂ is taken off
     Vec3 mean(const SurfaceTouch& touch) const { return 0.5 * (way->gradient + touch.slope * touch.normal); }
+    Vec3 bisector(const SurfaceTouch& touch) const {
+        const double cosine = before->dot(touch.normal);
+        return (*before + touch.normal) / (1.0 + std::max(cosine, 0.0));
+    }
     double square() const { return way->move.squaredNorm() + way->shortest * way->shortest; }
-    double lack(const SurfaceTouch& touch) const {
-        return (way->change - mean(touch).dot(way->move)) / square();
+    double lack(const Vec3& direction) const { return (way->change - direction.dot(way->move)) / square(); }
+    // What its work is above that of the change, as in (C21).
+    Vec3 excess(const Vec3& direction) const {
+        if (!way) return Vec3::Zero();
+        const double lacking = std::min(lack(direction), 0.0), length = way->move.norm();
+        return -lacking * length < most ? Vec3(lacking * way->move) : Vec3(-most / length * way->move);
+    }
+    // With lack(n̂) added along the move, by the derivative of n̂.
+    Mat3 lack_by(const SurfaceTouch& touch, const Vec3& direction, const Mat3& direction_by) const {
+        const Vec3& move = way->move;
+        const double lacking = lack(direction);
+        const Vec3 by = touch.slope * touch.normal - direction - direction_by.transpose() * move;
+        return move * (by - 2.0 * lacking * move).transpose() / square() + lacking * Mat3::Identity();
     }
     Mat3 turn_by_position(const SurfaceTouch& touch) const {
-        const Vec3& move = way->move;
-        const Vec3 lack_by = touch.slope * touch.normal - mean(touch) - 0.5 * touch.curvature * move;
-        const double lacking = lack(touch);
-        return -0.5 * touch.curvature + move * (lack_by - 2.0 * lacking * move).transpose() / square() +
-               lacking * Mat3::Identity();
+        if (!before) return -0.5 * touch.curvature + lack_by(touch, mean(touch), 0.5 * touch.curvature);
+        const Mat3 between_by = bisector_by(touch);
+        return between_by - touch.curvature + excess_by(touch, bisector(touch), between_by);
     }
     Mat3 bisector_by(const SurfaceTouch& touch) const {
         const double cosine = before->dot(touch.normal);
-        if (cosine <= 0.0) return Mat3::Zero();
+        if (cosine <= 0.0) return touch.curvature;
         const Vec3 sum = *before + touch.normal;
         const double part = 1.0 / (1.0 + cosine);
-        return (part - 1.0) * touch.curvature - part * part * sum * (touch.curvature * *before).transpose();
+        return part * touch.curvature - part * part * sum * (touch.curvature * *before).transpose();
+    }
+    Mat3 excess_by(const SurfaceTouch& touch, const Vec3& direction, const Mat3& direction_by) const {
+        if (!way) return Mat3::Zero();
+        const double lacking = lack(direction), length = way->move.norm();
+        if (lacking >= 0.0) return Mat3::Zero();
+        if (-lacking * length < most) return lack_by(touch, direction, direction_by);
+        const Vec3 along = way->move / length;
+        return -most / length * (Mat3::Identity() - along * along.transpose());
     }
 };
 
