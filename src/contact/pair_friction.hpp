@@ -16,6 +16,13 @@ namespace gxrod {
 using Vec24 = Eigen::Matrix<double, 24, 1>;
 using Mat24 = Eigen::Matrix<double, 24, 24>;
 
+// Forces on the ends as forces and moments there.
+inline Vec24 with_moments(const Vec12& forces) {
+    Vec24 both = Vec24::Zero();
+    for (int end = 0; end < 4; ++end) both.segment<3>(6 * end) = forces.segment<3>(3 * end);
+    return both;
+}
+
 // Of both ends of both parts, as in PairEnergy.
 struct PairMotion {
     std::array<Vec3, 4> positions;

@@ -1,6 +1,7 @@
 #include "contact/pair_impulse.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace gxrod {
@@ -116,6 +117,34 @@ void turn_impulse(const Segment& a,
         pair.hessian.middleRows<3>(3 * end) += mean.value * parts.by[end] + parts.values[end] * mean.by -
                                                n.value * at_end.by[end] - at_end.values[end] * n.by;
         pair.gradient.segment<3>(3 * end) += parts.values[end] * mean.value - at_end.values[end] * n.value;
+    }
+}
+
+namespace {
+
+std::array<double, 4> find_shares(const PairStart& start) {
+    const double s = std::clamp(start.s, 0.0, 1.0), t = std::clamp(start.t, 0.0, 1.0);
+    return {1.0 - s, s, t - 1.0, -t};
+}
+
+}  // namespace
+
+Vec3 find_relative_way(const PairStart& start, const Vec12& way) {
+    const std::array<double, 4> shares = find_shares(start);
+    Vec3 sum = Vec3::Zero();
+    for (int end = 0; end < 4; ++end) sum += shares[static_cast<std::size_t>(end)] * way.segment<3>(3 * end);
+    return sum;
+}
+
+void add_drag(PairEnergy& pair, const PairStart& start, const Vec12& way, double drag) {
+    const std::array<double, 4> shares = find_shares(start);
+    const Vec3 force = drag * find_relative_way(start, way);
+    for (int i = 0; i < 4; ++i) {
+        const double own = shares[static_cast<std::size_t>(i)];
+        pair.gradient.segment<3>(3 * i) += own * force;
+        for (int j = 0; j < 4; ++j)
+            pair.hessian.block<3, 3>(3 * i, 3 * j).diagonal().array() +=
+                drag * own * shares[static_cast<std::size_t>(j)];
     }
 }
 

@@ -3,7 +3,7 @@
 #include "contact/open_contact.hpp"
 #include "contact/pair_energy.hpp"
 
-// What makes the forces of pairs those of a step of time (docs/theory/contact.md, (C16) to (C21)).
+// What makes the forces of pairs those of a step of time (docs/theory/contact.md, (C16) to (C22)).
 namespace gxrod {
 
 // Where two lines were closest at the start of a step, in parts of the segments that are closest at its end.
@@ -33,5 +33,12 @@ void turn_impulse(const Segment& a,
 // closer. G becomes (1 + damping (G · motion)/|F|) G, and 0 where that factor is negative; the Hessian its
 // derivative, which is not symmetric.
 void damp(PairEnergy& pair, const Vec12& motion, double damping);
+
+// How far two places have moved past each other since the start of a step: (1 − s) Δx_0 + s Δx_1 − (1 − t)
+// Δx_2 − t Δx_3, by the motion of the ends.
+Vec3 find_relative_way(const PairStart& start, const Vec12& way);
+
+// Adds a drag on this way, (C22): f = −drag · way at the places that were closest at the start, and its derivatives.
+void add_drag(PairEnergy& pair, const PairStart& start, const Vec12& way, double drag);
 
 }  // namespace gxrod

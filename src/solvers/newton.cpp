@@ -15,6 +15,9 @@ namespace gxrod {
 
 namespace {
 
+// How often an equilibrium is sought anew with more drag between rods.
+constexpr int most_drags = 8;
+
 // Newton's method on one stage; the members are what its steps share.
 class Newton {
   public:
@@ -150,7 +153,11 @@ class Newton {
     bool is_done() {
         if (report_.outcome == Outcome::not_finite) return true;
         const bool must_move = moves_supports_ || state_.contact.progress < 1.0;
-        if (!must_move && convergence_.is_met(workspace_.residual, report_)) return true;
+        if (!must_move && convergence_.is_met(workspace_.residual, report_)) {
+            if (!contact_ || drags_ == most_drags || !contact_->pairs().counter_gain(state_)) return true;
+            ++drags_;
+            compute_residual();
+        }
         if (report_.iterations < settings_.max_iterations) return false;
         report_.outcome = Outcome::out_of_iterations;
         return true;
@@ -275,6 +282,7 @@ class Newton {
     EquilibriumReport report_;
     ConvergenceTest convergence_;
     RotationGuard guard_;
+    int drags_ = 0;
 };
 
 }  // namespace

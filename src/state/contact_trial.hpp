@@ -36,6 +36,11 @@ struct ContactTrial {
     std::vector<double> pieces_expected;
     double margin = 0.0;
     double travelled = 0.0;
+    // Of pieces at the start of a step.
+    double energy_before = 0.0;
+    // Force by the way of pieces that touch past each other since the start of a step, where their impulses
+    // would give energy (docs/theory/contact.md, (C22)).
+    double drag = 0.0;
 };
 
 }  // namespace gxrod

@@ -1,5 +1,7 @@
 #include "contact/pair_impulse.hpp"
 
+#include <algorithm>
+
 #include "contact/segment_pairs.hpp"
 #include "rotation/rotation_map.hpp"
 #include "tools/catch.hpp"
@@ -181,6 +183,28 @@ TEST_CASE("No impulse does more work than that of the change of the gap, however
         CHECK((impulse.force() - whole.force()).norm() == Approx(0.9 * force).epsilon(1e-6));
     }
     CHECK(lessened > 10);
+}
+
+TEST_CASE("A drag takes what its force is times the way of two places, and keeps the momentum", "[contact]") {
+    RandomPairs random(53);
+    for (int k = 0; k < 20; ++k) {
+        INFO(k);
+        const FourEnds before = random.make(0.3), after = before.moved(0.4 * random.direction());
+        PairStart start = start_of(before);
+        start.s = k % 2 == 0 ? start.s : -3.0;  // beyond an end: at the end
+        const Vec12 way = find_ends(after.a(), after.b()) - start.ends;
+        const double s = std::clamp(start.s, 0.0, 1.0), t = std::clamp(start.t, 0.0, 1.0);
+        const Vec3 moved = (after.a().at(s) - before.a().at(s)) - (after.b().at(t) - before.b().at(t));
+        CHECK((find_relative_way(start, way) - moved).norm() < 1e-14);
+        PairEnergy drag;
+        add_drag(drag, start, way, 7.0);
+        CHECK(drag.gradient.dot(way) == Approx(7.0 * moved.squaredNorm()));
+        CHECK((drag.force() + 7.0 * moved).norm() < 1e-12);
+        CHECK((drag.gradient.segment<3>(6) + drag.gradient.segment<3>(9) - drag.force()).norm() < 1e-12);
+        // It is linear in the way.
+        CHECK((drag.hessian * way - drag.gradient).norm() < 1e-12);
+        CHECK((drag.hessian - drag.hessian.transpose()).norm() < 1e-12);
+    }
 }
 
 TEST_CASE("What slides along a line of several pieces is not braked", "[contact]") {

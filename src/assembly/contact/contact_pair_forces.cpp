@@ -7,17 +7,6 @@
 // Forces of rods that touch each other, with their friction, and what follows from them.
 namespace gxrod {
 
-namespace {
-
-// From positions of ends to forces and moments.
-Vec24 with_moments(const Vec12& forces) {
-    Vec24 both = Vec24::Zero();
-    for (int end = 0; end < 4; ++end) both.segment<3>(6 * end) = forces.segment<3>(3 * end);
-    return both;
-}
-
-}  // namespace
-
 const std::vector<ContactPairs::Touching>& ContactPairs::find_touching(const State& state) const {
     const std::vector<NearPieces>& near = state.contact.pieces;
     PiecesPlaced placed = place_pieces(state);
@@ -44,15 +33,18 @@ const std::vector<ContactPairs::Touching>& ContactPairs::find_touching(const Sta
     team_->for_each_range(touching.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const NearPieces& pieces = near[touching[i].index];
-            touching[i].energy = touching[i].impulse = find_energy(pieces, at);
+            touching[i].energy = touching[i].impulse = find_energy(pieces, at.now);
             if (!has_impacts_) continue;
             const Segment &a = at.now[pieces.first], &b = at.now[pieces.second];
             std::optional<PairStart>& start = found_.starts[touching[i].index];
             if (!start) start = find_start(pieces, at.before);
             turn_impulse(a, b, open_ends(pieces), *start, law_of(pieces).radii, touching[i].impulse);
-            if (at.damping == 0.0) continue;
-            for (PairEnergy* one : {&touching[i].energy, &touching[i].impulse})
-                damp(*one, find_ends(a, b) - start->ends, at.damping);
+            const Vec12 way = find_ends(a, b) - start->ends;
+            if (at.damping > 0.0) {
+                for (PairEnergy* one : {&touching[i].energy, &touching[i].impulse})
+                    damp(*one, way, at.damping);
+            }
+            if (at.drag > 0.0) add_drag(touching[i].impulse, *start, way, at.drag);
         }
     });
     return touching;
@@ -83,12 +75,15 @@ double ContactPairs::coefficient_of(const NearPieces& near) const {
     return one != nullptr ? one->friction.value_or(model_->contact.friction) : model_->contact.friction;
 }
 
+// What sticks is as stiff for parallel rods, however short their pieces are.
+double ContactPairs::friction_stiffness_of(const NearPieces& near) const {
+    const PairLaw pair = law_of(near);
+    return pair.law.stiffness / pair.law.skin * find_share_of_crossing(near);
+}
+
 CoulombFriction ContactPairs::friction_of(std::size_t index, const State& state) const {
     const NearPieces& near = state.contact.pieces[index];
-    const PairLaw pair = law_of(near);
-    // What sticks is as stiff for parallel rods, however short their pieces are.
-    CoulombFriction friction{coefficient_of(near),
-                             pair.law.stiffness / pair.law.skin * find_share_of_crossing(near)};
+    CoulombFriction friction{coefficient_of(near), friction_stiffness_of(near)};
     const std::vector<PairTraction>& memory = state.contact_memory.of_pairs;
     const auto own = std::ranges::lower_bound(memory, near, {}, &PairTraction::pieces);
     if (own != memory.end() && own->pieces == near) friction.traction = own->traction;
@@ -307,6 +302,10 @@ std::vector<PairBlock> ContactPairs::compute_tangents(
 }
 
 void ContactPairs::start(State& state) const {
+    if (has_impacts_) {
+        state.contact.drag = 0.0;
+        state.contact.energy_before = compute_energy_before(state);
+    }
     if (!rub()) return;
     state.contact.pieces_sliding.assign(state.contact.pieces.size(), Vec3::Zero());
     for (const Touching& touching : find_touching(state)) {
@@ -380,52 +379,6 @@ void ContactPairs::commit(State& state) const {
         if (!there.traction.value.isZero(0.0)) memory.push_back({near, there.traction.value});
     }
     state.contact_memory.of_pairs = std::move(memory);
-}
-
-double ContactPairs::compute_energy(const State& state) const {
-    double energy = 0.0;
-    for (const Touching& touching : find_touching(state)) {
-        energy += touching.energy.energy;
-        if (!rub()) continue;
-        const CoulombFriction friction = friction_of(touching.index, state);
-        const PairFriction there = compute_pair_friction(
-            touching.energy, motion_of(state.contact.pieces[touching.index], state), friction);
-        energy += 0.5 * there.traction.value.squaredNorm() / friction.stiffness;
-    }
-    return energy;
-}
-
-double ContactPairs::compute_work(const State& state) const {
-    double work = 0.0;
-    for (const Touching& touching : find_touching(state)) {
-        const NearPieces& near = state.contact.pieces[touching.index];
-        const PairMotion motion = motion_of(near, state);
-        Vec24 forces = with_moments(-touching.impulse.gradient);
-        if (rub())
-            forces +=
-                compute_pair_friction(touching.energy, motion, friction_of(touching.index, state)).forces;
-        for (int end = 0; end < 4; ++end) {
-            const auto at = static_cast<std::size_t>(end);
-            work += forces.segment<3>(6 * end).dot(motion.positions[at] - motion.positions_before[at]) +
-                    forces.segment<3>(6 * end + 3).dot(motion.rotations[at]);
-        }
-        if (has_body(near)) work += compute_turning_work(near, forces, state);
-    }
-    return work;
-}
-
-double ContactPairs::compute_slip_work(const State& state) const {
-    double work = 0.0;
-    if (!rub()) return work;
-    for (const Touching& touching : find_touching(state)) {
-        const CoulombFriction friction = friction_of(touching.index, state);
-        const PairFriction there = compute_pair_friction(
-            touching.energy, motion_of(state.contact.pieces[touching.index], state), friction);
-        const Vec3& after = there.traction.value;
-        work -= 0.5 * (after + there.traction_before).dot(there.slip) +
-                0.5 * (after.squaredNorm() - friction.traction.squaredNorm()) / friction.stiffness;
-    }
-    return work;
 }
 
 }  // namespace gxrod

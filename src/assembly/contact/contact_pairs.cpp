@@ -77,15 +77,16 @@ ContactPairs::PiecesPlaced ContactPairs::place_pieces(const State& state) const 
     if (!has_impacts_) return placed;
     const double elapsed = state.trial_time - state.time;
     if (elapsed > 0.0) placed.damping = damping_ / elapsed;
+    placed.drag = state.contact.drag;
     return placed;
 }
 
-PairEnergy ContactPairs::find_energy(const NearPieces& near, const PiecesPlaced& placed) const {
+PairEnergy ContactPairs::find_energy(const NearPieces& near, const std::vector<Segment>& segments) const {
     const PairLaw pair = law_of(near);
     const ContactPiece& of_a = lines_.pieces[near.first];
     const ContactPiece& of_b = lines_.pieces[near.second];
-    const Segment& a = placed.now[near.first];
-    const Segment& b = placed.now[near.second];
+    const Segment& a = segments[near.first];
+    const Segment& b = segments[near.second];
     PairEnergy sum;
     // A sphere has no line.
     if (of_a.length > 0.0 && of_b.length > 0.0)

@@ -53,6 +53,9 @@ class ContactPairs {
     void start(State& state) const;
     void advance(const std::vector<Vec6>& deltas, State& state) const;
     void commit(State& state) const;
+    // Raises the drag of what touches where the impulses of a step that ends here give energy; whether it
+    // had to.
+    bool counter_gain(State& state) const;
 
     // Lowers the limits of parts of the model whose rods would meet; these then go equally far. Searches
     // first where it has to. Pieces that the whole motion would take into touch are expected to touch from
@@ -91,6 +94,7 @@ class ContactPairs {
     struct PiecesPlaced {
         std::vector<Segment> now, before;
         double damping = 0.0;  // of a change of the gap in the step
+        double drag = 0.0;
 
         bool operator==(const PiecesPlaced&) const = default;
     };
@@ -135,7 +139,11 @@ class ContactPairs {
     // Relative to a crossing.
     double find_share_of_crossing(const NearPieces& near) const;
     // With what the end of a rod adds, whose integral is finite where it touches.
-    PairEnergy find_energy(const NearPieces& near, const PiecesPlaced& placed) const;
+    PairEnergy find_energy(const NearPieces& near, const std::vector<Segment>& segments) const;
+    double compute_energy_before(const State& state) const;  // at the start of a step
+    // Of value(item), the same for any number of threads.
+    template <class Item, class Value>
+    double sum_of(const std::vector<Item>& items, const Value& value) const;
     // Of State::contact.pieces, by index.
     struct Touching {
         std::size_t index = 0;
@@ -180,6 +188,7 @@ class ContactPairs {
     NearPieces find_nearest(NearPieces near, const std::vector<Segment>& segments) const;
     PairStart find_start(const NearPieces& near, const std::vector<Segment>& before) const;
     double coefficient_of(const NearPieces& near) const;
+    double friction_stiffness_of(const NearPieces& near) const;
     // As the law has it, or as an iteration takes it for granted.
     CoulombFriction friction_of(std::size_t index, const State& state) const;
     CoulombFriction taken_friction_of(std::size_t index, const State& state) const;
