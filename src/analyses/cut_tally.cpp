@@ -51,7 +51,10 @@ void CutTally::add(const EquilibriumReport& report, long step) {
 StepCuts CutTally::count(long steps) const {
     const auto by_error = reasons_.find(Outcome::error_too_large);
     // The one that a run failed in, too.
-    return {std::max<std::int64_t>(steps, cut_steps_), cut_steps_, cuts_, by_error == reasons_.end() ? 0 : by_error->second.cuts};
+    return {std::max<std::int64_t>(steps, cut_steps_),
+            cut_steps_,
+            cuts_,
+            by_error == reasons_.end() ? 0 : by_error->second.cuts};
 }
 
 std::string CutTally::describe_reasons(const Model& model) const {

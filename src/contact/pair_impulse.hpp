@@ -38,7 +38,8 @@ void damp(PairEnergy& pair, const Vec12& motion, double damping);
 // Δx_2 − t Δx_3, by the motion of the ends.
 Vec3 find_relative_way(const PairStart& start, const Vec12& way);
 
-// Adds a drag on this way, (C22): f = −drag · way at the places that were closest at the start, and its derivatives.
+// Adds a drag on this way, (C22): f = −drag · way at the places that were closest at the start, and its
+// derivatives.
 void add_drag(PairEnergy& pair, const PairStart& start, const Vec12& way, double drag);
 
 }  // namespace gxrod

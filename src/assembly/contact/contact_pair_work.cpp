@@ -56,11 +56,15 @@ double ContactPairs::compute_slip_work(const State& state) const {
 
 double ContactPairs::compute_energy_before(const State& state) const {
     const std::vector<Segment> before = find_segments(state.previous);
-    double energy = sum_of(state.contact.pieces, [&](const NearPieces& near) {
+    const auto of_near = [&](const NearPieces& near) {
         const Segment &a = before[near.first], &b = before[near.second];
         const PairLaw pair = law_of(near);
         return are_within(a, b, pair.radii + pair.law.skin) ? find_energy(near, before).energy : 0.0;
-    });
+    };
+    // The step before has mostly left them.
+    double energy = before == found_.placed.now
+                        ? sum_of(found_.touching, [](const Touching& one) { return one.energy.energy; })
+                        : sum_of(state.contact.pieces, of_near);
     for (const PairTraction& one : state.contact_memory.of_pairs)
         energy += 0.5 * one.traction.squaredNorm() / friction_stiffness_of(one.pieces);
     return energy;
