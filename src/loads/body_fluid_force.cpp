@@ -56,7 +56,7 @@ Passing pass_air(const WetBody& wet) {
 
 Vec3 compute_drag(const WetBody& wet, const Passing& fluid) {
     const Vec3 factors = 0.5 * fluid.density * wet.body.drag_area;
-    return wet.axes * compute_axis_drag(factors, wet.axes.transpose() * fluid.u);
+    return wet.axes * compute_body_drag(factors, wet.axes.transpose() * fluid.u);
 }
 
 // (S10), about the centre and wholly in the water
@@ -108,7 +108,7 @@ void add_drag_derivative(const WetBody& wet,
                          double share,
                          BodyFluidDerivative& derivative) {
     const Vec3 factors = 0.5 * share * fluid.density * wet.body.drag_area;
-    const Mat3 by_u = wet.axes * compute_axis_drag_derivative(factors, wet.axes.transpose() * fluid.u) *
+    const Mat3 by_u = wet.axes * compute_body_drag_derivative(factors, wet.axes.transpose() * fluid.u) *
                       wet.axes.transpose();
     const Following velocity = follow_velocity(wet);
     derivative.by_place.topRows<3>() +=

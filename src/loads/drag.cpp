@@ -21,12 +21,13 @@ Mat3 compute_cross_flow_drag_derivative(const Vec3& factors, const Vec3& u) {
     return derivative;
 }
 
-Vec3 compute_axis_drag(const Vec3& factors, const Vec3& u) {
-    return factors.cwiseProduct(u.cwiseAbs()).cwiseProduct(u);
-}
+Vec3 compute_body_drag(const Vec3& factors, const Vec3& u) { return u.norm() * factors.cwiseProduct(u); }
 
-Mat3 compute_axis_drag_derivative(const Vec3& factors, const Vec3& u) {
-    return (2.0 * factors.cwiseProduct(u.cwiseAbs())).asDiagonal();
+// Zero at rest, where |u| u has the derivative 0.
+Mat3 compute_body_drag_derivative(const Vec3& factors, const Vec3& u) {
+    const double speed = u.norm();
+    if (speed == 0.0) return Mat3::Zero();
+    return factors.asDiagonal() * (speed * Mat3::Identity() + u * u.transpose() / speed);
 }
 
 }  // namespace gxrod

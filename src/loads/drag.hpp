@@ -9,8 +9,8 @@ namespace gxrod {
 Vec3 compute_cross_flow_drag(const Vec3& factors, const Vec3& u);
 Mat3 compute_cross_flow_drag_derivative(const Vec3& factors, const Vec3& u);
 
-// Of a body: factors · |u_i| u_i along each axis.
-Vec3 compute_axis_drag(const Vec3& factors, const Vec3& u);
-Mat3 compute_axis_drag_derivative(const Vec3& factors, const Vec3& u);
+// Computes the drag of a body: factors · |u| u_i along each axis, so that equal factors give a drag along u.
+Vec3 compute_body_drag(const Vec3& factors, const Vec3& u);
+Mat3 compute_body_drag_derivative(const Vec3& factors, const Vec3& u);
 
 }  // namespace gxrod

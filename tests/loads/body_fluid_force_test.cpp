@@ -167,3 +167,34 @@ TEST_CASE("still water takes energy from every moving body", "[loads]") {
         CHECK(force.head<3>().dot(motion.v) + force.tail<3>().dot(motion.omega) < 0.0);
     }
 }
+
+TEST_CASE("Equal drag areas give a drag along the flow, whatever the attitude", "[loads]") {
+    RandomValues random(16);
+    const Vec3 flow(0.9, -1.3, 0.4);
+    const WaterAt water{.velocity = flow};
+    const AirAt air{flow, Mat3::Zero()};
+    const FluidsAt in_water{.water_density = 2.0, .water = &water};
+    const FluidsAt in_air{.air_density = 2.0, .air = &air};
+    BodyInFluid body;
+    body.height = 1.0;
+    body.drag_area = Vec3(0.7, 0.7, 0.7);
+    const Vec3 expected = 0.5 * 2.0 * 0.7 * flow.norm() * flow;
+    for (int i = 0; i < 10; ++i) {
+        const Mat3 axes = random.rotation().toRotationMatrix();
+        for (const FluidsAt& fluids : {in_water, in_air}) {
+            const Vec6 force = compute_body_fluid_force(body, axes, fluids, {}).force;
+            CHECK(relative_difference(force.head<3>(), expected) < 1e-14);
+        }
+    }
+}
+
+TEST_CASE("The drag of a body has the areas of its axes and the whole speed", "[loads]") {
+    const Vec3 flow(1.0, 1.0, 1.0);
+    const WaterAt water{.velocity = flow};
+    const FluidsAt fluids{.water_density = 2.0, .water = &water};
+    BodyInFluid body;
+    body.height = 1.0;
+    body.drag_area = Vec3(0.5, 0.9, 1.4);
+    const Vec6 force = compute_body_fluid_force(body, Mat3::Identity(), fluids, {}).force;
+    CHECK(relative_difference(force.head<3>(), Vec3(std::sqrt(3.0) * body.drag_area)) < 1e-14);
+}
