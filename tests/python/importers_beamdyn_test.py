@@ -3,6 +3,7 @@
 import re
 
 import blades
+import numpy as np
 import pytest
 from gxrod.importers import read_blade
 from imported import edit, fault
@@ -52,8 +53,30 @@ def test_what_is_left_out_of_beamdyn_files_is_said(tmp_path):
     edit(tmp_path / "blade.dat", "1   damp_type", "2   damp_type")
     edit(primary, "1   member_total", "2   member_total")
     edit(primary, "1   4 ", "1   2\n2   3 ")
-    notes = " ".join(read_blade(primary).notes)
-    assert "modal damping" in notes and "an element for each member" in notes
+    blade = read_blade(primary)
+    assert blade.warnings == ["modal damping (damp_type 2) was left out: gxrod damps by strains"]
+    assert any("an element for each member" in note for note in blade.notes)
+
+
+def test_keys_that_no_deck_has_are_named_once(tmp_path):
+    primary = blades.write_beamdyn(tmp_path)
+    quiet = read_blade(primary)
+    primary.write_text(primary.read_text() + "True  UsePitchAct - Whether a pitch actuator should be used\n10  order_elem - Order\n3 order_elem - again\n7  gravty - is no key\n")
+    blade = read_blade(primary)
+    assert [note for note in blade.notes if note not in quiet.notes] == ["not used, for BeamDyn's mesh, scheme and output: order_elem"]
+    assert [each for each in blade.warnings if each not in quiet.warnings] == ["the key gravty is unknown and was not used", "the pitch actuator (UsePitchAct) was left out: the root is clamped"]
+
+
+def test_damping_has_an_older_name_and_can_be_missing(tmp_path):
+    primary = blades.write_beamdyn(tmp_path)
+    damping = read_blade(primary).damping
+    edit(tmp_path / "blade.dat", "damp_type", "damp_flag")
+    assert np.array_equal(read_blade(primary).damping, damping)
+    text = (tmp_path / "blade.dat").read_text()
+    (tmp_path / "blade.dat").write_text("".join(line for line in text.splitlines(True) if "damp_flag" not in line))
+    blade = read_blade(primary)
+    assert blade.damping is None
+    assert blade.warnings == ["the blade file has no damp_type: the blade is not damped, though it has mu1 … mu6"]
 
 
 def test_one_station_is_too_few(tmp_path):

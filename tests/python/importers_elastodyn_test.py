@@ -19,7 +19,7 @@ def test_an_elastodyn_blade_has_bending_and_mass(tmp_path):
     assert np.allclose(blade.twist, -np.radians(10.0))
     assert np.array_equal(blade.points, [[0, 0, 0], [0, 0, 60]])
     assert any("ElastoDyn has bending and mass only" in note for note in blade.notes)
-    assert any("FlStTunr" in note for note in blade.notes)
+    assert any("FlStTunr" in each for each in blade.warnings)
 
 
 ELASTODYN_FAULTS = [

@@ -27,6 +27,14 @@ def test_an_st_file_of_another_length_is_held_or_cut(share, fractions, tmp_path)
     assert any("st file ends at" in note for note in blade.notes) == (share != 1.004)
 
 
+def test_masses_at_nodes_and_unknown_commands_are_warned_of(tmp_path):
+    htc = edit(blades.write_hawc2(tmp_path, curve_of().length, full=True), "    name blade1 ;", "    name blade1 ;\n    nbodies 10 ;\n    concentrated_mass 3 0 0 0 500 1 1 1 ; a tip mass\n    gravty 1 ;")
+    blade = read_blade(htc)
+    assert blade.warnings == ["HAWC2's damping by mass and stiffness was left out (damping_posdef 0 0 0 1e-3 1e-3 1e-3)",
+                              "the concentrated mass 3 0 0 0 500 1 1 1 was left out; add a [body.NAME] there", "the command gravty is unknown and was not used"]
+    assert "not used, for HAWC2's mesh and output: nbodies, nsec" in blade.notes
+
+
 HAWC2_FAULTS = [
     ("blade.htc", "./data/blade.st", "./data/other.st", r"blade.htc:\d+: the st file ./data/other.st is not there \(tried .*\); put it there, or name it with --st"),
     ("blade.htc", "name blade1", "name rotor", r"blade.htc: which body is meant: shaft, rotor; name it with --body"),

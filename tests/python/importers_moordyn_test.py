@@ -10,6 +10,7 @@ from conftest import gxrod as run_gxrod
 from gxrod import FileError
 from gxrod.importers import FORMATS, find_format, read_blade, read_moordyn, write_mooring
 from gxrod.importers.command import main
+from gxrod.importers.moordyn_bodies import euler_rotation, rotation_by, rotation_of, rotation_vector_of
 from gxrod.importers.mooring_rest import find_rest
 from imported import edit
 
@@ -48,6 +49,9 @@ ID    LineType   AttachA  AttachB  UnstrLen  NumSegs  LineOutputs
 """
 
 
+NOT_USED = "not used, for MoorDyn's time steps, its way to the start and its output: dtM, TmaxIC"
+
+
 @pytest.fixture
 def lines(tmp_path):
     path = tmp_path / "lines.txt"
@@ -56,7 +60,7 @@ def lines(tmp_path):
 
 
 def deck_of(path):
-    [written] = write_mooring(read_moordyn(path), path.with_suffix(".toml"))
+    written, *_ = write_mooring(read_moordyn(path), path.with_suffix(".toml"))
     return tomllib.loads(written.read_text())
 
 
@@ -78,7 +82,8 @@ def test_types_points_lines_and_options_are_read(lines):
     assert (mooring.gravity, mooring.density, mooring.depth, mooring.friction) == (9.81, 1030.0, 100.0, 0.4)
     assert (mooring.ground_stiffness, mooring.ground_damping) == (1e5, 2e4)
     assert mooring.title == "Two lines and a buoy"
-    assert mooring.notes == ["damping by a ratio (BA/-zeta below 0) was left out: it damps the segments of MoorDyn's mesh"]
+    assert mooring.notes == [NOT_USED, "damping by a ratio (BA/-zeta below 0) was left out: it damps the segments of MoorDyn's mesh"]
+    assert mooring.warnings == []
 
 
 def test_without_options_moordyns_defaults_hold(lines):
@@ -230,11 +235,43 @@ def test_lines_on_coupled_bodies_of_moordyn_are_held(lines):
     assert deck["connect"] == [{"points": ["line1.end", "line2.start"]}]  # by the free rod without length
     assert [each["at"] for each in hinges_of(deck)] == ["line3.start"]  # the clamped end keeps the two others from spinning
     assert "body" not in deck and [each["name"] for each in deck["stage"]] == ["hang", "move"]
-    text = " ".join(read_moordyn(lines).notes)
+    text = " ".join([*read_moordyn(lines).notes, *read_moordyn(lines).warnings])
     assert "body 1 of MoorDyn was left out" in text and "rod 1 of MoorDyn was left out" in text and "rod 2" not in text
     edit(lines, "1 Coupled 10 0 -20 0 0 0", "1 Coupled 10 0 -20 0 0 5")
-    with pytest.raises(FileError, match=r"lines.txt:15: a body with lines on it is turned"):
-        read_moordyn(lines)
+    yaw = np.radians(5.0)
+    assert np.allclose(deck_of(lines)["rod"]["line2"]["catenary"]["to"], [10 + np.cos(yaw), np.sin(yaw), -20])
+
+
+def test_a_body_turns_about_x_then_y_then_z_with_it(lines):
+    # By MoorDyn 2.7.2, MoorDyn_GetPointPos: the point (1, 2, 3) of a body with the angles 30, 40, 50 is there.
+    put_bodies(lines, "Fixed")
+    edit(lines, "1 Fixed 10 0 -20 0 0 0", "1 Fixed 10 0 -20 30 40 50")
+    edit(lines, "3     Body1       0.0     2.0     -1.0 ", "3     Body1       1.0     2.0     3.0 ")
+    assert np.allclose(deck_of(lines)["rod"]["line3"]["catenary"]["to"], [10 + 1.24711853, 0.34187216, -20 + 3.51109937], atol=1e-7)
+
+
+def test_a_free_body_can_be_turned(lines):
+    put_bodies(lines)
+    edit(lines, "100 0 1 0.1 0 0", "100 0.5 1|2|3 0.1 0.4|7 0.5")
+    edit(lines, "2.0     -1.0    0      0       0      0", "2.0     -1.0    50     0.02    0.3    1")
+    [straight] = read_moordyn(lines).bodies
+    edit(lines, "1 Free 10 0 -20 0 0 0", "1 Free 10 0 -20 30 40 50")
+    mooring = read_moordyn(lines)
+    [turned] = mooring.bodies
+    for key in ("mass", "inertia", "centre_of_mass", "volume", "drag_area", "added_mass"):  # in its own axes
+        assert np.allclose(getattr(turned, key), getattr(straight, key))
+    axes = euler_rotation(*np.radians([30, 40, 50]))
+    assert np.allclose(rotation_of(turned), axes)
+    point = next(place for line in mooring.lines for place in line.ends if place.name == "point3")
+    assert np.allclose(point.at, np.array([10, 0, -20]) + axes @ [0, 2, -1])
+    assert np.allclose(deck_of(lines)["body"]["body1"]["rotation_vector"], turned.rotation_vector)
+
+
+@pytest.mark.parametrize("angles", [(0, 0, 0), (180, 0, 0), (0, 180, 0), (0, 0, 180), (120, -70, 200), (0, 0, 1e-9)])
+def test_rotation_vectors_give_the_rotation_again(angles):
+    axes = euler_rotation(*np.radians(angles))
+    vector = np.array(rotation_vector_of(axes))
+    assert np.allclose(rotation_by(vector), axes, atol=1e-12) and np.linalg.norm(vector) <= pi + 1e-9
 
 
 def test_a_free_body_has_what_is_fixed_to_it(lines):
@@ -257,7 +294,7 @@ def test_a_free_body_has_what_is_fixed_to_it(lines):
     assert np.allclose(body.drag_area, [0.4 + 0.3 + pi / 4 * 0.1**2, 0.4 + 0.3 + 0.2, 0.4 + 0.3 + 0.2])
     caps = 1030.0 * 4 / 3 * pi * 0.05**3
     assert np.allclose(body.added_mass, np.array([caps, 1030 * volume, 1030 * volume]) + 0.5 * 1030 * 0.1 + 1030 * 0.02)
-    assert "drag that resists turns was left out, of body 1 (the numbers of CdA for rotations)" in read_moordyn(lines).notes
+    assert "drag that resists turns was left out, of body 1 (the numbers of CdA for rotations)" in read_moordyn(lines).warnings
 
 
 def test_lines_are_fixed_to_free_bodies_or_turn_on_them(lines):
@@ -270,7 +307,9 @@ def test_lines_are_fixed_to_free_bodies_or_turn_on_them(lines):
     assert [each["at"] for each in hinges_of(deck)] == ["line1.start", "line3.start"]
     assert [(each["at"], each["fix"]) for each in deck["support"] if each.get("stages") == "hang"] == [("line1.end", "position"), ("body1", "position")]
     assert [each["name"] for each in deck["stage"]] == ["hang", "free", "move"]
-    assert "left out" not in " ".join(read_moordyn(lines).notes).replace("damping by a ratio (BA/-zeta below 0) was left out", "")
+    mooring = read_moordyn(lines)
+    assert "left out" not in " ".join(mooring.notes).replace("damping by a ratio (BA/-zeta below 0) was left out", "")
+    assert mooring.warnings == ["free points and bodies without lines were left out: point2"]
 
 
 def test_a_free_rod_is_a_body_along_it(lines):
@@ -396,12 +435,100 @@ def test_what_is_left_out_is_said(lines):
     edit(lines, "8.0e8      -1.0", "8.0e8|1e9  -1.0|9")
     edit(lines, "0.4       Fric", "1 WaveKin\n2 Currents\nbed.txt WtrDpth\n0.4       Fric")
     edit(lines, "---------------------- OPTIONS", "---------------------- FAILURE\nID Point\n1 2\n---------------------- OPTIONS")
-    text = "\n".join(read_moordyn(lines).notes)
+    text = "\n".join(read_moordyn(lines).warnings)
     for words in ("the static one", "waves were left out", "currents were left out", "ground by the file bed.txt", "the section FAILURE was left out"):
         assert words in text
     write_mooring(read_moordyn(lines), lines.with_suffix(".toml"))
     assert "the section FAILURE was left out" in lines.with_suffix(".toml").read_text()
     assert read_moordyn(lines).types[0].EA == 8e8
+
+
+def test_options_that_nobody_knows_are_warned_of(lines):
+    edit(lines, "1030      WtrDnsty", "1030      WtrDens")
+    edit(lines, "10.0      TmaxIC", "7 foo\n7 FOO\n2.0 StatDynFricScale\n1 StatDynFricScale\nlost\n10.0      TmaxIC")
+    mooring = read_moordyn(lines)
+    assert mooring.density == 1025.0  # as in MoorDyn, which does not know WtrDens
+    assert mooring.warnings == ["friction has one coefficient here, at rest and sliding (option StatDynFricScale is 2.0)", 'line 34 of the options, "lost", names no option and was not used',
+                                "the option WtrDens is unknown and was not used; is WtrDnsty meant?", "the option foo is unknown and was not used"]
+    write_mooring(mooring, lines.with_suffix(".toml"))
+    assert "# warning: the option WtrDens is unknown" in lines.with_suffix(".toml").read_text()
+
+
+def test_what_no_line_holds_is_warned_of(lines):
+    edit(lines, "4     Anchor      -500.0  0.0     -100.0  0 ", "5     Free        7.0     0.0     -10.0   9      0       0      0\n4     Anchor      -500.0  0.0     -100.0  3 ")
+    mooring = read_moordyn(lines)
+    assert "free points and bodies without lines were left out: point5" in mooring.warnings
+    assert "mass, volume and drag of points that are held were left out; no line feels them: point4" in mooring.notes
+
+
+def is_taken(path):
+    path.with_suffix(".toml").unlink(missing_ok=True)
+    deck = deck_of(path)
+    run_gxrod("check", "lines.toml", folder=path.parent)
+    return deck
+
+
+def test_a_clump_weight_without_volume_makes_a_deck(lines):
+    edit(lines, "450.0     45", "440.0     44")
+    edit(lines, "500    4       3.0    0.5", "5000   0       0      0")
+    assert is_taken(lines)["body"]["point2"] == {"at": "line1.end", "mass": 5000}
+    edit(lines, "5000   0       0      0", "5000   0       3.0    0")
+    assert is_taken(lines)["body"]["point2"]["fluid"]["height"] == pytest.approx(2 * sqrt(3 / pi), rel=1e-5)
+
+
+@pytest.mark.parametrize("density", ["0", "1030"])
+@pytest.mark.parametrize("stiffness", ["0", "1e5"])
+def test_without_water_or_ground_there_is_a_deck(density, stiffness, lines):
+    edit(lines, "450.0     45", "440.0     44")
+    edit(lines, "1030      WtrDnsty", f"{density}      WtrDnsty")
+    edit(lines, "1.0e5     kbot", f"{stiffness}     kbot")
+    deck = is_taken(lines)
+    assert ("fluid" in deck, "seabed" in deck) == (density != "0", stiffness != "0")
+    assert ("kBot is 0" in " ".join(read_moordyn(lines).warnings)) == (stiffness == "0")
+    assert deck["rod"]["line1"]["catenary"].get("bed", False) == (stiffness != "0")
+
+
+HEIGHTS = "2 3\n-600 600\n-500 0 500\n" + "".join(f"{x} {y} {-110 + 0.01 * x + 0.02 * y}\n" for y in (500, 0, -500) for x in (-600, 600))
+DEPTHS = "--- bathymetry\nnGridX 2\nnGridY 3\n -600 600\n" + "".join(f"{y} {116 - 0.02 * y} {104 - 0.02 * y}\n" for y in (-500, 0, 500))
+
+
+@pytest.mark.parametrize("text, option", [(HEIGHTS, "SeafloorFile"), (DEPTHS, "WtrDpth")])
+def test_a_ground_by_a_file_is_a_grid(text, option, lines):
+    edit(lines, "450.0     45", "440.0     44")
+    edit(lines, "100       WtrDpth", f"grounds/bed.txt       {option}")
+    (lines.parent / "grounds").mkdir()
+    (lines.parent / "grounds" / "bed.txt").write_text(text)
+    deck = is_taken(lines)
+    assert deck["seabed"]["grid"] == {"file": "lines_seabed.csv"} and "z" not in deck["seabed"]
+    heights = np.loadtxt(lines.with_name("lines_seabed.csv"), delimiter=",")
+    assert len(heights) == 6 and np.allclose(heights[:, 2], -110 + 0.01 * heights[:, 0] + 0.02 * heights[:, 1] - 0.1)
+    assert "bed" not in deck["rod"]["line1"]["catenary"] and deck["stage"][0]["steps"] == 10
+    assert read_moordyn(lines).warnings == []
+
+
+GROUND_FAULTS = [
+    ("2 3\n", "1 3\n", "bed.txt:2: expected 1 number"),
+    ("600 500 -94.0\n", "", "there is no height at x = 600, y = 500"),
+    ("-500 0 500\n", "-500 500 0\n", "the places y of the grid do not increase"),
+    ("600 500 -94.0\n", "600 500\n", "expected 3 numbers"),
+]
+
+
+@pytest.mark.parametrize("old, new, message", GROUND_FAULTS)
+def test_faults_of_a_ground_by_a_file(old, new, message, lines):
+    edit(lines, "100       WtrDpth", "bed.txt       SeafloorFile")
+    (lines.parent / "bed.txt").write_text(HEIGHTS)
+    edit(lines.parent / "bed.txt", old, new)
+    with pytest.raises(FileError, match=re.escape(message)):
+        read_moordyn(lines)
+
+
+def test_types_whose_names_differ_in_signs_alone_are_two_sections(lines):
+    edit(lines, "cable-1/2  0.1     25.0 ", "cable-1/2  0.1     25.0 ")
+    edit(lines, "chain      0.2     200.0", "cable-1:2  0.2     200.0")
+    lines.write_text(lines.read_text().replace("1     chain ", "1     cable-1:2 ").replace("3     chain ", "3     cable-1:2 "))
+    deck = deck_of(lines)
+    assert sorted(deck["section"]) == ["cable-1_2", "cable-1_2_"] and deck["rod"]["line2"]["section"] == "cable-1_2_"
 
 
 def test_columns_by_the_names_of_version_1_are_read_so(lines):
@@ -421,6 +548,8 @@ FAULTS = [
     ("1     chain ", "1     rope ", r'lines.txt:18: there is no line type "rope"; give one of chain, cable-1/2'),
     ("1        2        450.0", "1        7        450.0", r'lines.txt:18: there is no point "7"; give one of 1, 2, 3, 4'),
     ("450.0     45", "450.0     4.5", r"lines.txt:18: UnstrLen must be above 0 and NumSegs a whole number"),
+    ("1.0e5     kbot", "-1      kbot", r"lines.txt:24: kbot is below 0"),
+    ("2     cable-1/2  2 ", "1     cable-1/2  2 ", r"lines.txt:19: the ID 1 stands in line 18, too"),
     ("1.0e5     kbot", "soft      kbot", r'lines.txt:24: expected a number for kbot, found "soft"'),
 ]
 
@@ -438,7 +567,7 @@ def test_the_program_writes_the_deck_and_says_what_it_left_out(lines, tmp_path, 
     assert main([str(lines), "-o", str(tmp_path / "out.toml")]) == 0
     printed = capsys.readouterr()
     assert printed.out.splitlines() == ["3 lines of 2 types, 1110 m (MoorDyn: lines.txt)", str(tmp_path / "out.toml")]
-    assert printed.err == "note: damping by a ratio (BA/-zeta below 0) was left out: it damps the segments of MoorDyn's mesh\n"
+    assert printed.err == f"note: {NOT_USED}\nnote: damping by a ratio (BA/-zeta below 0) was left out: it damps the segments of MoorDyn's mesh\n"
     assert main([str(lines), "-o", str(tmp_path / "nowhere" / "out.toml")]) == 4
     with pytest.raises(FileError, match="has lines, not a blade; read it with read_moordyn"):
         read_blade(lines)

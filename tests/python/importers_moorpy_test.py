@@ -55,6 +55,12 @@ def test_ropes_have_stiffness_by_their_strength_and_volume_by_their_density(libr
     assert (rope.drag, rope.added_mass) == ((2.0, 0.0), (0.0, 0.0))
 
 
+def test_what_is_not_used_of_a_material_is_named(library):
+    edit(library, "    EA_MBL: 14\n", "    EA_MBL: 14\n    EAd_MBL: 20\n    cost_d: 3\n")
+    assert read_moorprops(library, "rope", 0.2).notes == ["not used: EAd_MBL, cost_d"]
+    assert read_moorprops(library, "chain", 0.1).notes == []
+
+
 def test_the_section_is_that_of_a_deck(library, tmp_path):
     [path] = write_section(read_moorprops(library, "chain", 0.1), tmp_path / "section.toml", name="leg")
     section = tomllib.loads(path.read_text())["section"]["leg"]

@@ -236,7 +236,7 @@ def test_the_program_ends_with_gxrods_codes(tmp_path, capsys, monkeypatch):
     assert main([str(elastodyn), "--length", "60", "-o", "nowhere/blade.toml"]) == 4
     assert "nowhere/blade.csv: cannot be written: No such file or directory" in capsys.readouterr().err
     assert main([str(elastodyn), "--length", "60"]) == 0
-    assert (tmp_path / "elastodyn.toml").exists() and "note: ElastoDyn has bending" in capsys.readouterr().out
+    assert (tmp_path / "elastodyn.toml").exists() and "note: ElastoDyn has bending" in capsys.readouterr().err
     with pytest.raises(SystemExit) as ended:
         main([str(elastodyn), "--length", "-1"])
     assert ended.value.code == 2

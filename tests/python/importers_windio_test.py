@@ -27,6 +27,15 @@ def test_faults_of_windio_files(version, old, new, message, tmp_path):
     assert re.search(message, fault(path)), fault(path)
 
 
+@pytest.mark.parametrize("version, beside, name", [(1, "stiff_matrix:", "six_x_six/point_mass"), (2, "stiffness_matrix:", "elastic_properties/point_mass")])
+def test_keys_beside_the_matrices_are_warned_of(version, beside, name, tmp_path):
+    pytest.importorskip("yaml")
+    path = blades.write_windio(tmp_path, version, fractions=curve_of().fractions)
+    assert read_blade(path).warnings == []
+    edit(path, beside, f"point_mass: 3\n                {beside}")
+    assert read_blade(path).warnings == [f"not used: {name}"]
+
+
 def test_windio_needs_yaml(tmp_path, absent):
     path = blades.write_windio(tmp_path, 1, fractions=curve_of().fractions)
     absent("yaml")

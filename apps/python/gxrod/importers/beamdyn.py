@@ -5,6 +5,7 @@ Its axes: x flapwise (downwind), y edgewise (to the trailing edge), z along; 6×
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +14,12 @@ from ..typed import AnyPath, Array
 from .axes import FROM_BEAMDYN, turn
 from .blade import Blade, check_blade
 from .curve import Curve
-from .text import Lines, find_beside
+from .text import Lines, UnusedKeys, find_beside
+
+USED = ("member_total", "kp_total", "BldFile", "station_total", "damp_type", "damp_flag", "UsePitchAct", "n_modes", "zeta")
+# Keys of BeamDyn's mesh, scheme and output.
+NOT_NEEDED = ("Echo", "QuasiStaticInit", "rhoinf", "quadrature", "refine", "n_fact", "DTBeam", "load_retries", "NRMax", "stop_tol", "tngt_stf_fd", "tngt_stf_comp", "tngt_stf_pert", "tngt_stf_difftol",
+              "RotStates", "order_elem", "SumPrint", "OutFmt", "NNodeOuts", "OutNd", "OutList", "BldNd_BlOutNd", "BldNd_BlOutNd_Str", "BldNd_BladesOut", "PitchJ", "PitchK", "PitchC", "analysis_type")
 
 
 def is_beamdyn(text: str) -> bool:
@@ -31,12 +37,15 @@ def read_beamdyn(path: AnyPath, blade_file: AnyPath | None = None) -> Blade:
     points, twist = read_key_points(primary)
     blade = Lines(blade_file or find_blade_file(primary))
     fractions, stiffness, mass, lines = read_stations(blade)
-    damping, notes = read_damping(blade)
+    damping, warnings = read_damping(blade)
+    unused = find_unused(primary, blade)
+    notes = unused.notes("BeamDyn's mesh, scheme and output")
+    warnings += [*unused.warnings(), *read_pitch_actuator(primary)]
     if read_count(primary, "member_total") > 1:
         notes.append("BeamDyn has an element for each member, and lays the curve through each by itself")
     found = Blade(title=primary.lines[1].strip() if len(primary.lines) > 1 else "", source=f"BeamDyn: {primary.path.name}, {blade.path.name}",
                   fractions=fractions, stiffness=stiffness, mass=mass, points=points, twist_fractions=Curve(points).fractions,
-                  twist=-np.radians(twist), damping=damping, notes=notes)
+                  twist=-np.radians(twist), damping=damping, notes=notes, warnings=warnings)
     return check_blade(found, lambda i, what, todo: blade.fault(what, todo, lines[i]))
 
 
@@ -106,14 +115,34 @@ def read_stations(blade: Lines) -> tuple[Array, Array, Array, list[int]]:
     return np.array(fractions), np.array(stiffness), np.array(mass), lines
 
 
+def find_unused(*files: Lines) -> UnusedKeys:
+    """Keys of lines `value key - …` that no deck has."""
+    unused = UnusedKeys("key", USED, NOT_NEEDED)
+    for lines in files:
+        for line in lines.lines:
+            found = re.match(r"""\s*("[^"]*"|'[^']*'|[^\s,]+)\s+([A-Za-z]\w*)\s+-""", line)
+            if found and not line.lstrip().startswith("-") and found[2].lower() not in map(str.lower, USED):
+                unused.add(found[2])
+    return unused
+
+
+def read_pitch_actuator(primary: Lines) -> list[str]:
+    line = find_key(primary, "UsePitchAct")
+    is_used = line and primary[line].split()[0].strip("\"'").lower() in ("true", "t")
+    return ["the pitch actuator (UsePitchAct) was left out: the root is clamped"] if is_used else []
+
+
 def read_damping(blade: Lines) -> tuple[Array | None, list[str]]:
-    """Seconds by strain, in gxrod's order, or None; and notes."""
-    kind = read_count(blade, "damp_type")
+    """Seconds by strain, in gxrod's order, or None; and warnings. Older files say damp_flag."""
+    header = blade.find(lambda line: line.split()[:2] == ["mu1", "mu2"])
+    key = next((key for key in ("damp_type", "damp_flag") if find_key(blade, key)), "")
+    if not key:
+        return None, ["the blade file has no damp_type: the blade is not damped" + (", though it has mu1 … mu6" if header else "")]
+    kind = read_count(blade, key)
     if kind == 0:
         return None, []
     if kind != 1:
         return None, ["modal damping (damp_type 2) was left out: gxrod damps by strains"]
-    header = blade.find(lambda line: line.split()[:2] == ["mu1", "mu2"])
     if not header:
         raise blade.fault("there is no line mu1 mu2 …, which the damping follows", "give a whole blade file of BeamDyn", 0)
     blade.at = header + 2

@@ -23,7 +23,7 @@ class Blade:
     `title`: of the blade. `source`: the format and its files. `fractions`: of the stations, [n], 0 to 1 of the length of the curve. `stiffness`: [n,6,6], about the
     curve, in section axes, x along it, y flapwise, z edgewise. `mass`: the same; zeros for a static model. `points`: of the curve, [k,3], in m, root axes, x downwind,
     y to the trailing edge, z to the tip. `twist_fractions`: where the twist is given, [m]. `twist`: of the section about the tangent, right-handed, in rad, [m].
-    `damping`: seconds by strain, [6], or None. `notes`: what was assumed or left out.
+    `damping`: seconds by strain, [6], or None. `notes`: what was assumed, and what was left out that changes nothing. `warnings`: what was left out that changes the results.
 
     The untwisted section has its flapwise axis in the root's x-z plane.
     """
@@ -38,6 +38,7 @@ class Blade:
     twist: Array
     damping: Array | None = None
     notes: list[str] = field(default_factory=list)
+    warnings: list[str] = field(default_factory=list)
 
     @property
     def length(self) -> float:

@@ -45,8 +45,7 @@ def import_blade(request: argparse.Namespace) -> list[Path]:
     blade = read_blade(request.file, request.format, blade_file=request.blade, st_file=request.st, body=request.body, chosen=tuple(request.set) if request.set else None, length=request.length)
     written = write_deck(blade, request.output, inline=request.inline)
     print(f"{len(blade.fractions)} stations, {blade.length:.6g} m, {blade.total_mass:.6g} kg ({blade.source})")
-    for note in blade.notes:
-        print(f"note: {note}")
+    say(blade.notes, blade.warnings)
     return written
 
 
@@ -54,9 +53,15 @@ def import_lines(request: argparse.Namespace) -> list[Path]:
     mooring = read_moordyn(request.file)
     written = write_mooring(mooring, request.output)
     print(f"{len(mooring.lines)} lines of {len(mooring.types)} types, {sum(line.length for line in mooring.lines):.6g} m ({mooring.source})")
-    for note in mooring.notes:
-        print(f"note: {note}", file=sys.stderr)
+    say(mooring.notes, mooring.warnings)
     return written
+
+
+def say(notes: list[str], warnings: list[str]) -> None:
+    """What was left out or assumed; warnings change the results."""
+    for kind, texts in (("note", notes), ("warning", warnings)):
+        for text in texts:
+            print(f"{kind}: {text}", file=sys.stderr)
 
 
 def import_section(request: argparse.Namespace) -> list[Path]:
@@ -64,6 +69,7 @@ def import_section(request: argparse.Namespace) -> list[Path]:
         raise ImportFault(f"{request.file}: MoorPy's library has many materials, of any diameter; give --line NAME --diameter D")
     kind = read_moorprops(request.file, request.line, request.diameter)
     written = write_section(kind, request.output, source=f"MoorPy: {Path(request.file).name}, nominal diameter {request.diameter:g} m")
+    say(kind.notes, [])
     print(f"{kind.name}, {kind.mass:.6g} kg/m, EA {kind.EA:.6g} N, volume-equivalent diameter {kind.diameter:.6g} m")
     return written
 

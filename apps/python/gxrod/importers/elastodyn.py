@@ -6,9 +6,12 @@ import numpy as np
 
 from ..typed import AnyPath, Array
 from .blade import Blade, check_blade
-from .text import Lines
+from .text import Lines, UnusedKeys, to_number
 
 COLUMNS = ("BlFract", "StrcTwst", "BMassDen", "FlpStff", "EdgStff")
+USED = ("NBlInpSt", "FlStTunr1", "FlStTunr2", "FlStTunr(1)", "FlStTunr(2)", "AdjBlMs", "AdjFlSt", "AdjEdSt")
+# Modes of ElastoDyn, which a rod has by itself.
+NOT_NEEDED = tuple(f"{mode}({power})" for mode in ("BldFl1Sh", "BldFl2Sh", "BldEdgSh") for power in range(2, 7))
 STIFF = 1e6  # EA and GA: so many times the larger EI over the length squared
 STIFF_TORSION = 10.0  # GJ: so many times EI flapwise + edgewise
 SLENDER = 1e-3  # radius of gyration over the length
@@ -31,7 +34,10 @@ def read_elastodyn(path: AnyPath, length: float | None) -> Blade:
                   notes=["ElastoDyn has bending and mass only. Assumed: a straight axis through all centres, no couplings; extension and shear "
                          f"stiff (EA = GA = {STIFF:g} EI/L²), torsion stiff (GJ = {STIFF_TORSION:g} (EI flapwise + edgewise)), hardly any rotary "
                          f"inertia (radius of gyration {SLENDER:g} L). For a blade that twists, import a BeamDyn, HAWC2 or windIO file"])
-    found.notes += tuned(lines)
+    found.warnings += [*tuned(lines), *damped(lines), *idle_columns(lines)]
+    unused = find_unused(lines)
+    found.notes += unused.notes("ElastoDyn's modes")
+    found.warnings += unused.warnings()
     return check_blade(found, lambda i, what, todo: lines.fault(what, todo, first + i))
 
 
@@ -66,9 +72,33 @@ def scale(lines: Lines, table: dict[str, Array]) -> tuple[Array, Array, Array]:
 
 
 def tuned(lines: Lines) -> list[str]:
-    """A note on factors by mode, which a beam does not have."""
+    """A warning of factors by mode, which a beam does not have."""
     factors = [value_of(lines, f"FlStTunr{end}", 1.0) for end in ("1", "2", "(1)", "(2)")]
     return ["the factors FlStTunr on the stiffness by mode were left out"] if set(factors) != {1.0} else []
+
+
+def damped(lines: Lines) -> list[str]:
+    """A warning of damping by mode."""
+    values = [value_of(lines, f"{key}{end}", 0.0) for key in ("BldFlDmp", "BldEdDmp") for end in ("1", "2", "(1)", "(2)")]
+    return ["damping by mode (BldFlDmp, BldEdDmp) was left out: gxrod damps by strains"] if any(values) else []
+
+
+def idle_columns(lines: Lines) -> list[str]:
+    """A warning of columns that no deck gets, where they have numbers other than 0."""
+    header = lines.find(lambda line: "BlFract" in line and "BMassDen" in line)
+    names = lines[header].split()
+    rows = [line.split() for line in lines.lines[header + 1:header + 1 + int(value_of(lines, "NBlInpSt"))]]
+    idle = [name for i, name in enumerate(names) if name not in (*COLUMNS, "PitchAxis", "AeroCent") and any(to_number(row[i]) for row in rows if len(row) > i)]
+    return [f"columns that were not used: {', '.join(idle)}"] if idle else []
+
+
+def find_unused(lines: Lines) -> UnusedKeys:
+    unused = UnusedKeys("key", USED, NOT_NEEDED)
+    for line in lines.lines:
+        words = line.split()
+        if len(words) > 2 and words[2] == "-" and to_number(words[0]) is not None and words[1] not in USED and not words[1].startswith(("BldFlDmp", "BldEdDmp")):
+            unused.add(words[1])
+    return unused
 
 
 def stiffness_of(flapwise: Array, edgewise: Array, length: float) -> Array:

@@ -58,7 +58,12 @@ def blade_of(st: Lines, body: Body | None, chosen: tuple[int, int]) -> Blade:
     found = Blade(title=body.name if body else st.path.stem, source=f"HAWC2: {f'{body.lines.path.name}, ' if body else ''}{st.path.name}, set {chosen[0]} {chosen[1]}",
                   fractions=fractions, stiffness=stiffness, mass=mass, points=points, twist_fractions=curve.fractions, twist=twist, notes=notes)
     if body and body.damping:
-        notes.append(f"HAWC2's damping by mass and stiffness was left out ({body.damping})")
+        found.warnings.append(f"HAWC2's damping by mass and stiffness was left out ({body.damping})")
+    if body:
+        found.warnings += [f"the concentrated mass {each} was left out; add a [body.NAME] there" for each in body.masses]
+        notes += body.unused.notes("HAWC2's mesh and output")
+        found.warnings += body.unused.warnings()
+        notes.append(f"of the htc file the body {body.name} alone was read")
     return check_blade(found, lambda i, what, todo: st.fault(what, todo, lines[min(i, len(lines) - 1)]))
 
 

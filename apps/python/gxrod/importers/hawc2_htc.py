@@ -8,12 +8,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..typed import Array
-from .text import Lines
+from .text import Lines, UnusedKeys
+
+USED = ("name", "filename", "set", "sec", "concentrated_mass")
+# Commands of HAWC2's mesh and output.
+NOT_NEEDED = ("type", "nbodies", "node_distribution", "nsec", "fpm", "beam_output_file_name", "body_output_file_name", "body_eigenanalysis_file_name", "structure_eigenanalysis_file_name",
+              "elem_eigenanalysis_file_name")
 
 
 @dataclass
 class Body:
-    """A main_body with sections along a curve. `points` [k,3] in HAWC2's axes; `twist` [k] in rad, about z; `chosen` set and subset."""
+    """A main_body with sections along a curve. `points` [k,3] in HAWC2's axes; `twist` [k] in rad, about z; `chosen` set and subset; `masses` and `unused`: commands that were not used."""
 
     lines: Lines
     name: str
@@ -23,6 +28,8 @@ class Body:
     st_line: int
     chosen: tuple[int, int]
     damping: str
+    masses: list[str]
+    unused: UnusedKeys
 
 
 @dataclass
@@ -85,7 +92,13 @@ def make_body(lines: Lines, name: str, commands: list[Command]) -> Body:
         raise lines.fault(f"the body {name} names no st file", "add timoschenko_input with filename", commands[0].line)
     chosen = next((numbers_of(lines, command, 1, 2, "set and subset") for command in st if command.words[0].lower() == "set"), [1.0, 1.0])
     damping = next((" ".join(command.words) for command in commands if command.words[0].lower().startswith("damping")), "")
-    return Body(lines, name, table[:, :3], np.radians(table[:, 3]), named.words[1], named.line, (int(chosen[0]), int(chosen[1])), damping)
+    masses = [" ".join(command.words[1:]) for command in commands if command.words[0].lower() == "concentrated_mass"]
+    unused = UnusedKeys("command", USED, NOT_NEEDED)
+    for command in commands:
+        word = command.words[0]
+        if word.lower() not in USED and not word.lower().startswith("damping"):
+            unused.add(word)
+    return Body(lines, name, table[:, :3], np.radians(table[:, 3]), named.words[1], named.line, (int(chosen[0]), int(chosen[1])), damping, masses, unused)
 
 
 def numbers_of(lines: Lines, command: Command, first: int, count: int, what: str) -> list[float]:

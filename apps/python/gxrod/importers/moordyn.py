@@ -7,20 +7,28 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..typed import AnyPath
+from ..typed import AnyPath, Array
 from .mooring import Body, Line, LineType, Mooring, Place, Vector
-from .moordyn_bodies import completed, cylinder, joined, point_mass
-from .text import Lines, to_number
+from .moordyn_bodies import completed, cylinder, euler_rotation, joined, point_mass, rotation_vector_of
+from .moordyn_ground import read_ground
+from .text import Lines, UnusedKeys, find_beside, to_number
 
 SECTIONS = {"types": ("LINE TYPES", "LINE DICTIONARY"), "rod types": ("ROD TYPES", "ROD DICTIONARY"), "bodies": ("BODIES", "BODY LIST", "BODY PROPERTIES"),
             "rods": ("RODS", "ROD LIST", "ROD PROPERTIES"), "points": ("POINTS", "POINT LIST", "POINT PROPERTIES", "CONNECTION PROPERTIES", "NODE PROPERTIES"),
             "lines": ("LINES", "LINE LIST", "LINE PROPERTIES"), "options": ("OPTIONS", "SOLVER OPTIONS"), "outputs": ("OUTPUT", "OUTPUTS")}
 KINDS = {"fixed": ("fixed", "fix", "anchor"), "coupled": ("coupled", "cpld", "vessel", "ves", "fairlead"), "free": ("free", "connect", "con", "point")}
-# By names in small letters; the rest of the options are of MoorDyn's own scheme and its way to the start.
-OPTIONS = {"gravity": ("g", "gravity"), "density": ("wtrdnsty", "wtrdens", "rhow", "rho"), "depth": ("wtrdpth",), "ground_stiffness": ("kbot", "kb"),
-           "ground_damping": ("cbot", "cb"), "friction": ("frictioncoefficient",)}
+# Names in MoorDyn's spelling; capitals do not count.
+OPTIONS = {"gravity": ("g", "gravity"), "density": ("WtrDnsty", "rho", "rhoW"), "depth": ("WtrDpth",), "ground_stiffness": ("kBot", "kb"), "ground_damping": ("cBot", "cb"),
+           "friction": ("FrictionCoefficient",), "ground": ("SeafloorFile",)}
+# Options of MoorDyn's time steps, of its way to the start and of its output.
+NOT_NEEDED = ("dtM", "CFL", "tScheme", "writeLog", "WriteUnits", "dtOut", "dtIC", "ICdt", "TmaxIC", "ICTmax", "CdScaleIC", "ICDfac", "threshIC", "ICthresh", "ICgenDynamic", "GenDynamicIC", "fileIC", "ICfile",
+              "dtWave", "WaveKin_rampT", "UnifyCurrentGrid", "disableOutput", "disableOutTime", "inertialF", "inertialF_rampT", "Echo", "FricDamp", "CV")
+# Options that change the results unless they have the value that stands here, and what to do.
+LACKING = {"WaveKin": ("0", "waves were left out; add them as [[wave]]"), "Currents": ("0", "currents were left out; add them to [fluid]"),
+           "WaterKin": ("0", "waves and currents were left out; add them as [[wave]] and to [fluid]"),
+           "StatDynFricScale": ("1", "friction has one coefficient here, at rest and sliding"), "MC": ("1", "friction has one coefficient here, at rest and sliding"),
+           "mu_kT": ("0", "friction was left out; give [seabed] friction = { axial = …, lateral = … }"), "mu_kA": ("0", "friction was left out; give [seabed] friction = { axial = …, lateral = … }")}
 DEFAULTS = {"gravity": 9.80665, "density": 1025.0, "depth": 0.0, "ground_stiffness": 3.0e6, "ground_damping": 3.0e5, "friction": 0.0}
-FLOWS = {"wavekin": "waves", "currents": "currents"}
 OLD_ORDER = ["can", "cat", "cdn", "cdt"]  # names of version 1, also found over files of version 2
 
 
@@ -39,8 +47,8 @@ def is_moordyn(text: str) -> bool:
 def read_moordyn(path: AnyPath) -> Mooring:
     """The lines of a MoorDyn file (version 2), with water and ground.
 
-    Bodies and rods that are free are rigid bodies. Not read: waves and currents, failures, tables of stiffness. Lines on other bodies and rods are held where these are. `notes` says what was
-    left out.
+    Bodies and rods that are free are rigid bodies. Not read: waves and currents, failures, tables of stiffness. Lines on other bodies and rods are held where these are. `notes` and `warnings`
+    say what was left out; `warnings` what changes the results.
 
     Raises FileError, with file, line, what was expected and what to do.
     """
@@ -51,18 +59,52 @@ class Reader:
     def __init__(self, lines: Lines) -> None:
         self.lines = lines
         self.notes: list[str] = []
+        self.warnings: list[str] = []
         self.bodies: dict[str, Body] = {}  # free ones, by their numbers, and free rods
+        self.ground_row: Row | None = None
+        self.ground: Array | None = None
         self.tables = self.find_tables()
 
     def read(self) -> Mooring:
         options = self.read_options()
+        self.ground = self.read_ground_file()
         types = {row.words[0]: self.read_type(row) for row in self.need("types")}
+        for name in ("points", "lines", "bodies", "rods"):
+            self.refuse_twins(self.rows(name))
         places = self.read_places(options["density"])
         found = [self.read_line(row, types, places) for row in self.need("lines")]
-        options["depth"] = max(options["depth"], *(-place.at[2] for line in found for place in line.ends))
+        options["depth"] = max(options["depth"], *(-place.at[2] for line in found for place in line.ends)) if self.ground is None else float(-self.ground[:, 2].min())
+        self.warn_of_idle(found, places)
+        self.warn_of_no_ground(options)
         title = next((text.strip() for text in self.lines.lines if text.strip() and not text.startswith("---")), "Mooring lines")
         bodies = [self.complete(body, options["density"]) for body in self.bodies.values() if any(place.body == body.name for line in found for place in line.ends)]
-        return Mooring(title=title, source=f"MoorDyn: {self.lines.path.name}", lines=found, notes=list(dict.fromkeys(self.notes)), bodies=bodies, **options)
+        return Mooring(title=title, source=f"MoorDyn: {self.lines.path.name}", lines=found, notes=list(dict.fromkeys(self.notes)), bodies=bodies, warnings=list(dict.fromkeys(self.warnings)),
+                       ground=self.ground, **options)
+
+    def refuse_twins(self, rows: list[Row]) -> None:
+        found: dict[str, int] = {}
+        for row in rows:
+            if row.words[0] in found:
+                raise self.fault(row, f"the ID {row.words[0]} stands in line {found[row.words[0]]}, too", "give each row of a table its own ID")
+            found[row.words[0]] = row.line
+
+    def warn_of_idle(self, lines: list[Line], places: dict[str, Place]) -> None:
+        """Points and bodies that no line ends on, and weights that no line feels."""
+        used = {place.name for line in lines for place in line.ends}
+        carriers = {place.body for line in lines for place in line.ends}
+        idle = [place.name for place in places.values() if place.name not in used and not place.body and place.kind == "free"]
+        idle += [name for name in (body.name for body in self.bodies.values()) if name not in carriers]
+        if idle:
+            self.warnings.append(f"free points and bodies without lines were left out: {', '.join(idle)}")
+        held = [place.name for place in places.values() if place.kind in ("fixed", "coupled") and (place.mass or place.volume or place.drag_area)]
+        if held:
+            self.notes.append(f"mass, volume and drag of points that are held were left out; no line feels them: {', '.join(held)}")
+
+    def warn_of_no_ground(self, options: dict[str, float]) -> None:
+        if options["depth"] > 0.0 and options["ground_stiffness"] == 0.0:
+            self.warnings.append("kBot is 0: the ground holds nothing, and was left out")
+        if options["density"] == 0.0:
+            self.notes.append("the density of water is 0: the lines hang in air, without drag")
 
     # Tables
 
@@ -79,7 +121,7 @@ class Reader:
     def open_table(self, heading: str, tables: dict[str, list[Row]]) -> list[Row]:
         name = next((name for name, headings in SECTIONS.items() if heading.upper() in headings), "")
         if not name and heading and "moordyn" not in heading.lower() and "need this line" not in heading.lower():
-            self.notes.append(f"the section {heading} was left out")
+            self.warnings.append(f"the section {heading} was left out")
         return tables.setdefault(name, []) if name else []
 
     def need(self, name: str) -> list[Row]:
@@ -103,17 +145,42 @@ class Reader:
         return value
 
     def read_options(self) -> dict[str, float]:
+        """Those that a deck uses. Others are named, each once."""
         options = dict(DEFAULTS)
+        unused = UnusedKeys("option", [*(name for names in OPTIONS.values() for name in names), *LACKING], NOT_NEEDED)
         for row in self.tables.get("options", []):
-            name = row.words[1].lower() if len(row.words) > 1 else ""
-            key = next((key for key, names in OPTIONS.items() if name in names), "")
-            if key == "depth" and to_number(row.words[0]) is None:
-                self.notes.append(f"the ground by the file {row.words[0]} was left out; the ground is level, at the deepest point")
+            name = row.words[1] if len(row.words) > 1 else ""
+            key = next((key for key, names in OPTIONS.items() if name.lower() in map(str.lower, names)), "")
+            lacking = next((each for each in LACKING if each.lower() == name.lower()), "")
+            if not name:
+                self.warnings.append(f'line {row.line} of the options, "{row.words[0][:40]}", names no option and was not used')
+            elif key == "ground" or key == "depth" and to_number(row.words[0]) is None:
+                self.ground_row = row
             elif key:
-                options[key] = self.number(row, 0, row.words[1])
-            elif name in FLOWS and row.words[0] != "0":
-                self.notes.append(f"{FLOWS[name]} were left out (option {row.words[1]}); add them to [fluid] or as [[wave]]")
+                options[key] = self.number(row, 0, name)
+                if options[key] < 0.0:
+                    raise self.fault(row, f"{name} is below 0", "give a number of 0 or more")
+            elif lacking:
+                without, words = LACKING[lacking]
+                if row.words[0].lower() not in (without, without + ".0", "none", "false"):
+                    self.warnings.append(f"{words} (option {name} is {row.words[0]})")
+            else:
+                unused.add(name)
+        self.notes += unused.notes("MoorDyn's time steps, its way to the start and its output")
+        self.warnings += unused.warnings()
         return options
+
+    def read_ground_file(self) -> Array | None:
+        """Heights of a file of the ground, x, y, z [n,3]; None without one."""
+        if self.ground_row is None:
+            return None
+        named = self.ground_row.words[0]
+        folder = self.lines.path.resolve().parent
+        found, tried = find_beside(named, [folder, *folder.parents[:2]])
+        if found is None:
+            self.warnings.append(f"the ground by the file {named} was left out, as the file is not there (tried {', '.join(map(str, tried))}); the ground is level, at the deepest point")
+            return None
+        return read_ground(found)
 
     # Line types
 
@@ -132,12 +199,12 @@ class Reader:
         if damping < 0.0:
             self.notes.append("damping by a ratio (BA/-zeta below 0) was left out: it damps the segments of MoorDyn's mesh")
         if len(row.words) > 10 and to_number(row.words[10]):
-            self.notes.append("the lift by vortices (Cl) was left out")
+            self.warnings.append("the lift by vortices (Cl) was left out")
         return LineType(row.words[0], diameter, mass, EA, EI, max(damping, 0.0), (Cd, CdAx), (Ca, CaAx))
 
     def stiffness(self, row: Row) -> float:
         if len(row.words) > 3 and "|" in row.words[3]:
-            self.notes.append(f'of the stiffnesses "{row.words[3]}" of {row.words[0]} the first one was taken, the static one; see `law` for ropes that relax')
+            self.warnings.append(f'of the stiffnesses "{row.words[3]}" of {row.words[0]} the first one was taken, the static one; see `law` for ropes that relax')
             row = Row([*row.words[:3], row.words[3].split("|")[0]], row.line)
         return self.number(row, 3, "EA; tables of stiffness are not imported")
 
@@ -152,15 +219,25 @@ class Reader:
         return places
 
     def read_body(self, row: Row, density: float) -> Body:
-        """A free one; of the coefficients those of translation."""
+        """A free one; of the coefficients only translation's."""
         centre, inertia, area, added = (self.several(row, column, what) for column, what in ((9, "CG"), (10, "I"), (12, "CdA"), (13, "Ca")))
         if len(area) in (2, 6) and any(area[len(area) // 2:]) or len(area) in (1, 3) and any(area):
-            self.notes.append(f"drag that resists turns was left out, of body {row.words[0]} (the numbers of CdA for rotations)")
+            self.warnings.append(f"drag that resists turns was left out, of body {row.words[0]} (the numbers of CdA for rotations)")
         volume = self.number(row, 11, "Volume")
         along = three(area[:1] if len(area) == 2 else area)
         water = three(added[:1] if len(added) == 2 else added)
         return Body(f"body{row.words[0]}", self.place_of(row, 2), self.number(row, 8, "Mass"), three(inertia), (0.0, 0.0, centre[0]) if len(centre) == 1 else three(centre), volume, along,
-                    scaled(water, density * volume), line=row.line)
+                    scaled(water, density * volume), rotation_vector=rotation_vector_of(self.axes_of(row)), line=row.line)
+
+    def axes_of(self, row: Row) -> Array:
+        """Columns: the axes of a body, by its angles in degrees."""
+        roll, pitch, yaw = (self.number(row, i, "an angle of the body") for i in (5, 6, 7))
+        return euler_rotation(*np.radians((roll, pitch, yaw)).tolist())
+
+    def on_body(self, row: Row, at: Vector) -> Vector:
+        """The global place of a point in the axes of a body."""
+        x, y, z = (np.array(self.place_of(row, 2)) + self.axes_of(row) @ np.array(at)).tolist()
+        return x, y, z
 
     def several(self, row: Row, column: int, what: str) -> list[float]:
         """One number, or several of the form a|b|c."""
@@ -174,17 +251,17 @@ class Reader:
 
     def read_point(self, row: Row, bodies: dict[str, Row], density: float) -> Place:
         if len(row.words) >= 12 and any(to_number(word) for word in row.words[7:10]):
-            self.notes.append(f"the force on point {row.words[0]} was left out; add a [[load]]")
+            self.warnings.append(f"the force on point {row.words[0]} was left out; add a [[load]]")
         last = 10 if len(row.words) >= 12 else 7
         at = self.place_of(row, 2)
         mass, volume, drag_area, added_mass = (self.number(row, i, name) for i, name in ((5, "Mass"), (6, "Volume"), (last, "CdA"), (last + 1, "Ca")))
         kind, on = self.kind_of(row, row.words[1], bodies)
         if on and (body := self.bodies.get(on.words[0])):
-            at = shifted(at, body.at)
+            at = self.on_body(on, at)
             self.bodies[on.words[0]] = joined(body, point_mass(at, mass, volume, drag_area, added_mass, density))
             return Place(f"point{row.words[0]}", "free", at, body=body.name)
         if on:
-            return Place(f"point{row.words[0]}", kind, shifted(at, self.place_of(on, 2)))
+            return Place(f"point{row.words[0]}", kind, self.on_body(on, at))
         return Place(f"point{row.words[0]}", kind, at, mass, volume, drag_area, added_mass)
 
     def read_rod(self, row: Row, bodies: dict[str, Row], density: float) -> dict[str, Place]:
@@ -195,20 +272,19 @@ class Reader:
         if kind == "free" and not on and ends[0] == ends[1]:
             end = Place(f"rod{number}", "corner", ends[0])
             return {f"R{number}A": end, f"R{number}B": end}
-        base = self.place_of(on, 2) if on else (0.0, 0.0, 0.0)
-        ends = (shifted(ends[0], base), shifted(ends[1], base))
+        ends = (self.on_body(on, ends[0]), self.on_body(on, ends[1])) if on else ends
         carrier = on.words[0] if on and on.words[0] in self.bodies else f"rod {number}" if kind == "free" else ""
         if carrier:
             self.carry(row, carrier, ends, density)
             return {f"R{number}{name}": Place(f"rod{number}{name}", "corner", end, body=self.bodies[carrier].name) for name, end in zip("AB", ends)}
         moves = "" if kind == "fixed" else ", though it moves in MoorDyn"
-        self.notes.append(f"rod {number} of MoorDyn was left out; lines on it are clamped where its ends are, as they leave these at first{moves}")
+        (self.warnings if moves else self.notes).append(f"rod {number} of MoorDyn was left out; lines on it are clamped where its ends are, as they leave these at first{moves}")
         return {f"R{number}{name}": Place(f"rod{number}{name}", "clamped", end) for name, end in zip("AB", ends)}
 
     def carry(self, row: Row, carrier: str, ends: tuple[Vector, Vector], density: float) -> None:
         """A rod as a part of a free body, or as a body of its own."""
         if "pin" in row.words[2].lower():
-            self.notes.append(f"rod {row.words[0]} is fixed to its body, though it turns on it in MoorDyn")
+            self.warnings.append(f"rod {row.words[0]} is fixed to its body, though it turns on it in MoorDyn")
         type_row = next((each for each in self.rows("rod types") if each.words[0] == row.words[1]), None)
         if type_row is None:
             raise self.fault(row, f'there is no rod type "{row.words[1]}"', f"give one of {', '.join(each.words[0] for each in self.rows('rod types'))}")
@@ -230,8 +306,6 @@ class Reader:
             if match[1] not in bodies:
                 raise self.fault(row, f"there is no body {match[1]}", "add it to the section BODIES")
             body = bodies[match[1]]
-            if any(self.number(body, i, "an angle of the body") for i in (5, 6, 7)):
-                raise self.fault(body, "a body with lines on it is turned", "give it the angles 0 and its points in these axes")
             if match[1] not in self.bodies:
                 self.notes.append(f"body {match[1]} of MoorDyn was left out; lines on it are held where it is")
             return self.word_kind(body, body.words[1]), body
@@ -258,11 +332,6 @@ class Reader:
 def is_units(text: str) -> bool:
     """Whether a line has units in brackets alone, as the second one of tables."""
     return bool(re.fullmatch(r"(\s*\([^)]*\))+\s*", text))
-
-
-def shifted(place: tuple[float, float, float], by: tuple[float, float, float]) -> tuple[float, float, float]:
-    x, y, z = np.add(place, by).tolist()
-    return x, y, z
 
 
 def three(values: list[float]) -> Vector:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import acos, dist, pi
+from math import acos, atan2, dist, pi
 
 import numpy as np
 
@@ -47,7 +47,33 @@ def point_mass(at: Vector, mass: float, volume: float, drag_area: float, added_m
 
 def rotation_of(body: Body) -> Array:
     """Columns: its axes."""
-    vector = np.array(body.rotation_vector)
+    return rotation_by(np.array(body.rotation_vector))
+
+
+def euler_rotation(roll: float, pitch: float, yaw: float) -> Array:
+    """The rotation by MoorDyn's angles in rad: about x, then about the new y, then about the new z."""
+    return rotation_by(np.array([roll, 0.0, 0.0])) @ rotation_by(np.array([0.0, pitch, 0.0])) @ rotation_by(np.array([0.0, 0.0, yaw]))
+
+
+def rotation_vector_of(rotation: Array) -> Vector:
+    """The rotation vector of a rotation matrix, by its quaternion."""
+    whole = 1.0 + np.array([np.trace(rotation), *(2.0 * np.diag(rotation) - np.trace(rotation))])  # four times the squares
+    largest = int(np.argmax(whole))
+    skew = np.array([rotation[2, 1] - rotation[1, 2], rotation[0, 2] - rotation[2, 0], rotation[1, 0] - rotation[0, 1]])
+    if largest == 0:
+        quaternion = np.array([whole[0], *skew])
+    else:
+        column = rotation[:, largest - 1] + rotation[largest - 1]
+        column[largest - 1] = whole[largest]
+        quaternion = np.array([skew[largest - 1], *column])
+    quaternion *= (1.0 if quaternion[0] >= 0.0 else -1.0) / np.linalg.norm(quaternion)
+    sine = float(np.linalg.norm(quaternion[1:]))
+    angle = 2.0 * atan2(sine, float(quaternion[0]))
+    return vector_of(quaternion[1:] * (angle / sine if sine > 0.0 else 2.0))
+
+
+def rotation_by(vector: Array) -> Array:
+    """The rotation matrix of a rotation vector."""
     angle = float(np.linalg.norm(vector))
     if angle == 0.0:
         return np.eye(3)
@@ -56,21 +82,22 @@ def rotation_of(body: Body) -> Array:
     return np.eye(3) + np.sin(angle) * skew + (1.0 - np.cos(angle)) * skew @ skew
 
 
-def along_global(values: Vector, axes: Array) -> Array:
-    """The diagonal, in global axes, of a tensor that is diagonal in these."""
+def along_axes(values: Vector, axes: Array) -> Array:
+    """The diagonal of a tensor whose own axes are the columns, in which it is diagonal."""
     return np.diag(axes @ np.diag(values) @ axes.T)
 
 
 def joined(body: Body, other: Body) -> Body:
-    """A body in global axes with another one fixed to it. Of tensors the diagonals are summed; buoyancy stays at the body's point."""
-    axes, apart = rotation_of(other), np.array(other.at) - np.array(body.at)
+    """A body with another one fixed to it, in its own axes. Of tensors the diagonals are summed; buoyancy stays at the body's point."""
+    own = rotation_of(body)
+    axes, apart = own.T @ rotation_of(other), own.T @ (np.array(other.at) - np.array(body.at))
     mass = body.mass + other.mass
     first, second = np.array(body.centre_of_mass), apart + axes @ np.array(other.centre_of_mass)
     centre = (body.mass * first + other.mass * second) / mass if mass > 0.0 else first
-    inertia = np.array(body.inertia) + along_global(other.inertia, axes)
+    inertia = np.array(body.inertia) + along_axes(other.inertia, axes)
     for part, at in ((body.mass, first - centre), (other.mass, second - centre)):
         inertia = inertia + part * (at @ at - at**2)
-    sums = {key: vector_of(np.array(getattr(body, key)) + along_global(getattr(other, key), axes)) for key in ("drag_area", "added_mass")}
+    sums = {key: vector_of(np.array(getattr(body, key)) + along_axes(getattr(other, key), axes)) for key in ("drag_area", "added_mass")}
     return replace(body, mass=mass, inertia=vector_of(inertia), centre_of_mass=vector_of(centre), volume=body.volume + other.volume, **sums)
 
 

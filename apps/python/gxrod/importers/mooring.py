@@ -6,6 +6,8 @@ from dataclasses import dataclass, field
 from math import pi
 from typing import TypeAlias
 
+from ..typed import Array
+
 Vector: TypeAlias = tuple[float, float, float]
 
 
@@ -15,7 +17,7 @@ class LineType:
 
     `name`. `diameter`: that of a cylinder that displaces as much water. `mass`: per length, in air. `EA`, `EI`: axial and bending stiffness; EI 0 if the file has none.
     `damping`: axial, force per rate of strain. `drag`: coefficients across the line, and along it on the surface π × diameter. `added_mass`: across and along it, of the mass
-    of the water that it displaces.
+    of the water that it displaces. `notes`: what of a library was not used.
     """
 
     name: str
@@ -26,6 +28,7 @@ class LineType:
     damping: float = 0.0
     drag: tuple[float, float] = (0.0, 0.0)
     added_mass: tuple[float, float] = (0.0, 0.0)
+    notes: list[str] = field(default_factory=list)
 
     def submerged_weight(self, density: float, gravity: float) -> float:
         """Per length; negative of what floats."""
@@ -56,6 +59,7 @@ class Body:
 
     `name`. `at`: its point of reference. `mass`, `inertia`: about the centre of mass, along body axes. `centre_of_mass`: from `at`. `volume`: of the water that it displaces, at `at`.
     `drag_area`: areas times coefficients along body axes. `added_mass`: along them. `rotation_vector`: of body axes against global ones. `line`: of the file, for errors.
+    `centre_of_mass` is along body axes, too.
     """
 
     name: str
@@ -89,8 +93,9 @@ class Line:
 class Mooring:
     """Lines with the water and the ground around them, in SI units, z up and still water at z = 0.
 
-    `title`, `source`: of the deck. `lines`. `gravity`, `density`: of the water. `depth`: 0 without ground. `ground_stiffness`, `ground_damping`: per area. `friction`: coefficient.
-    `bodies`: free ones. `notes`: what the reader left out or assumed.
+    `title`, `source`: of the deck. `lines`. `gravity`, `density`: of the water, 0 in air. `depth`: 0 without ground. `ground_stiffness`, `ground_damping`: per area; a ground without stiffness holds
+    nothing and is left out. `friction`: coefficient. `bodies`: free ones. `notes`: what the reader assumed, and what it left out that changes nothing. `warnings`: what it left out that changes the
+    results. `ground`: x, y, z of a full grid [n,3] in place of a level ground.
     """
 
     title: str
@@ -104,6 +109,18 @@ class Mooring:
     friction: float
     notes: list[str] = field(default_factory=list)
     bodies: list[Body] = field(default_factory=list)
+    warnings: list[str] = field(default_factory=list)
+    ground: Array | None = None
+
+    @property
+    def has_water(self) -> bool:
+        """Whether water is around."""
+        return self.density > 0.0
+
+    @property
+    def has_ground(self) -> bool:
+        """Whether there is a ground that holds something."""
+        return (self.depth > 0.0 or self.ground is not None) and self.ground_stiffness > 0.0
 
     @property
     def types(self) -> list[LineType]:

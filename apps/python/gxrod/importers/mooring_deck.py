@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import textwrap
 from dataclasses import dataclass, replace
-from math import dist, hypot
+from math import dist, hypot, pi, sqrt
 from pathlib import Path
 from typing import TypeAlias
 
@@ -29,30 +29,36 @@ TIME_STEP, END_TIME = 0.05, 60.0
 
 
 def write_mooring(mooring: Mooring, path: AnyPath) -> list[Path]:
-    """Writes the deck and returns its path: static stages in which the lines hang, and a dynamic one.
+    """Writes the deck and returns its path: static stages in which the lines hang, and a dynamic one; and the path of a CSV file of the ground, if that is a grid.
 
     Raises FileError if it cannot be written, or if lines between free points cannot but be taut.
     """
     deck = Path(path)
     mooring = slacken(mooring)
-    try:
-        deck.write_text(mooring_text(mooring), encoding="utf-8")
-    except OSError as error:
-        raise FileError(f"{deck}: cannot be written: {error.strerror or error}") from error
-    return [deck]
+    texts = {deck: mooring_text(mooring, f"{deck.stem}_seabed.csv")}
+    if mooring.has_ground and mooring.ground is not None:
+        texts[deck.with_name(f"{deck.stem}_seabed.csv")] = ground_text(mooring)
+    for file, text in texts.items():
+        try:
+            file.write_text(text, encoding="utf-8")
+        except OSError as error:
+            raise FileError(f"{file}: cannot be written: {error.strerror or error}") from error
+    return list(texts)
 
 
-def mooring_text(mooring: Mooring) -> str:
+def mooring_text(mooring: Mooring, ground_file: str) -> str:
     junctions = join(mooring)
-    parts = [header(mooring, junctions), fluid(mooring), *ground(mooring), *(section(kind, name_of(kind), bending(mooring, kind)) for kind in mooring.types),
-             *(rod(line, ends_at(mooring)) for line in mooring.lines), *joins(mooring, junctions), *supports(mooring, junctions), *holds(mooring), *stages(mooring),
+    names = section_names(mooring)
+    is_wet = mooring.has_water or mooring.has_ground
+    parts = [header(mooring, junctions), *fluid(mooring), *ground(mooring, ground_file), *(section(kind, names[kind.name], bending(mooring, kind), is_wet) for kind in mooring.types),
+             *(rod(line, ends_at(mooring), names[line.type.name], can_lie(mooring)) for line in mooring.lines), *joins(mooring, junctions), *supports(mooring, junctions), *holds(mooring), *stages(mooring),
              *histories(mooring)]
     return "\n\n".join(parts) + "\n"
 
 
 def stages(mooring: Mooring) -> list[str]:
     """From hanging lines one step leads to equilibrium, from straight ones several, and so from where free places are held at first."""
-    steps = 10 if any(map(is_taut, mooring.lines)) else 1
+    steps = 10 if any(map(is_taut, mooring.lines)) or mooring.ground is not None else 1
     free = [f'[[stage]]\nname  = "free"\nkind  = "static"\nsteps = 1'] if is_held_first(mooring) else []
     return [f'[[stage]]\nname  = "hang"\nkind  = "static"\nsteps = {steps}', *free,
             f'[[stage]]\nname       = "move"\nkind       = "dynamic"\nintegrator = "generalized-alpha"\ntime_step  = {TIME_STEP:g}\nend_time   = {END_TIME:g}']
@@ -65,27 +71,52 @@ def header(mooring: Mooring, junctions: Junctions) -> str:
         lines.append("Points on the vessel stand still; give their [[support]] a `move`.")
     if any(first.ends[i].kind == "free" for (first, i), _ in junctions.corners):
         lines.append("Lines under [[connect]] are rigid corners, so that they do not spin about themselves, where MoorDyn has hinges: of lines that bend easily the same.")
-    comment = "\n".join(textwrap.fill(line, 150, initial_indent="# ", subsequent_indent="#   ") for line in [*lines, *mooring.notes])
+    comment = "\n".join(textwrap.fill(line, 150, initial_indent="# ", subsequent_indent="#   ") for line in [*lines, *mooring.notes, *(f"warning: {each}" for each in mooring.warnings)])
     return f'{comment}\n\ntitle = {quoted(mooring.title)}\nunits = "m kg s"\ngravity = [0, 0, {number(-mooring.gravity)}]'
 
 
-def fluid(mooring: Mooring) -> str:
-    return f"[fluid]\ndensity = {number(mooring.density)}\nsurface = 0"
+def fluid(mooring: Mooring) -> list[str]:
+    """Nothing where the file has no water."""
+    return [f"[fluid]\ndensity = {number(mooring.density)}\nsurface = 0"] if mooring.has_water else []
 
 
-def ground(mooring: Mooring) -> list[str]:
-    """Of the height at which the thickest line has its axis where MoorDyn's ground is."""
-    if mooring.depth <= 0.0:
+def half_a_diameter(mooring: Mooring) -> float:
+    """Half a diameter of the thickest line."""
+    return max(kind.diameter for kind in mooring.types) / 2
+
+
+def can_lie(mooring: Mooring) -> bool:
+    """Whether lines can start on the ground: one that is level."""
+    return mooring.has_ground and mooring.ground is None
+
+
+def ground(mooring: Mooring, file: str) -> list[str]:
+    """The ground, so low that the thickest line has its axis where MoorDyn's ground is."""
+    if not mooring.has_ground:
         return []
-    lower = max(kind.diameter for kind in mooring.types) / 2
     friction = [f"friction  = {number(mooring.friction)}"] if mooring.friction > 0.0 else []
-    return ["\n".join([f"# {number(mooring.depth)} m deep, and half a diameter: lines lie on it with their surface, where the file means their axis.", "[seabed]",
-                       f"z         = {number(-mooring.depth - lower)}", f"stiffness = {number(mooring.ground_stiffness)}", f"damping   = {number(mooring.ground_damping)}", *friction])]
+    place = f"z         = {number(-mooring.depth - half_a_diameter(mooring))}" if mooring.ground is None else f'grid      = {{ file = "{file}" }}'
+    depth = f"{number(mooring.depth)} m deep, and half a diameter" if mooring.ground is None else f"{file}: half a diameter below the ground of the file"
+    return ["\n".join([f"# {depth}: lines lie on it with their surface, where the file means their axis.", "[seabed]",
+                       place, f"stiffness = {number(mooring.ground_stiffness)}", f"damping   = {number(mooring.ground_damping)}", *friction])]
 
 
-def name_of(kind: LineType) -> str:
-    """A name that decks can have."""
-    return re.sub(r"[^A-Za-z0-9_-]", "_", kind.name)
+def ground_text(mooring: Mooring) -> str:
+    """The CSV file of a grid."""
+    assert mooring.ground is not None
+    lower = np.array([0.0, 0.0, half_a_diameter(mooring)])
+    return "".join(",".join(number(each) for each in point - lower) + "\n" for point in mooring.ground)
+
+
+def section_names(mooring: Mooring) -> dict[str, str]:
+    """Names that decks can have, one for each type."""
+    names: dict[str, str] = {}
+    for kind in mooring.types:
+        name = re.sub(r"[^A-Za-z0-9_-]", "_", kind.name)
+        while name in names.values():
+            name += "_"
+        names[kind.name] = name
+    return names
 
 
 def bending(mooring: Mooring, kind: LineType) -> tuple[float, str]:
@@ -101,8 +132,8 @@ def bending(mooring: Mooring, kind: LineType) -> tuple[float, str]:
         f"# half a line's weight in water, T = {tension:.4g} N, and at most that of a solid rod.")
 
 
-def section(kind: LineType, name: str, bends: tuple[float, str]) -> str:
-    """A [section.NAME]."""
+def section(kind: LineType, name: str, bends: tuple[float, str], is_wet: bool = True) -> str:
+    """A [section.NAME]; with `fluid` if water or ground is around."""
     EI, comment = bends
     across, rotary = kind.EA / (2.0 * (1.0 + POISSON)), kind.mass * kind.diameter**2 / 16
     lines = [f"# GA and GJ are those of a solid rod of nu = {POISSON:g} with this EA and EI; rotary inertia is that of a cylinder.", *([comment] if comment else []), f"[section.{name}]",
@@ -110,6 +141,8 @@ def section(kind: LineType, name: str, bends: tuple[float, str]) -> str:
              f"inertia   = {{ rhoA = {number(kind.mass)}, rhoIy = {short(rotary)}, rhoIz = {short(rotary)} }}"]
     if kind.damping > 0.0:
         lines.append(f"damping   = {{ kelvin_voigt = [{short(kind.damping / kind.EA)}, 0, 0, 0, 0, 0] }}")
+    if not is_wet:
+        return "\n".join(lines)
     drag, mass = ("{ normal = %s, tangential = %s }" % tuple(map(number, pair)) for pair in (kind.drag, kind.added_mass))
     return "\n".join([*lines, f"fluid     = {{ outer_diameter = {number(kind.diameter)}, drag = {drag}, added_mass = {mass} }}"])
 
@@ -143,7 +176,7 @@ def is_held_first(mooring: Mooring) -> bool:
     return bool(mooring.bodies) or any(floats(line, mooring) and any(map(is_free, line.ends)) for line in mooring.lines)
 
 
-def rod(line: Line, ends: Ends) -> str:
+def rod(line: Line, ends: Ends, section_name: str, lies: bool) -> str:
     start, end = (np.array(place.at) for place in line.ends)
     if is_straight(line):
         shape = f"line     = {{ from = {row(start)}, to = {row(end)} }}"
@@ -153,9 +186,9 @@ def rod(line: Line, ends: Ends) -> str:
         start, end = (start, start + along) if at_end else (end - along, end)
         shape = f"line     = {{ from = {row(start)}, to = {row(end)} }}"
     else:
-        shape = f"catenary = {{ from = {row(start)}, to = {row(end)}, length = {number(line.length)}, bed = true }}"
+        shape = f"catenary = {{ from = {row(start)}, to = {row(end)}, length = {number(line.length)}{', bed = true' * lies} }}"
     comment = ["# Not longer than the distance of its ends: straight and without tension at first."] if is_taut(line) else []
-    return "\n".join([*comment, f"[rod.{line.name}]", f'section  = "{name_of(line.type)}"', shape, f"elements = {line.segments}"])
+    return "\n".join([*comment, f"[rod.{line.name}]", f'section  = "{section_name}"', shape, f"elements = {line.segments}"])
 
 
 def pulled_end(line: Line, ends: Ends) -> int:
@@ -289,21 +322,32 @@ def joins(mooring: Mooring, junctions: Junctions) -> list[str]:
     connects = [f"[[connect]]\npoints = [{point(*first)}, {point(*second)}]" for first, second in junctions.corners]
     joints = [f'[joint.{line.name}_{"AB"[i]}]\ntype    = "ball"\nbetween = [{point(*first)}, {point(line, i)}]' for first, (line, i) in junctions.hinges]
     joints += [on_body(line, i, kind) for kind, ends in (("weld", junctions.welds), ("ball", junctions.balls)) for line, i in ends]
-    bodies = [free_body(each) for each in mooring.bodies]
+    bodies = [free_body(each, mooring) for each in mooring.bodies]
     for ends in ends_at(mooring).values():
         line, i = ends[0]
         place = line.ends[i]
         if is_free(place) and not place.body and (place.mass or place.volume or place.drag_area):
-            bodies.append(body(place, point(line, i), mooring.density))
+            bodies.append(body(place, point(line, i), mooring))
     return [*connects, *joints, *bodies]
 
 
-def body(place: Place, at: str, density: float) -> str:
-    displaced = density * place.volume
+def wet_body(mooring: Mooring, volume: str, drag_area: Vector, added_mass: Vector) -> list[str]:
+    """The line `fluid`; none where water does nothing. What displaces nothing sinks in over the diameter of a disc of its largest drag area."""
+    def vector(values: Vector) -> str:
+        return "[" + ", ".join(map(short, values)) + "]"
+
+    floats = float(volume) > 0.0
+    if not mooring.has_water or not floats and not any((*drag_area, *added_mass)):
+        return []
+    height = "" if floats else f", height = {short(2.0 * sqrt(max(*drag_area, 1e-4) / pi))}"
+    return [f"fluid   = {{ volume = {volume}{height}, drag_area = {vector(drag_area)}, added_mass = {vector(added_mass)} }}"]
+
+
+def body(place: Place, at: str, mooring: Mooring) -> str:
+    displaced = mooring.density * place.volume
     mass = place.mass if place.mass > 0.0 else max(1e-3 * displaced, 1e-3)
-    added, area = short(displaced * place.added_mass), number(place.drag_area)
-    return "\n".join([*(["# Without mass in the file: a thousandth of the water that it displaces."] if place.mass <= 0.0 else []), f"[body.{place.name}]", f"at    = {at}", f"mass  = {number(mass)}",
-                      f"fluid = {{ volume = {number(place.volume)}, drag_area = [{area}, {area}, {area}], added_mass = [{added}, {added}, {added}] }}"])
+    wet = wet_body(mooring, number(place.volume), (place.drag_area,) * 3, (displaced * place.added_mass,) * 3)
+    return "\n".join([*(["# Without mass in the file: a thousandth of the water that it displaces."] if place.mass <= 0.0 else []), f"[body.{place.name}]", f"at      = {at}", f"mass    = {number(mass)}", *wet])
 
 
 def on_body(line: Line, i: int, kind: str) -> str:
@@ -311,14 +355,14 @@ def on_body(line: Line, i: int, kind: str) -> str:
     return f'[joint.{line.name}_{"AB"[i]}]\ntype    = "{kind}"\nbetween = [{quoted(place.body)}, {point(line, i)}]\nat      = {row(place.at)}'
 
 
-def free_body(each: Body) -> str:
+def free_body(each: Body, mooring: Mooring) -> str:
     def vector(values: Vector) -> str:
         return "[" + ", ".join(map(short, values)) + "]"
 
     lines = [f"[body.{each.name}]", f"at      = {row(each.at)}", f"mass    = {short(each.mass)}", f"inertia = {vector(each.inertia)}"]
     lines += [f"centre_of_mass = {vector(each.centre_of_mass)}"] if any(each.centre_of_mass) else []
     lines += [f"rotation_vector = {row(each.rotation_vector)}"] if any(each.rotation_vector) else []
-    return "\n".join([*lines, f"fluid   = {{ volume = {short(each.volume)}, drag_area = {vector(each.drag_area)}, added_mass = {vector(each.added_mass)} }}"])
+    return "\n".join([*lines, *wet_body(mooring, short(each.volume), each.drag_area, each.added_mass)])
 
 
 # Supports

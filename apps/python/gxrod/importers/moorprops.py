@@ -13,6 +13,7 @@ from .mooring_deck import section
 from .text import ImportFault, read_text
 from .writing import quoted
 
+USED = ("mass_d2", "dvol_dnom", "density", "EA_0", "EA_d", "EA_d2", "EA_d3", "EA_MBL", "MBL_0", "MBL_d", "MBL_d2", "MBL_d3", "Cd", "Cd_ax", "Ca", "Ca_ax")
 SLENDER = 1e-3  # EI over that of a solid rod of the same EA
 
 
@@ -36,7 +37,9 @@ def read_moorprops(path: AnyPath, name: str, diameter: float) -> LineType:
     EA = found.polynomial("EA", diameter) + found.value("EA_MBL") * found.polynomial("MBL", diameter)
     if min(mass, EA, diameter) <= 0.0:
         raise ImportFault(f"{found.where}: mass and EA come out as {mass:g} and {EA:g}, not above 0; give another diameter than {diameter:g} m")
-    return LineType(name, volume_diameter, mass, EA, SLENDER * EA * volume_diameter**2 / 16, 0.0, (found.value("Cd"), found.value("Cd_ax")), (found.value("Ca"), found.value("Ca_ax")))
+    idle = [str(key) for key in found.values if key not in USED]
+    notes = [f"not used: {', '.join(idle)}"] if idle else []
+    return LineType(name, volume_diameter, mass, EA, SLENDER * EA * volume_diameter**2 / 16, 0.0, (found.value("Cd"), found.value("Cd_ax")), (found.value("Ca"), found.value("Ca_ax")), notes)
 
 
 def read_materials(path: Path) -> dict[str, Any]:
@@ -89,7 +92,7 @@ def write_section(kind: LineType, path: AnyPath, *, source: str = "", name: str 
     Raises FileError if it cannot be written.
     """
     comment = f"EI: {SLENDER:g} of that of a solid rod of the same EA; the library has none."
-    text = (f"# {quoted(kind.name)[1:-1]}{source and f', imported by gxrod-import from {source}'}. SI units.\n# {comment}\n" + section(kind, name or kind.name, (kind.EI, "")) + "\n")
+    text = (f"# {quoted(kind.name)[1:-1]}{source and f', imported by gxrod-import from {source}'}. SI units.\n# {comment}\n" + "".join(f"# {each}\n" for each in kind.notes) + section(kind, name or kind.name, (kind.EI, "")) + "\n")
     deck = Path(path)
     try:
         deck.write_text(text, encoding="utf-8")

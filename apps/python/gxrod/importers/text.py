@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from difflib import get_close_matches
 from pathlib import Path
 
 from ..errors import FileError
@@ -56,12 +57,45 @@ class Lines:
             raise self.fault(f"{expected}, found {len(words)}", "correct this line, or the count that announces it")
         return [self.number(word, expected) for word in words[:count]]
 
+    def numbers_after(self, key: str) -> list[float]:
+        """The numbers that follow a key in its line; the next line to read is the one after it."""
+        self.at = self.find(lambda line: line.split()[:1] == [key]) + 1
+        if self.at == 1:
+            raise self.fault(f"there is no line with {key}", "add it", 0)
+        return [self.number(word, f"expected a number for {key}") for word in self[self.at - 1].split()[1:2]] or [self.number("", f"expected a number for {key}")]
+
     def number(self, word: str, expected: str) -> float:
         """A number of the line that was read last, also with an exponent D of Fortran."""
         value = to_number(word)
         if value is None:
             raise self.fault(f'{expected}, found "{word[:40]}"', "correct this line, or the count that announces it")
         return value
+
+
+class UnusedKeys:
+    """Keys of a file that a reader does not use. Those that a deck does not need are named in a note; others, unknown ones, in a warning each, with a key that looks like it."""
+
+    def __init__(self, what: str, used: Iterable[str], not_needed: Iterable[str]) -> None:
+        self.what = what
+        self.names = list(used)
+        self.not_needed = {name.lower(): name for name in not_needed}
+        self.found: dict[str, str] = {}
+
+    def add(self, name: str) -> None:
+        """Once, whatever the capitals."""
+        self.found.setdefault(name.lower(), name)
+
+    def notes(self, purpose: str) -> list[str]:
+        idle = [name for key, name in self.found.items() if key in self.not_needed]
+        return [f"not used, for {purpose}: {', '.join(idle)}"] if idle else []
+
+    def warnings(self) -> list[str]:
+        return [f"the {self.what} {name[:40]} is unknown and was not used{self.similar(key)}" for key, name in self.found.items() if key not in self.not_needed]
+
+    def similar(self, key: str) -> str:
+        known = {name.lower(): name for name in [*self.names, *self.not_needed.values()]}
+        close = get_close_matches(key, known, 1, 0.7)
+        return f"; is {known[close[0]]} meant?" if close else ""
 
 
 def to_number(word: str) -> float | None:

@@ -17,6 +17,7 @@ from .beamdyn import in_gxrod_order
 from .blade import Blade, check_blade
 from .text import ImportFault, read_text
 
+SHAPE = ("outer_shape_bem", "outer_shape", "internal_structure_2d_fem", "structure")  # from which the matrices come
 ENTRIES = [f"K{i}{j}" for i in range(1, 7) for j in range(i, 7)]
 
 
@@ -75,7 +76,24 @@ def read_windio(path: AnyPath) -> Blade:
     found = read_version_1(blade) if is_first else read_version_2(blade)
     found.title = str(root.values.get("name", ""))
     found.source = f"windIO {1 if is_first else 2}: {file.name}"
+    name_unused(found, blade, is_first)
     return check_blade(found, lambda i, what, todo: blade.fault(f"station {i + 1}: {what}", todo))
+
+
+def name_unused(found: Blade, blade: Node, is_first: bool) -> None:
+    """Keys next to those that were read: of shape and inner structure in a note, of masses, stiffness and damping in a warning."""
+    idle = [f"{name}" for name in SHAPE if blade.has(name) and (is_first or name not in ("outer_shape", "structure"))]
+    found.notes += [f"not used, as the matrices have it: {', '.join(idle)}"] if idle else []
+    others = [str(key) for key in blade.values if key not in (*SHAPE, "elastic_properties_mb", "name", "id", "DOE", "reference_axis")]
+    if is_first:
+        others += [f"elastic_properties_mb/{key}" for key in blade["elastic_properties_mb"].values if key != "six_x_six"]
+        others += [f"six_x_six/{key}" for key in blade["elastic_properties_mb"]["six_x_six"].values if key not in ("reference_axis", "twist", "stiff_matrix", "inertia_matrix")]
+    else:
+        others += [f"elastic_properties/{key}" for key in blade["structure"]["elastic_properties"].values if key not in ("stiffness_matrix", "inertia_matrix", "structural_damping")]
+    structure = next((blade[name] for name in ("internal_structure_2d_fem", "structure") if blade.has(name)), None)
+    if structure is not None and structure.has("joint") and structure["joint"].has("mass") and structure["joint"].values["mass"]:
+        others.append(f"joint (of the mass {structure['joint'].values['mass']:g})")
+    found.warnings += [f"not used: {', '.join(others)}"] if others else []
 
 
 def load_yaml(file: Path) -> Any:

@@ -64,7 +64,7 @@ def header(blade: Blade, curve: Curve, csv: str) -> str:
              "Section axes: x along the curve, y flapwise, z edgewise, turned by the twist, which is right-handed about x. SI units, angles in rad."]
     if csv:
         lines.append(f"{csv}: fraction of the length, twist, the upper triangles of stiffness (K11 … K66) and mass (M11 … M66), x y z rx ry rz.")
-    lines += blade.notes
+    lines += [*blade.notes, *(f"warning: {each}" for each in blade.warnings)]
     comment = "\n".join(textwrap.fill(line, 150, initial_indent="# ", subsequent_indent="#   ") for line in lines)
     gravity = "\ngravity = [9.81, 0, 0]" if blade.has_mass else ""
     return f'{comment}\n\ntitle = {quoted(title)}\nunits = "m kg s"{gravity}'
