@@ -531,6 +531,26 @@ def test_types_whose_names_differ_in_signs_alone_are_two_sections(lines):
     assert sorted(deck["section"]) == ["cable-1_2", "cable-1_2_"] and deck["rod"]["line2"]["section"] == "cable-1_2_"
 
 
+def test_a_line_that_would_lie_loosely_hangs_through_the_ground_at_first(lines):
+    edit(lines, "450.0     45", "440.0     44")
+    edit(lines, "540.0     54", "640.0     64")
+    deck = is_taken(lines)
+    assert "bed" not in deck["rod"]["line3"]["catenary"] and deck["rod"]["line1"]["catenary"]["bed"]
+    assert deck["stage"][0]["steps"] == 10
+
+
+def test_a_line_that_would_hang_double_is_refused(lines):
+    edit(lines, "4     Anchor      -500.0  0.0     -100.0", "4     Anchor      0.0  0.0     -100.0")
+    with pytest.raises(FileError, match="the ends of line3 are above each other, and its length, 540, is more than their distance, 90"):
+        deck_of(lines)
+
+
+def test_without_gravity_there_is_no_surface(lines):
+    edit(lines, "450.0     45", "440.0     44")
+    edit(lines, "9.81      g ", "0      g ")
+    assert is_taken(lines)["fluid"] == {"density": 1030}
+
+
 def test_columns_by_the_names_of_version_1_are_read_so(lines):
     edit(lines, "Cd     Ca     CdAx    CaAx", "Can    Cat    Cdn     Cdt")
     chain = read_moordyn(lines).types[0]

@@ -35,6 +35,7 @@ def write_mooring(mooring: Mooring, path: AnyPath) -> list[Path]:
     """
     deck = Path(path)
     mooring = slacken(mooring)
+    refuse_shapeless(mooring)
     texts = {deck: mooring_text(mooring, f"{deck.stem}_seabed.csv")}
     if mooring.has_ground and mooring.ground is not None:
         texts[deck.with_name(f"{deck.stem}_seabed.csv")] = ground_text(mooring)
@@ -51,14 +52,14 @@ def mooring_text(mooring: Mooring, ground_file: str) -> str:
     names = section_names(mooring)
     is_wet = mooring.has_water or mooring.has_ground
     parts = [header(mooring, junctions), *fluid(mooring), *ground(mooring, ground_file), *(section(kind, names[kind.name], bending(mooring, kind), is_wet) for kind in mooring.types),
-             *(rod(line, ends_at(mooring), names[line.type.name], can_lie(mooring)) for line in mooring.lines), *joins(mooring, junctions), *supports(mooring, junctions), *holds(mooring), *stages(mooring),
+             *(rod(line, ends_at(mooring), names[line.type.name], can_lie(line, mooring)) for line in mooring.lines), *joins(mooring, junctions), *supports(mooring, junctions), *holds(mooring), *stages(mooring),
              *histories(mooring)]
     return "\n\n".join(parts) + "\n"
 
 
 def stages(mooring: Mooring) -> list[str]:
     """From hanging lines one step leads to equilibrium, from straight ones several, and so from where free places are held at first."""
-    steps = 10 if any(map(is_taut, mooring.lines)) or mooring.ground is not None else 1
+    steps = 10 if any(is_taut(line) or mooring.has_ground and not can_lie(line, mooring) for line in mooring.lines) else 1
     free = [f'[[stage]]\nname  = "free"\nkind  = "static"\nsteps = 1'] if is_held_first(mooring) else []
     return [f'[[stage]]\nname  = "hang"\nkind  = "static"\nsteps = {steps}', *free,
             f'[[stage]]\nname       = "move"\nkind       = "dynamic"\nintegrator = "generalized-alpha"\ntime_step  = {TIME_STEP:g}\nend_time   = {END_TIME:g}']
@@ -77,7 +78,8 @@ def header(mooring: Mooring, junctions: Junctions) -> str:
 
 def fluid(mooring: Mooring) -> list[str]:
     """Nothing where the file has no water."""
-    return [f"[fluid]\ndensity = {number(mooring.density)}\nsurface = 0"] if mooring.has_water else []
+    surface = "\nsurface = 0" if mooring.gravity > 0.0 else ""  # up is where gravity comes from
+    return [f"[fluid]\ndensity = {number(mooring.density)}{surface}"] if mooring.has_water else []
 
 
 def half_a_diameter(mooring: Mooring) -> float:
@@ -85,20 +87,35 @@ def half_a_diameter(mooring: Mooring) -> float:
     return max(kind.diameter for kind in mooring.types) / 2
 
 
-def can_lie(mooring: Mooring) -> bool:
-    """Whether lines can start on the ground: one that is level."""
-    return mooring.has_ground and mooring.ground is None
+def can_lie(line: Line, mooring: Mooring) -> bool:
+    """Whether a line can start as a catenary that lies on the ground in part: on one that is level, not below its ends, and not so long that it would lie there loosely."""
+    if not mooring.has_ground or mooring.ground is not None:
+        return False
+    kind = line.type
+    sinks = max(kind.submerged_weight(mooring.density, mooring.gravity), 0.0) / (mooring.ground_stiffness * kind.diameter)
+    bed = -mooring.depth - half_a_diameter(mooring) + kind.diameter / 2 - sinks
+    (x1, y1, z1), (x2, y2, z2) = (place.at for place in line.ends)
+    lowest = min(z1, z2)
+    if bed - 2.0 * kind.diameter < lowest < bed:
+        bed = lowest
+    return lowest >= bed and line.length - hypot(x2 - x1, y2 - y1) < (z1 - bed + z2 - bed) * (1.0 - 1e-9)
 
 
 def ground(mooring: Mooring, file: str) -> list[str]:
     """The ground, so low that the thickest line has its axis where MoorDyn's ground is."""
     if not mooring.has_ground:
         return []
-    friction = [f"friction  = {number(mooring.friction)}"] if mooring.friction > 0.0 else []
+    friction = [f"friction  = {friction_of(mooring)}"] if mooring.friction > 0.0 else []
     place = f"z         = {number(-mooring.depth - half_a_diameter(mooring))}" if mooring.ground is None else f'grid      = {{ file = "{file}" }}'
     depth = f"{number(mooring.depth)} m deep, and half a diameter" if mooring.ground is None else f"{file}: half a diameter below the ground of the file"
     return ["\n".join([f"# {depth}: lines lie on it with their surface, where the file means their axis.", "[seabed]",
                        place, f"stiffness = {number(mooring.ground_stiffness)}", f"damping   = {number(mooring.ground_damping)}", *friction])]
+
+
+def friction_of(mooring: Mooring) -> str:
+    """A number, which acts in stages after the first one; or a table if several stages find where lines rest."""
+    coefficient = number(mooring.friction)
+    return f'{{ axial = {coefficient}, lateral = {coefficient}, stages = "move" }}' if is_held_first(mooring) else coefficient
 
 
 def ground_text(mooring: Mooring) -> str:
@@ -154,6 +171,15 @@ def short(value: float) -> str:
 # Lines
 
 
+def refuse_shapeless(mooring: Mooring) -> None:
+    """Lines with slack whose ends are above each other hang double, a shape that no catenary has."""
+    for line in mooring.lines:
+        (x1, y1, _), (x2, y2, _) = (place.at for place in line.ends)
+        if x1 == x2 and y1 == y2 and not is_taut(line) and not is_straight(line) and line.length > dist(*(place.at for place in line.ends)) * (1.0 + 4e-15):
+            raise ImportFault(f"{mooring.source}:{line.line}: the ends of {line.name} are above each other, and its length, {line.length:g}, is more than their distance, "
+                              f"{dist(*(place.at for place in line.ends)):g}: it would hang double, from which no deck starts; move one of the ends aside")
+
+
 def is_free(place: Place) -> bool:
     return place.kind in ("free", "corner")
 
@@ -188,7 +214,9 @@ def rod(line: Line, ends: Ends, section_name: str, lies: bool) -> str:
     else:
         shape = f"catenary = {{ from = {row(start)}, to = {row(end)}, length = {number(line.length)}{', bed = true' * lies} }}"
     comment = ["# Not longer than the distance of its ends: straight and without tension at first."] if is_taut(line) else []
-    return "\n".join([*comment, f"[rod.{line.name}]", f'section  = "{section_name}"', shape, f"elements = {line.segments}"])
+    # One element would be a bar that turns about the end that is held.
+    segments = max(line.segments, 2) if any(map(is_free, line.ends)) else line.segments
+    return "\n".join([*comment, f"[rod.{line.name}]", f'section  = "{section_name}"', shape, f"elements = {segments}"])
 
 
 def pulled_end(line: Line, ends: Ends) -> int:
