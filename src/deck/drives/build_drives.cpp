@@ -11,6 +11,7 @@
 #include "deck/drives/tendon_path.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
+#include "model/element_means.hpp"
 
 namespace gxrod {
 namespace {
@@ -169,17 +170,20 @@ void add_actuation(const CheckedTable& table, BuildContext& context) {
     check_expansion(table, rod_of(*rod, context), context);
     const std::array<LineFunction, 2> shear = functions_of<2>(table, "shear", acting);
     const std::array<LineFunction, 3> curvature = functions_of<3>(table, "curvature", acting);
-    context.model.actuations.push_back(
-        {.key = table.path,
-         .rod = *rod,
-         .strain = {function_of(table, "stretch", acting),
-                    shear[0],
-                    shear[1],
-                    curvature[0],
-                    curvature[1],
-                    curvature[2]},
-         .temperature = function_of(table, "temperature", acting),
-         .temperature_gradient = functions_of<2>(table, "temperature_gradient", acting)});
+    const std::array<LineFunction, 2> gradient = functions_of<2>(table, "temperature_gradient", acting);
+    const auto means = [&](const LineFunction& one) {
+        return take_element_means(one, rod_of(*rod, context));
+    };
+    context.model.actuations.push_back({.key = table.path,
+                                        .rod = *rod,
+                                        .strain = {means(function_of(table, "stretch", acting)),
+                                                   means(shear[0]),
+                                                   means(shear[1]),
+                                                   means(curvature[0]),
+                                                   means(curvature[1]),
+                                                   means(curvature[2])},
+                                        .temperature = means(function_of(table, "temperature", acting)),
+                                        .temperature_gradient = {means(gradient[0]), means(gradient[1])}});
 }
 
 void add_magnetic(const CheckedTable& table, BuildContext& context) {
