@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "deck/build/part.hpp"
+#include "deck/contact/build_contact_exceptions.hpp"
 #include "deck/drives/tendon_path.hpp"
 #include "deck/joints/ends.hpp"
 #include "deck/schema/suggestion.hpp"
@@ -132,8 +133,8 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
         }
     }
     std::vector<RodPoint> all = points.take_points_of_rods();
-    const std::vector<RodPoint> of_tendons = list_tendon_points(context);
-    all.insert(all.end(), of_tendons.begin(), of_tendons.end());
+    for (const std::vector<RodPoint>& more : {list_tendon_points(context), list_contact_part_ends(context)})
+        all.insert(all.end(), more.begin(), more.end());
     return all;
 }
 

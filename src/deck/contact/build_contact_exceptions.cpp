@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <utility>
 
 #include "deck/build/name_pattern.hpp"
 #include "deck/schema/suggestion.hpp"
+#include "mesh/rod_mesh.hpp"
 
 namespace gxrod {
 namespace {
@@ -38,16 +40,17 @@ std::optional<Fractions> read_range(std::string_view text) {
     return is_within ? std::optional(range) : std::nullopt;
 }
 
-// Whether the middle of an element is between these fractions; of a rod without elements, whose mesh is at
-// fault, there is nothing to say.
-bool has_elements(const Rod& rod, const Fractions& range) {
-    if (rod.element_count() == 0) return true;
+// The fraction of a rod nearest to this one at which elements end; of a rod without elements, whose mesh is
+// at fault, there is nothing to say.
+double find_nearest_end(const Rod& rod, double fraction) {
+    if (rod.element_count() == 0) return fraction;
     const auto nodes = static_cast<std::size_t>(rod.order) + 1;
-    for (std::size_t first = 0; first < rod.arc_length.size(); first += nodes) {
-        const double middle = 0.5 * (rod.arc_length[first] + rod.arc_length[first + nodes - 1]) / rod.length;
-        if (range.first <= middle && middle <= range.second) return true;
+    double nearest = 0.0;
+    for (std::size_t last = nodes - 1; last < rod.arc_length.size(); last += nodes) {
+        const double end = rod.arc_length[last] / rod.length;
+        if (std::abs(end - fraction) < std::abs(nearest - fraction)) nearest = end;
     }
-    return false;
+    return nearest;
 }
 
 // What a text names; none, with a fault, if that is nothing.
@@ -79,11 +82,16 @@ std::vector<ContactPart> find_side(const CheckedWord& word, const BuildContext& 
                 return add_fault(fmt::format(
                     "rod {} is no single line with two ends, along which a fraction has a meaning",
                     rod.name));
-            if (!has_elements(rod, *range))
-                return add_fault(
-                    fmt::format("no element of \"{}\" has its middle there; expected a part "
-                                "that is longer than its elements",
-                                rod.name));
+            for (const double end : {range->first, range->second}) {
+                const double nearest = find_nearest_end(rod, end);
+                if (std::abs(nearest - end) <= 2.0 * same_fraction) continue;
+                return add_fault(fmt::format(
+                    "no element of \"{}\" ends at {:.9g}; expected a part from an end of an element to "
+                    "another one, as its mesh has them: the nearest is at {:.9g}",
+                    rod.name,
+                    end,
+                    nearest));
+            }
             std::tie(part.from, part.to) = *range;
         }
         parts.push_back(part);
@@ -128,6 +136,28 @@ bool has_touching(const ContactException& one, const Contact& contact) {
 }
 
 }  // namespace
+
+std::vector<RodPoint> list_contact_part_ends(const BuildContext& context) {
+    std::vector<RodPoint> ends;
+    const std::vector<CheckedTable>& rods = context.deck.tables("rod");
+    const auto add = [&](const CheckedWord& word) {
+        const std::size_t at = word.word.find('@');
+        if (at == std::string::npos) return;
+        const std::optional<Fractions> range = read_range(std::string_view(word.word).substr(at + 1));
+        for (std::size_t i = 0; range && i < rods.size(); ++i) {
+            if (rods[i].gives("mesh") || !matches_pattern(rods[i].name, word.word.substr(0, at))) continue;
+            for (const double end : {range->first, range->second}) {
+                if (end > 0.0 && end < 1.0) ends.push_back({static_cast<int>(i), end});
+            }
+        }
+    };
+    for (const CheckedTable& contact : context.deck.tables("contact")) {
+        for (const CheckedTable& pair : contact.tables("pair")) {
+            for (const CheckedWord& word : pair.get<std::vector<CheckedWord>>("between")) add(word);
+        }
+    }
+    return ends;
+}
 
 std::vector<ContactException> build_contact_exceptions(const CheckedTable& contact,
                                                        const BuildContext& context) {

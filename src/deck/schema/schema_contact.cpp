@@ -138,8 +138,9 @@ const TableSpec& contact_pair_table() {
         .keys = {{.name = "between",
                   .type = ValueType::partners,
                   .presence = Presence::required,
-                  .sentence = "Rods and obstacles; a rod twice for what touches itself. Of a part of a rod, "
-                              "the elements whose middle is in it."},
+                  .sentence =
+                      "Rods and obstacles; a rod twice for what touches itself. Elements of the rod end "
+                      "where a part of it ends; on a rod from a mesh a part ends where elements do."},
                  {.name = "friction",
                   .type = ValueType::number,
                   .dimension = "1",

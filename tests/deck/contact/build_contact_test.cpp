@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "deck/decks.hpp"
 #include "tools/catch.hpp"
 
@@ -89,8 +92,14 @@ TEST_CASE("Pairs of contact name rods, parts of them and obstacles", "[deck][tou
                Contains("expected two rising fractions from 0 to 1 after \"@\", such as \"a@0.9..1\", found "
                         "\"0.5\""));
     CHECK_THAT(faults(pair("\"a@0.5..0.2\", \"floor\"")), Contains("found \"0.5..0.2\""));
-    CHECK_THAT(faults(pair("\"a@0.5..0.6\", \"floor\"")),
-               Contains("no element of \"a\" has its middle there; expected a part that is longer"));
+    // Elements end where the part ends; with too few of them there is none for each piece.
+    const Rod rod = read(deck(pair("\"a@0.5..0.6\", \"floor\""))).model.rods.at(0);
+    CHECK(std::ranges::count_if(rod.arc_length, [](double s) { return std::abs(s - 0.6) < 1e-12; }) == 2);
+    CHECK(rod.element_count() == 4);
+    CHECK_THAT(
+        faults(pair("\"a@0.1..0.2\", \"floor\"]\noff = true\n[[contact.pair]]\nbetween = [\"a@0.5..0.6\", "
+                    "\"floor\"")),
+        Contains("rod.a.elements: expected at least 5, one for each piece between"));
     CHECK_THAT(faults(pair("\"floor@0..0.5\", \"a\"")),
                Contains("\"floor\" is an obstacle; only rods have parts"));
     CHECK_THAT(faults(pair("\"floor\", \"floor\"")),
