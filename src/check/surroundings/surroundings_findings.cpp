@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "check/surroundings/fluid_summary.hpp"
+#include "check/surroundings/line_at_rest.hpp"
 #include "check/surroundings/line_words.hpp"
+#include "environment/ground.hpp"
 #include "environment/sea.hpp"
 #include "model/element_lengths.hpp"
 
@@ -62,6 +64,7 @@ class Examination {
             note_depth();
         }
         examine_ground();
+        examine_held_points();
         note_idle_ground();
         for (const Rod& rod : model_.rods) {
             note(find_coarse_layer(model_, rod));
@@ -171,6 +174,42 @@ class Examination {
                     deepest_part,
                     model_.surroundings.seabed->stiffness * deepest_part / (0.5 * deepest)));
         }
+    }
+
+    // Points that a support holds deeper in the ground than the line rests next to them, where it bends up.
+    void examine_held_points() {
+        if (!model_.surroundings.seabed) return;
+        const double density = model_.surroundings.water ? model_.surroundings.water->density : 0.0;
+        const double gravity = find_gravity(model_);
+        std::vector<bool> is_known(model_.nodes.size(), false);
+        for (const Rod& rod : model_.rods) {
+            if (!list_sections(model_, rod).front()->fluid) continue;
+            for (std::size_t entry = 0; entry < rod.element_nodes.size(); ++entry) {
+                const auto node = static_cast<std::size_t>(rod.element_nodes[entry]);
+                if (is_known[node]) continue;
+                is_known[node] = true;
+                const Section& section = section_at_entry(model_, rod, entry);
+                const double weight = std::max(find_wet_weight(section, density, gravity), 0.0);
+                examine_held_point(rod.element_nodes[entry], section.fluid->diameter, weight);
+            }
+        }
+    }
+
+    void examine_held_point(int node, double diameter, double weight) {
+        const Seabed& seabed = *model_.surroundings.seabed;
+        const Node& point = model_.nodes[static_cast<std::size_t>(node)];
+        const GroundAt ground = find_ground(seabed, point.position);
+        const double at_rest = 0.5 * diameter - weight / (seabed.stiffness * diameter);
+        const double excess = at_rest - ground.gap;
+        if (excess <= deepest * diameter || !is_held_along(model_, node, ground.normal)) return;
+        add(Severity::warning,
+            fmt::format(
+                "{} is held {:.4g} deeper in the ground than the line next to it rests: lines touch the "
+                "ground with their surface, half a diameter from the axis, so it is bent and pushed "
+                "there; expected z = {:.6g} of this point, or the ground as much lower",
+                point.name,
+                excess,
+                point.position.z() + excess / ground.normal.z()));
     }
 
     const Model& model_;
