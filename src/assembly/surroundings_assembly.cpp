@@ -67,7 +67,7 @@ SurroundingsAssembly::SurroundingsAssembly(const Model& model, const ThreadTeam&
                 bodies_.push_back({static_cast<int>(body), model.bodies[body].node, {}});
         }
     }
-    rubs_ = around.seabed && around.seabed->has_friction();
+    rubs_ = around.seabed && around.seabed->friction_stiffness > 0.0;
 }
 
 void SurroundingsAssembly::add_rod(int index) {

@@ -143,7 +143,8 @@ std::string describe_ground(const Seabed& ground) {
         text += fmt::format("a plane through {} across {}", describe(ground.point), describe(ground.normal));
     }
     text += fmt::format(", stiffness {:.6g}, damping {:.6g}", ground.stiffness, ground.damping);
-    if (ground.axial_friction == 0.0 && ground.lateral_friction == 0.0) return text + ", no friction\n";
+    if (!ground.has_friction())
+        return text + (ground.friction_stiffness > 0.0 ? ", friction in later stages\n" : ", no friction\n");
     return text + fmt::format(", friction {:.6g} along and {:.6g} across, sliding after stiffness {:.6g}\n",
                               ground.axial_friction,
                               ground.lateral_friction,

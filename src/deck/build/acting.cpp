@@ -243,6 +243,9 @@ void check_stage_names(const BuildContext& context) {
             for (const CheckedTable& one : table.tables(flow)) check_stage_names(one, context);
         }
     }
+    for (const CheckedTable& seabed : context.deck.tables("seabed")) {
+        for (const CheckedTable& friction : seabed.tables("friction")) check_stage_names(friction, context);
+    }
 }
 
 }  // namespace gxrod

@@ -196,7 +196,11 @@ const TableSpec& friction_table() {
             described(
                 number_key(
                     "stiffness", bed_dimension, positive, "Force per area and displacement until it slides."),
-                "stiffness of the ground")}};
+                "stiffness of the ground"),
+            described(
+                stages_key("The stages in which it acts; in others what lies slides freely, and friction "
+                           "that begins later holds it where it is then."),
+                "all but a first static one that others follow")}};
     return table;
 }
 

@@ -1,5 +1,9 @@
 #include "deck/surroundings/build_seabed.hpp"
 
+#include <algorithm>
+
+#include "deck/build/acting.hpp"
+
 namespace gxrod {
 namespace {
 
@@ -11,17 +15,37 @@ void set_plane(const CheckedTable& table, Seabed& seabed, const BuildContext& co
     seabed.normal = normal.stableNormalized();
 }
 
-void set_friction(const CheckedTable& table, Seabed& seabed) {
+// Whether the stage at hand is a first static one that other stages with steps follow: there lines find where
+// they rest.
+bool finds_start(const BuildContext& context) {
+    const auto moves = [](const StagePlan& stage) { return has_steps(stage.analysis); };
+    const auto first = std::ranges::find_if(context.stages, moves);
+    if (first == context.stages.end() || !std::holds_alternative<StaticSettings>(first->analysis))
+        return false;
+    return context.stages.begin() + static_cast<std::ptrdiff_t>(context.stage) <= first &&
+           std::any_of(first + 1, context.stages.end(), moves);
+}
+
+// A stage in which friction does not act has no coefficients and keeps the stiffness: what touches then
+// remembers its place as the one to which friction pulls in the next stage.
+void set_friction(const CheckedTable& table, Seabed& seabed, const BuildContext& context) {
     if (!table.gives("friction")) return;
-    seabed.friction_stiffness = seabed.stiffness;
+    double axial = 0.0, lateral = 0.0, stiffness = seabed.stiffness;
+    bool acts = !finds_start(context);
     if (const auto* both = std::get_if<double>(&table.find("friction")->value)) {
-        seabed.axial_friction = seabed.lateral_friction = *both;
-        return;
+        axial = lateral = *both;
+    } else {
+        const CheckedTable& friction = table.tables("friction").front();
+        axial = friction.get<double>("axial");
+        lateral = friction.get<double>("lateral");
+        if (friction.gives("stiffness")) stiffness = friction.get<double>("stiffness");
+        if (friction.gives("stages")) acts = acts_in_stage(friction, context);
     }
-    const CheckedTable& friction = table.tables("friction").front();
-    seabed.axial_friction = friction.get<double>("axial");
-    seabed.lateral_friction = friction.get<double>("lateral");
-    if (friction.gives("stiffness")) seabed.friction_stiffness = friction.get<double>("stiffness");
+    if (axial == 0.0 && lateral == 0.0) return;
+    seabed.friction_stiffness = stiffness;
+    if (!acts) return;
+    seabed.axial_friction = axial;
+    seabed.lateral_friction = lateral;
 }
 
 }  // namespace
@@ -35,7 +59,7 @@ Seabed find_seabed(const CheckedTable& table,
     if (table.gives("grid")) seabed.grid = grid;
     seabed.stiffness = table.get<double>("stiffness");
     seabed.damping = table.get<double>("damping");
-    set_friction(table, seabed);
+    set_friction(table, seabed, context);
     return seabed;
 }
 

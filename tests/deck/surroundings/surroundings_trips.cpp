@@ -205,9 +205,20 @@ std::vector<RoundTrip> bed_trips() {
         trip("seabed.friction.lateral",
              friction(all),
              [](const Problem& p) { return bed_of(p).lateral_friction == 0.6; }),
-        trip("seabed.friction.stiffness", friction(all), [](const Problem& p) {
-            return bed_of(p).friction_stiffness == 7.0;
-        })};
+        trip("seabed.friction.stiffness",
+             friction(all),
+             [](const Problem& p) { return bed_of(p).friction_stiffness == 7.0; }),
+        trip("seabed.friction.stages",
+             staged_tube_deck() +
+                 "[seabed]\nz = -5\nstiffness = 5e4\nfriction = { axial = 0.3, lateral = 0.6, "
+                 "stages = \"calm\" }\n",
+             [](const Problem& p) {
+                 if (p.stages.size() < 3 || bed_of(p).axial_friction != 0.0) return false;
+                 const auto of = [&](std::size_t i) {
+                     return p.stages[i].actions.surroundings.seabed->axial_friction;
+                 };
+                 return of(1) == 0.0 && of(2) == 0.3;
+             })};
 }
 
 std::vector<RoundTrip> coefficient_trips(const std::string& key,
