@@ -270,10 +270,12 @@ TEST_CASE("Friction of a part of a rod is that of the part", "[issues]") {
     const auto pull = [](const std::string& part, int elements, int order) {
         return -RecordedMotion(pulled_wire(part, elements, order)).at(1.0, "pull/reaction_force")[0];
     };
+    // Friction acts on the surface, a radius below the line, which bends the free end up a little: with ever
+    // finer meshes the pull there is 3.5 % less.
     for (const int order : {1, 2}) {
-        CHECK(pull("wire@0.95..1", 10, order) == Approx(0.5 * 0.05 * weight).epsilon(0.02));
-        CHECK(pull("wire@0.33..0.47", 10, order) == Approx(0.5 * 0.14 * weight).epsilon(0.02));
-        CHECK(pull("w*@0..1", 10, order) == Approx(0.5 * weight).epsilon(0.01));
+        CHECK(pull("wire@0.95..1", 10, order) == Approx(0.965 * 0.5 * 0.05 * weight).epsilon(0.01));
+        CHECK(pull("wire@0.33..0.47", 10, order) == Approx(0.5 * 0.14 * weight).epsilon(2e-3));
+        CHECK(pull("w*@0..1", 10, order) == Approx(0.5 * weight).epsilon(1e-6));
     }
 }
 
