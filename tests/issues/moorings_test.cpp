@@ -190,7 +190,7 @@ TEST_CASE("A turned ball sinks straight down, as fast as one that is not turned"
     CHECK(expected == Approx(-1.0588403).epsilon(1e-7));
     for (const char* turn : {"[0, 0, 0]", "[0.6155, 0.6155, 0]", "[0.3, -1.1, 2.0]"}) {
         const RecordedMotion motion(ball("[fluid]\ndensity = 1000\n", turn) + "end_time = 10\n");
-        CHECK((velocity_at(motion, 10.0) - Vec3(0.0, 0.0, expected)).norm() < 1e-9);
+        CHECK((velocity_at(motion, 10.0) - Vec3(0.0, 0.0, expected)).norm() < 1e-8);
     }
 }
 
@@ -228,16 +228,18 @@ TEST_CASE("Stages of friction are those that a deck names, or all but a first st
     const auto coefficients = [](const std::string& friction, const std::string& stages) {
         const Problem problem = read(chain(friction, stages));
         std::vector<double> all{problem.model.surroundings.seabed->axial_friction};
-        for (std::size_t i = 1; i < problem.stages.size(); ++i)
-            all.push_back(problem.stages[i].actions.surroundings.seabed->axial_friction);
+        // Modes have the loads of the stage before them, and no own.
+        for (std::size_t i = 1; i < problem.stages.size(); ++i) {
+            const std::optional<Seabed>& seabed = problem.stages[i].actions.surroundings.seabed;
+            if (seabed) all.push_back(seabed->axial_friction);
+        }
         return all;
     };
     const std::string half = "friction = 0.5\n";
     CHECK(coefficients(half, hang_and_sway) == std::vector{0.0, 0.5});
     CHECK(coefficients(half, "[analysis]\nkind = \"static\"\n") == std::vector{0.5});
     const std::string modes = "[[stage]]\nname = \"m\"\nkind = \"modes\"\ncount = 1\n";
-    CHECK(coefficients(half, "[[stage]]\nname = \"a\"\nkind = \"static\"\n" + modes) ==
-          std::vector{0.5, 0.5});
+    CHECK(coefficients(half, "[[stage]]\nname = \"a\"\nkind = \"static\"\n" + modes) == std::vector{0.5});
     CHECK(coefficients(half, hang_and_sway.substr(hang_and_sway.find("[[stage]]\nname = \"sway\""))) ==
           std::vector{0.5});
     const std::string pull = "[[stage]]\nname = \"pull\"\nkind = \"static\"\n";
