@@ -14,8 +14,8 @@ using namespace gxrod::tools;
 
 namespace {
 
-// f(t, s) = s² up to a front that moves with t, and 1 − s behind it.
-double jump(double time, double s) { return s < 0.37 * time ? s * s : 1.0 - s; }
+// f(t, s) = 2 s up to a front that moves with t, and 1 − s behind it.
+double jump(double time, double s) { return s < 0.37 * time ? 2.0 * s : 1.0 - s; }
 
 LineFunction switching() {
     auto switches = std::make_shared<Switches>();
