@@ -1,5 +1,6 @@
 #include "job.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -12,10 +13,8 @@
 #include "check/shape_report.hpp"
 #include "exit_code.hpp"
 #include "machine/file_error.hpp"
-#include "model/energy_round_off.hpp"
 #include "parallel/cores.hpp"
 #include "progress_line.hpp"
-#include "results/energy_warning.hpp"
 #include "results/results_size.hpp"
 #include "say.hpp"
 #include "summary.hpp"
@@ -68,11 +67,6 @@ void print(const JobOptions& options, const RunSummary& summary, bool is_resumed
     }
 }
 
-void warn_of_energy(const RunSummary& summary, const Model& model) {
-    const std::string imbalance = describe_imbalance(summary.energy(), compute_energy_round_off(model));
-    if (!imbalance.empty()) say(stderr, "warning: {}\n", imbalance);
-}
-
 int exit_code_of(const RunSummary& summary, bool deck_fault) {
     if (summary.status == RunStatus::interrupted) return exit_interrupted;
     if (summary.out_of_memory) return exit_internal_error;
@@ -98,24 +92,21 @@ void print_resumption(const std::string& results) {
     }
 }
 
-void warn_of_threads(const JobOptions& options) {
+void note_threads(const JobOptions& options) {
     if (options.quiet || options.threads <= count_cores()) return;
     say(stderr,
-        "warning: --threads {}: with {} core{} they slow each other down\n",
+        "note: --threads {}: with {} core{} they slow each other down\n",
         options.threads,
         count_cores(),
         count_cores() == 1 ? "" : "s");
 }
 
-// Reports what is suspicious; returns whether the model can be run.
-bool examine(const JobOptions& options, const Problem& problem) {
-    const std::vector<Finding> findings = examine_stages(problem.model, problem.stages);
+// Reports what is suspicious, before the run.
+void print(const JobOptions& options, const std::vector<Finding>& findings) {
     for (const Finding& finding : findings) {
-        const bool is_shown =
-            finding.severity == Severity::error || (finding.severity == Severity::warning && !options.quiet);
+        const bool is_shown = finding.severity != Severity::note || (finding.is_of_run && !options.quiet);
         if (is_shown) say(stderr, "{}: {}\n", options.deck, describe(finding));
     }
-    return !has_error(findings);
 }
 
 void say_chosen_schemes(const JobOptions& options, const Problem& problem) {
@@ -158,11 +149,11 @@ int run_and_tell(const RunRequest& request, const JobOptions& options, ProgressL
     if (!options.quiet) {
         for (const std::string& note : summary.notes) say(stderr, "note: {}\n", note);
     }
-    for (const std::string& warning : summary.warnings) say(stderr, "warning: {}\n", warning);
-    for (const std::string& sentence : {summary.cuts, summary.newton_limit}) {
-        if (!sentence.empty() && !options.quiet) say(stderr, "warning: {}\n", sentence);
+    for (const std::string& warning : summary.warnings) {
+        const bool is_printed =
+            std::ranges::find(request.examined, warning, &Finding::message) != request.examined.end();
+        if (!is_printed) say(stderr, "warning: {}\n", warning);
     }
-    warn_of_energy(summary, request.model);
     if (!options.summary.empty()) write_summary(options.summary, summary, options.deck, options.results);
     return exit_code_of(summary, summary.deck_fault);
 }
@@ -192,9 +183,11 @@ Problem read_job_problem(const std::string& deck, const std::vector<std::string>
 }
 
 int run_job(const Problem& problem, const JobOptions& options, ResumableFile* resumed) {
-    if (!examine(options, problem)) return exit_bad_input;
+    const std::vector<Finding> findings = examine_stages(problem.model, problem.stages);
+    print(options, findings);
+    if (has_error(findings)) return exit_bad_input;
     if (resumed == nullptr) check_room(options, problem);
-    warn_of_threads(options);
+    note_threads(options);
     say_chosen_schemes(options, problem);
     std::signal(SIGINT, ask_to_end);
     std::signal(SIGTERM, ask_to_end);
@@ -213,6 +206,7 @@ int run_job(const Problem& problem, const JobOptions& options, ResumableFile* re
         };
     }
     request.stages = problem.stages;
+    request.examined = findings;
     request.is_interrupted = [] { return interrupt_signal != 0; };
     request.threads = options.threads;
     try {

@@ -1,6 +1,7 @@
 #include "batch/case_run.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -11,8 +12,6 @@
 #include "batch/seconds_since.hpp"
 #include "check/model_examination.hpp"
 #include "machine/file_error.hpp"
-#include "model/energy_round_off.hpp"
-#include "results/energy_warning.hpp"
 #include "run/run.hpp"
 
 namespace gxrod {
@@ -22,11 +21,6 @@ using Clock = std::chrono::steady_clock;
 
 // Rows begin with a number.
 const std::string obstacle_mark = "obstacle: ";
-
-void add_warning(CaseRow& row, const std::string& warning) {
-    if (warning.empty()) return;
-    row.warning += (row.warning.empty() ? "" : "; ") + warning;
-}
 
 class CaseRun {
   public:
@@ -67,12 +61,11 @@ class CaseRun {
         const std::vector<Finding> findings = examine_stages(problem.model, problem.stages);
         for (const Finding& finding : findings) {
             if (finding.severity == Severity::error) return end(CaseStatus::deck_fault, finding.message);
-            if (finding.severity == Severity::warning) add_warning(row_, finding.message);
         }
         Collector collector(context_.plan.collections, problem);
-        const RunSummary summary = run(problem, collector);
+        const RunSummary summary = run(problem, findings, collector);
         collector.add(summary);
-        take(summary, compute_energy_round_off(problem.model));
+        take(summary);
         row_.collected = collector.values();
     }
 
@@ -88,7 +81,7 @@ class CaseRun {
         }
     }
 
-    RunSummary run(const Problem& problem, Collector& collector) {
+    RunSummary run(const Problem& problem, const std::vector<Finding>& findings, Collector& collector) {
         RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}};
         if (context_.plan.keeping != Keeping::none) {
             const std::string path = results_path(row_.number, context_.cases.count());
@@ -96,6 +89,7 @@ class CaseRun {
             row_.results = path;
         }
         request.stages = problem.stages;
+        request.examined = findings;
         request.observe = [&](const Snapshot& snapshot, const LedgerRow& ledger) {
             collector.add(snapshot, ledger);
         };
@@ -103,15 +97,12 @@ class CaseRun {
         return run_analysis(request);
     }
 
-    void take(const RunSummary& summary, double energy_round_off) {
+    void take(const RunSummary& summary) {
         row_.steps = summary.totals.steps;
         row_.newton_iterations = summary.totals.newton_iterations;
         row_.rejected_steps = summary.totals.rejected_steps;
         row_.time = summary.time;
-        for (const std::string& warning : summary.warnings) add_warning(row_, warning);
-        add_warning(row_, summary.cuts);
-        add_warning(row_, summary.newton_limit);
-        add_warning(row_, describe_imbalance(summary.energy(), energy_round_off));
+        row_.warning = fmt::format("{}", fmt::join(summary.warnings, "; "));
         if (summary.status == RunStatus::interrupted) {
             end(CaseStatus::time_limit,
                 fmt::format("the time limit of {} s was over at t = {:.10g}",

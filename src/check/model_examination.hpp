@@ -3,22 +3,12 @@
 #include <string>
 #include <vector>
 
+#include "check/finding.hpp"
 #include "model/model.hpp"
 #include "model/settings.hpp"
 #include "model/stage.hpp"
 
 namespace gxrod {
-
-enum class Severity {
-    note,
-    warning,
-    error  // the analysis cannot be run
-};
-
-struct Finding {
-    Severity severity;
-    std::string message;
-};
 
 // What a reader of a deck cannot see in single keys: errors first. A later stage does not begin at rest,
 // and moves without a cause of its own.

@@ -145,13 +145,15 @@ std::vector<std::string> list_warnings(const Hdf5Reader& file, const RunStory& s
         warnings.push_back(
             "The run had not ended when this page was made, or was killed; this is what it got to.");
     }
+    const double round_off = story.problem ? compute_energy_round_off(story.problem->model) : 0.0;
+    std::string imbalance = describe_imbalance(survey_energy(file, story.is_static, steps), round_off);
     std::istringstream lines(text_of(file, "warnings"));
     for (std::string line; std::getline(lines, line);) {
+        if (line == imbalance) imbalance.clear();
         line.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(line.front())));
         warnings.push_back(line.ends_with('.') ? line : line + ".");
     }
-    const double round_off = story.problem ? compute_energy_round_off(story.problem->model) : 0.0;
-    const std::string imbalance = describe_imbalance(survey_energy(file, story.is_static, steps), round_off);
+    // Runs that were killed, or are of an earlier program, list nothing of energies.
     if (!imbalance.empty()) warnings.push_back("Mind that " + imbalance + ".");
     return warnings;
 }

@@ -9,6 +9,7 @@
 
 #include "analyses/static.hpp"
 #include "check/failure_advice.hpp"
+#include "check/finding.hpp"
 #include "model/deck_record.hpp"
 #include "model/settings.hpp"
 #include "model/stage.hpp"
@@ -45,6 +46,8 @@ struct RunRequest {
     std::function<void(const Snapshot&, const LedgerRow&)> observe = {};
     // All stages, if there are several; the first one is `analysis` on `model`.
     std::span<const StagePlan> stages = {};
+    // What was found of the model beforehand: the warnings among them are the first ones of the run.
+    std::vector<Finding> examined = {};
 };
 
 struct RunSummary {
@@ -60,8 +63,10 @@ struct RunSummary {
     std::vector<FoundShapes> shapes;    // in the order of the stages
     std::vector<PathRecord> paths;      // of stages that go along one, in their order
     std::vector<std::string> findings;  // critical points of paths, a sentence each
-    std::vector<std::string> warnings;  // what is to be known before the results are trusted, a sentence each
-    bool is_unstable = false;           // whether equilibria were accepted that no structure would stay at
+    // All that is to be known before the results are trusted, a sentence each: of the model, of equilibria,
+    // shapes and paths, `cuts`, `newton_limit` and what energies say.
+    std::vector<std::string> warnings;
+    bool is_unstable = false;  // whether equilibria were accepted that no structure would stay at
     long nodes = 0;
     long elements = 0;
     long unknowns = 0;

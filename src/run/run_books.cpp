@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "check/shape_report.hpp"
 #include "model/analysis_traits.hpp"
+#include "model/energy_round_off.hpp"
 #include "model/newton_choice.hpp"
 
 namespace gxrod {
@@ -27,6 +29,12 @@ void add_sentence(const std::string& sentence, const std::string& prefix, std::s
 }
 
 }  // namespace
+
+RunBooks::RunBooks(const Model& model, const std::vector<Finding>& examined) : model_(model) {
+    for (const Finding& finding : examined) {
+        if (finding.severity == Severity::warning) examined_.push_back(finding.message);
+    }
+}
 
 std::string name_stage(const StageSequence& stages, std::int64_t stage_count) {
     return stage_count > 1 ? "stage " + stages.name() + ": " : "";
@@ -124,18 +132,21 @@ void RunBooks::add_paths(const PathRecord& paths) {
 }
 
 void RunBooks::close(const StageSequence& stages, std::int64_t stage_count) {
-    summary_.warnings = stages.list_warnings();
-    summary_.warnings.insert(summary_.warnings.end(), warnings_.begin(), warnings_.end());
-    summary_.is_unstable = stages.is_unstable();
     sum_up_stage(stages, stage_count);
+    summary_.is_unstable = stages.is_unstable();
+    std::vector<std::string>& all = summary_.warnings;
+    all = examined_;
+    const auto add = [&](const std::vector<std::string>& more) {
+        std::ranges::copy_if(
+            more, std::back_inserter(all), [](const std::string& one) { return !one.empty(); });
+    };
+    add(stages.list_warnings());
+    add(warnings_);
+    add({summary_.cuts,
+         summary_.newton_limit,
+         describe_imbalance(summary_.energy(), compute_energy_round_off(model_))});
 }
 
-std::string RunBooks::join_warnings() const {
-    std::vector<std::string> lines = summary_.warnings;
-    for (const std::string& line : {summary_.cuts, summary_.newton_limit}) {
-        if (!line.empty()) lines.push_back(line);
-    }
-    return fmt::format("{}", fmt::join(lines, "\n"));
-}
+std::string RunBooks::join_warnings() const { return fmt::format("{}", fmt::join(summary_.warnings, "\n")); }
 
 }  // namespace gxrod

@@ -13,7 +13,8 @@ namespace gxrod {
 // What a run sums up about itself: its summary, while it goes on.
 class RunBooks {
   public:
-    explicit RunBooks(const Model& model) : model_(model) {}
+    // `examined` is what was found of the model beforehand.
+    RunBooks(const Model& model, const std::vector<Finding>& examined);
 
     RunSummary& summary() { return summary_; }
     const RunSummary& summary() const { return summary_; }
@@ -34,7 +35,7 @@ class RunBooks {
     void sum_up_stage(const StageSequence& stages, std::int64_t stage_count);
     void add_paths(const PathRecord& paths);
     void add_warning(std::string warning) { warnings_.push_back(std::move(warning)); }
-    // The run is over.
+    // The run is over: the list of warnings is complete.
     void close(const StageSequence& stages, std::int64_t stage_count);
     // For the file, a line each.
     std::string join_warnings() const;
@@ -45,6 +46,7 @@ class RunBooks {
 
     const Model& model_;
     RunSummary summary_;
+    std::vector<std::string> examined_;  // warnings of the model
     std::vector<std::string> warnings_;  // of shapes and paths
     long first_step_ = 0;                // steps done where the stage was begun or resumed
     EnergyPoint last_point_;             // in statics, of the last step

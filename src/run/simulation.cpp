@@ -18,7 +18,7 @@
 namespace gxrod {
 
 Simulation::Simulation(RunRequest request)
-    : request_(std::move(request)), books_(request_.model), stages_(build()) {
+    : request_(std::move(request)), books_(request_.model, request_.examined), stages_(build()) {
     RunSummary& summary = books_.summary();
     summary.is_static = request_.deck.is_static;
     summary.integrators = request_.deck.integrators;

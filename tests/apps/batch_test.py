@@ -52,6 +52,16 @@ class Running(BatchTest):
                    "-o", "alone.vtkhdf", "--quiet")
         self.assertEqual(self.values_of("alone.vtkhdf"), self.values_of("plan/cases/0004.vtkhdf"))
 
+    def test_a_row_and_its_file_have_the_warnings_of_the_run(self):
+        pulse = '[[load]]\nat = "flyer.end"\nforce = [0, 0, "t > 0.21 && t < 0.215 ? 1e3 : 0"]\n'
+        self.write("swinger.toml", SWINGER + pulse)
+        self.write("plan.toml", PLAN)
+        self.gxrod("batch", "plan.toml", "--quiet")
+        for row in self.rows():
+            self.assertIn("load[0].force[2]: between t = ", row["warning"])
+            with h5py.File(self.folder / "plan" / row["results"]) as file:
+                self.assertEqual(file.attrs["warnings"].replace("\n", "; "), row["warning"])
+
     def values_of(self, name):
         """The bytes of every dataset, except states to resume from: the older of two depends on the clock."""
         values = {}

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "check/model_examination.hpp"
 #include "deck/schema/choices.hpp"
 #include "results/tables/quantity.hpp"
 #include "sensitivity/equilibrium_adjoint.hpp"
@@ -31,7 +32,10 @@ Driven::Driven(const BuiltModel& model,
     RunRequest request{problem_.model, problem_.analysis, problem_.output, problem_.record, {}};
     request.stages = problem_.stages;
     request.threads = threads;
-    if (!results.empty()) request.results = ResultsFileOptions{results};
+    if (!results.empty()) {
+        request.results = ResultsFileOptions{results};
+        request.examined = examine_stages(problem_.model, problem_.stages);
+    }
     request.observe = [this](const Snapshot& snapshot, const LedgerRow& ledger) { note(snapshot, ledger); };
     simulation_ = std::make_unique<Simulation>(request);
     const std::vector<HistoryRequest>& requests = problem_.output.histories;

@@ -72,7 +72,7 @@ class Results(Shown):
 
     @property
     def warnings(self) -> list[str]:
-        """Of the end of the run: a list of texts."""
+        """All that is to be known before the results are trusted: what `gxrod check` warns of, and the run itself."""
         return self._source.attributes.get("warnings", "").splitlines()
 
     @property

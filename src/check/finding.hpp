@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+namespace gxrod {
+
+enum class Severity {
+    note,
+    warning,  // results may be other than they seem: a run repeats it, and its file and summary list it
+    error     // the analysis cannot be run
+};
+
+struct Finding {
+    Severity severity;
+    std::string message;
+    bool is_of_run = false;  // a note that a run prints, too
+};
+
+}  // namespace gxrod
