@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "check/step_impulse.hpp"
@@ -56,12 +57,14 @@ class FunctionExamination {
             }
         }
         for (const Tendon& tendon : model_.tendons) examine_tendon(tendon);
+        for (const Actuation& actuation : model_.actuations) examine_actuation(actuation);
         for (const Support& support : model_.supports) examine_moves(support);
         for (const Joint& joint : model_.joints) {
             examine_coordinate(joint.name, "turn", joint.turn);
             examine_coordinate(joint.name, "slide", joint.slide);
         }
         for (const Sleeve& sleeve : model_.sleeves) examine_coordinate(sleeve.name, "slide", sleeve.slide);
+        for (const Obstacle& obstacle : model_.contact.obstacles) examine_obstacle(obstacle);
         return std::move(findings_);
     }
 
@@ -80,6 +83,28 @@ class FunctionExamination {
         } else if (!tendon.winch->length) {
             examine_move(fmt::format("the winch of tendon {} draws it in", tendon.name),
                          tendon.winch->shortening);
+        }
+    }
+
+    void examine_actuation(const Actuation& actuation) {
+        const double middle = 0.5 * model_.rods[actuation.rod].length;
+        static constexpr std::array strains{
+            "stretch", "shear[0]", "shear[1]", "curvature[0]", "curvature[1]", "curvature[2]"};
+        for (std::size_t i = 0; i < strains.size(); ++i)
+            examine_line(actuation.key + "." + strains[i], actuation.strain[i], middle);
+        examine_line(actuation.key + ".temperature", actuation.temperature, middle);
+        for (std::size_t i = 0; i < 2; ++i) {
+            examine_line(fmt::format("{}.temperature_gradient[{}]", actuation.key, i),
+                         actuation.temperature_gradient[i],
+                         middle);
+        }
+    }
+
+    void examine_obstacle(const Obstacle& obstacle) {
+        if (!obstacle.motion) return;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::string key = fmt::format("obstacle.{}.move.{}", obstacle.name, component_names[i]);
+            examine_load(key, obstacle.motion->displacement.components()[i]);
         }
     }
 
@@ -149,9 +174,12 @@ class FunctionExamination {
             examine_load(fmt::format("joint.{}.spring.rest ({})", joint, name), coordinate.rest);
     }
 
-    // `what`: "the [[support]] at hub moves rx". Without inertia no motion is a blow.
+    // `what`: "the [[support]] at hub moves rx". Without inertia no motion is a blow, and of one between
+    // steps no more need be said.
     void examine_move(const std::string& what, const TimeFunction& motion) {
-        if (!settings_.has_inertia) return;
+        const std::size_t before = findings_.size();
+        examine_load(what, motion);
+        if (!settings_.has_inertia || findings_.size() > before) return;
         try {
             examine_kinks(what, motion);
             examine_start(what, motion);

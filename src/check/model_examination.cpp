@@ -10,6 +10,7 @@
 #include "check/function_examination.hpp"
 #include "check/mechanism/mechanism.hpp"
 #include "check/plane_findings.hpp"
+#include "check/rod_lines.hpp"
 #include "check/stability.hpp"
 #include "check/stiffness_contrast.hpp"
 #include "check/surroundings/surroundings_findings.hpp"
@@ -183,7 +184,8 @@ void note_lack_of_potential(const Model& model, std::vector<Finding>& findings) 
                             "its sign" +
                             (has_shapes ? ". A stage of kind eigenvalues after this one shows whether the "
                                           "structure stays there"
-                                        : "")});
+                                        : ""),
+                        true});
 }
 
 double compute_mass(const Model& model) {
@@ -319,6 +321,8 @@ std::vector<Finding> examine_model(const Model& model,
 
 std::vector<Finding> examine_stages(const Model& model, const std::vector<StagePlan>& stages) {
     std::vector<Finding> findings = examine_model(model, stages.front().analysis);
+    if (const std::string coarse = describe_coarse_rods(model); !coarse.empty())
+        findings.push_back({Severity::warning, coarse});
     const auto is_new = [&](const Finding& finding) {
         return std::none_of(findings.begin(), findings.end(), [&](const Finding& other) {
             return other.message == finding.message;
