@@ -8,8 +8,7 @@
 #include "check/model_examination.hpp"
 #include "check/model_summary.hpp"
 #include "check/plane_findings.hpp"
-#include "check/rod_lines.hpp"
-#include "check/static_scale.hpp"
+#include "check/plausibility.hpp"
 #include "check/step_advice.hpp"
 #include "deck/problem.hpp"
 #include "exit_code.hpp"
@@ -63,11 +62,8 @@ CheckText describe_problem(const Problem& problem) {
     for (const Finding& finding : examine_stages(problem.model, problem.stages)) {
         (finding.severity == Severity::error ? text.errors : text.warnings).push_back(describe(finding));
     }
-    for (const std::string& sentence : {describe_thick_rods(problem.model),
-                                        describe_coarse_rods(problem.model),
-                                        describe_static_scale(problem.model, problem.analysis)}) {
-        if (!sentence.empty()) text.warnings.push_back("warning: " + sentence);
-    }
+    for (const Finding& question : question_model(problem.model, problem.stages))
+        text.warnings.push_back(describe(question));
     return text;
 }
 

@@ -71,7 +71,7 @@ accuracy = 1e-3
         self.assertNotIn("note: joint", chosen)
         self.assertIn("generalized-alpha (auto: for friction, which joint axle has)", chosen)
 
-    def test_warnings_are_printed_unless_quiet(self):
+    def test_warnings_are_printed_and_listed_also_when_quiet(self):
         tail = '[rod.tail]\nsection = "s"\nline = { from = [4, 0, 0], to = [4, 1, 0] }\nelements = 1\nelement = "simo"\n'
         self.write("beam.toml", BEAM + 'fix = "all"\n' + tail + '[[support]]\nat = "tail.end"\nfix = "all"\n')
         warning = ("warning: beam.end and tail.start are at one place and not connected; to connect them write "
@@ -80,7 +80,21 @@ accuracy = 1e-3
         self.assertIn(warning, done.stdout)
         self.assertIn("note: nothing connects these 2 parts: rod beam; rod tail", done.stdout)
         self.assertIn(warning, self.gxrod("run", "beam.toml").stderr)
-        self.assertEqual(self.gxrod("run", "beam.toml", "--force", "--quiet").stderr, "")
+        done = self.gxrod("run", "beam.toml", "--force", "--quiet", "--summary", "run.json")
+        self.assertEqual((done.stdout, done.stderr), ("", f"beam.toml: {warning}\n"))
+        listed = [warning.removeprefix("warning: ")]
+        self.assertEqual(json.loads((self.folder / "run.json").read_text())["warnings"], listed)
+        with h5py.File(self.folder / "beam.vtkhdf") as file:
+            self.assertEqual(file.attrs["warnings"], listed[0])
+
+    def test_tendons_and_inputs_are_listed(self):
+        self.write("beam.toml", BEAM + 'fix = "all"\n[input.pull]\nvalue = 3\n[input.idle]\nvalue = 1\n'
+                   '[tendon.t]\non = "beam"\noffset = [0, 0.01]\ntension = "2*pull"\n')
+        done = self.gxrod("check", "beam.toml").stdout
+        self.assertIn("tendon t: in rod beam, tension changes with t, 6 at t = 1\n", done)
+        self.assertIn("input pull: 3 at t = 0, between two values a step\n", done)
+        self.assertIn("note: input.idle: nothing uses it", done)
+        self.assertNotIn("note: input.pull", done)
 
     @unittest.skipIf(os.environ.get("GXROD_SANITIZED") == "1", "AddressSanitizer has memory of its own")
     def test_memory_is_estimated_beforehand(self):

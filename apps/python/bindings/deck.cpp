@@ -4,6 +4,7 @@
 #include <nanobind/stl/vector.h>
 
 #include "check/model_examination.hpp"
+#include "check/plausibility.hpp"
 #include "model.hpp"
 #include "module.hpp"
 
@@ -23,8 +24,11 @@ nb::dict describe_rods(const BuiltModel& model) {
 
 std::vector<std::string> list_findings(const BuiltModel& model) {
     std::vector<std::string> lines;
-    for (const Finding& finding : examine_stages(model.problem.model, model.problem.stages))
-        lines.push_back(describe(finding));
+    const Problem& problem = model.problem;
+    for (const auto& list :
+         {examine_stages(problem.model, problem.stages), question_model(problem.model, problem.stages)}) {
+        for (const Finding& finding : list) lines.push_back(describe(finding));
+    }
     return lines;
 }
 

@@ -142,7 +142,7 @@ class Model(Shown):
         return list(self._core.histories)
 
     def check(self) -> list[str]:
-        """What `gxrod check` finds about the model: a sentence each, warnings and errors."""
+        """What `gxrod check` finds about the model: a sentence each, notes, warnings and errors."""
         return list(self._core.examine())
 
     def node(self, point: str) -> int:

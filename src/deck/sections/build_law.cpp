@@ -192,13 +192,20 @@ SharedLaw make_viscoelastic_law(const CheckedTable& table, const Mat6& C, const 
 }
 
 // Layers in place of all stiffness but that of shear.
-SharedLaw make_shape_law(const CheckedTable& table, const Mat6& C) {
+SharedLaw make_shape_law(const CheckedTable& table, const Mat6& C, const BuildContext& context) {
     const CheckedTable& material = only(table, "material");
     const CheckedTable& shape = only(table, "shape");
     const auto number = [](const CheckedTable& of, const char* key) { return of.get<double>(key); };
     const double E = number(material, "E");
     const double G = material.gives("G") ? number(material, "G") : E / (2.0 * (1.0 + number(material, "nu")));
     const YieldingMaterial yielding{E, G, number(material, "yield_stress")};
+    constexpr double least_yield_strain = 1e-5;
+    if (yielding.yield_stress < least_yield_strain * E) {
+        context.notes.push_back(fmt::format(
+            "{}: it is {:.2g} of E, where metals have 1e-3 and lead 2e-4; are both in one unit of stress?",
+            material.path_of("yield_stress"),
+            yielding.yield_stress / E));
+    }
     std::vector<Layer> layers;
     if (shape.gives("circle")) {
         layers = make_tube_layers(number(only(shape, "circle"), "radius"), 0.0, yielding);
@@ -271,7 +278,7 @@ void set_law(const CheckedTable& table, Section& section, const BuildContext& co
     if (!(C.diagonal().array() > 0.0).all()) return;
     SharedLaw law;
     if (table.gives("law")) law = make_law(table, C, context);
-    if (yields(table)) law = make_shape_law(table, C);
+    if (yields(table)) law = make_shape_law(table, C, context);
     if (is_trapeze(table)) law = std::make_shared<TrapezeLaw>(C, std::move(law));
     if (!law) return;
     const std::vector<double> memory(static_cast<std::size_t>(law->memory_size()));
