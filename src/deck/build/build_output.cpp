@@ -169,6 +169,7 @@ HistoryRequest build_history(const CheckedTable& table,
             continue;
         }
         std::string reason = explain_missing(quantity, point, context.model);
+        if (!reason.empty()) reason += suggest_quantity(word.word, point, context.model);
         if (table.gives("relative_to") && (point.bushing >= 0 || point.tendon >= 0 || point.obstacle >= 0 ||
                                            point.touching_rod >= 0 || !can_be_relative(quantity))) {
             reason = "cannot be relative to a point; write another history for it";

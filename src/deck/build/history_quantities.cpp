@@ -1,6 +1,12 @@
 #include "deck/build/history_quantities.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "deck/schema/choices.hpp"
+#include "deck/schema/history_words.hpp"
+#include "deck/schema/synonyms.hpp"
 
 namespace gxrod {
 namespace {
@@ -23,47 +29,13 @@ bool is_reaction(Quantity quantity) {
     return quantity == Quantity::reaction_force || quantity == Quantity::reaction_moment;
 }
 
-bool is_of_joints(Quantity quantity) {
-    switch (quantity) {
-        case Quantity::angle:
-        case Quantity::angle_rate:
-        case Quantity::slide:
-        case Quantity::slide_rate:
-        case Quantity::force:
-        case Quantity::moment:
-        case Quantity::force_a:
-        case Quantity::moment_a:
-        case Quantity::drive:
-        case Quantity::friction:
-        case Quantity::gap:
-            return true;
-        default:
-            return false;
-    }
-}
+bool is_of_joints(Quantity quantity) { return has_quantity(HistoryKind::joint, quantity); }
 
-bool is_of_springs(Quantity quantity) {
-    return quantity == Quantity::elongation || quantity == Quantity::axial_force;
-}
+bool is_of_springs(Quantity quantity) { return has_quantity(HistoryKind::spring, quantity); }
 
-bool is_of_tendons(Quantity quantity) {
-    return quantity == Quantity::tendon_length || quantity == Quantity::tendon_tension ||
-           quantity == Quantity::tendon_end_tension;
-}
+bool is_of_tendons(Quantity quantity) { return has_quantity(HistoryKind::tendon, quantity); }
 
-bool is_of_bushings(Quantity quantity) {
-    switch (quantity) {
-        case Quantity::displacement:
-        case Quantity::rotation_vector:
-        case Quantity::force:
-        case Quantity::moment:
-        case Quantity::force_spatial:
-        case Quantity::moment_spatial:
-            return true;
-        default:
-            return false;
-    }
-}
+bool is_of_bushings(Quantity quantity) { return has_quantity(HistoryKind::bushing, quantity); }
 
 bool is_of_surroundings(Quantity quantity) {
     switch (quantity) {
@@ -135,10 +107,7 @@ std::string explain_missing_surroundings(Quantity quantity, const HistoryPlace& 
 
 }  // namespace
 
-bool is_of_obstacles(Quantity quantity) {
-    return quantity == Quantity::contact_force || quantity == Quantity::contact_friction ||
-           quantity == Quantity::least_gap;
-}
+bool is_of_obstacles(Quantity quantity) { return has_quantity(HistoryKind::touching, quantity); }
 
 bool touches(const HistoryPlace& point, const Model& model) {
     return std::ranges::any_of(model.contact.bodies,
@@ -165,8 +134,9 @@ std::string explain_missing(Quantity quantity, const HistoryPlace& point, const 
                                : "only obstacles have it, and rods as a whole, and bodies that touch";
     }
     if (point.gear >= 0) {
-        const bool has_it = quantity == Quantity::drive || quantity == Quantity::gap;
-        return has_it ? "" : "a gear has drive and gap only; its joints have the rest";
+        return has_quantity(HistoryKind::gear, quantity)
+                   ? ""
+                   : "a gear has drive and gap only; its joints have the rest";
     }
     if (point.bushing >= 0) return is_of_bushings(quantity) ? "" : "a bushing does not have it";
     if (point.joint >= 0)
@@ -186,6 +156,15 @@ std::string explain_missing(Quantity quantity, const HistoryPlace& point, const 
                                           model.supports.end(),
                                           [&](const Support& support) { return support.node == point.node; });
     return is_supported ? "" : "only a supported point has it; no [[support]] is at this one";
+}
+
+std::string suggest_quantity(const std::string& word, const HistoryPlace& point, const Model& model) {
+    std::vector<std::string> there;
+    for (const Choice<Quantity>& choice : quantity_choices) {
+        if (explain_missing(choice.value, point, model).empty()) there.emplace_back(choice.word);
+    }
+    const std::string meant = find_choice(word, there);
+    return meant.empty() ? "" : fmt::format("; did you mean \"{}\"?", meant);
 }
 
 bool can_be_relative(Quantity quantity) {

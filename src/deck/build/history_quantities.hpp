@@ -10,6 +10,10 @@ namespace gxrod {
 // Why the point has no such quantity, or "".
 std::string explain_missing(Quantity quantity, const HistoryPlace& point, const Model& model);
 
+// '; did you mean "axial_force"?', of what the point has instead of a word that means something else
+// elsewhere; "" if nothing is meant.
+std::string suggest_quantity(const std::string& word, const HistoryPlace& point, const Model& model);
+
 // Of contact.
 bool is_of_obstacles(Quantity quantity);
 // Whether the point is that of a body that touches.

@@ -3,14 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <utility>
 
 #include "deck/expressions/expression_syntax.hpp"
 #include "deck/expressions/symbol_reading.hpp"
 #include "deck/reading/value_reading.hpp"
+#include "deck/schema/choices.hpp"
+#include "deck/schema/history_words.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "deck/schema/synonyms.hpp"
+#include "model/joint.hpp"
 
 namespace gxrod {
 namespace {
@@ -60,8 +65,9 @@ std::string explain_other_tables(const TableSpec& root, const TableSpec& spec, c
 
 class Validator {
   public:
-    Validator(const TableSpec& root, const Symbols& symbols, FaultList& faults)
-        : root_(root), context_{symbols, faults} {}
+    // `deck` is the whole of it; nullptr where only a table is checked.
+    Validator(const TableSpec& root, const DeckNode* deck, const Symbols& symbols, FaultList& faults)
+        : root_(root), deck_(deck), context_{symbols, faults} {}
 
     CheckedTable check_table(const DeckNode& node, const std::string& path, const TableSpec& spec) const {
         CheckedTable checked{"", path, node.place, {}};
@@ -72,7 +78,14 @@ class Validator {
                 continue;
             }
             CheckedValue value{entry.key, entry.node.place, true, {}};
-            value.value = check_value(entry, join_path(path, entry.key), *key);
+            const std::string full = join_path(path, entry.key);
+            if (deck_ != nullptr && spec.path == "history" && key->type == ValueType::choices) {
+                ReadingContext context = context_;
+                context.likely_words = list_likely_quantities(node);
+                value.value = read_value(entry.node, full, *key, context);
+            } else {
+                value.value = check_value(entry, full, *key);
+            }
             checked.values.push_back(std::move(value));
         }
         add_defaults(checked, spec);
@@ -85,6 +98,50 @@ class Validator {
 
   private:
     using Value = decltype(CheckedValue::value);
+
+    // What a joint of its kind does not have.
+    static void leave_out_coordinates(const DeckNode& joint, std::vector<std::string>& words) {
+        const DeckEntry* type = joint.table() == nullptr ? nullptr : joint.find("type");
+        if (type == nullptr || type->node.text() == nullptr) return;
+        const std::vector<std::string> known = words_of(joint_kind_choices);
+        if (std::ranges::find(known, *type->node.text()) == known.end()) return;
+        Joint one;
+        one.kind = value_of(joint_kind_choices, *type->node.text());
+        std::erase_if(words, [&](const std::string& word) {
+            return (word.starts_with("angle") && !one.has_turn()) ||
+                   (word.starts_with("slide") && !one.has_slide());
+        });
+    }
+
+    // What the thing that `at` of a history names can have; empty if it is not known.
+    std::vector<std::string> list_likely_quantities(const DeckNode& history) const {
+        const DeckEntry* at = history.find("at");
+        if (at == nullptr || at->node.text() == nullptr) return {};
+        const std::string& text = *at->node.text();
+        const auto names = [&](const char* kind, std::string_view name) {
+            const DeckEntry* tables = deck_->find(kind);
+            return tables != nullptr && tables->node.table() != nullptr && tables->node.find(name) != nullptr;
+        };
+        static constexpr std::array<std::pair<const char*, HistoryKind>, 7> kinds{
+            {{"spring", HistoryKind::spring},
+             {"bushing", HistoryKind::bushing},
+             {"joint", HistoryKind::joint},
+             {"gear", HistoryKind::gear},
+             {"tendon", HistoryKind::tendon},
+             {"obstacle", HistoryKind::touching},
+             {"body", HistoryKind::body}}};
+        for (const auto& [kind, quantities] : kinds) {
+            if (!names(kind, text)) continue;
+            std::vector<std::string> words = quantity_words_of(quantities);
+            if (quantities == HistoryKind::joint)
+                leave_out_coordinates(deck_->find(kind)->node.find(text)->node, words);
+            return words;
+        }
+        if (names("rod", text) && deck_->find("contact") != nullptr)
+            return quantity_words_of(HistoryKind::touching);
+        return names("rod", text.substr(0, text.find_first_of(".@"))) ? quantity_words_of(HistoryKind::rod)
+                                                                      : std::vector<std::string>{};
+    }
 
     void add(const Place& place, const std::string& path, const std::string& message) const {
         context_.faults.add(place, path, message);
@@ -325,6 +382,7 @@ class Validator {
     }
 
     const TableSpec& root_;
+    const DeckNode* deck_;
     ReadingContext context_;
 };
 
@@ -332,20 +390,21 @@ class Validator {
 
 CheckedTable check_deck(const DeckNode& deck, FaultList& faults) {
     const Symbols symbols = read_symbols(deck, faults);
-    CheckedTable checked = Validator(deck_schema(), symbols, faults).check_table(deck, "", deck_schema());
+    CheckedTable checked =
+        Validator(deck_schema(), &deck, symbols, faults).check_table(deck, "", deck_schema());
     checked.inputs.insert(symbols.inputs.begin(), symbols.inputs.end());
     return checked;
 }
 
 CheckedTable check_text(const DeckNode& text, const TableSpec& root, FaultList& faults) {
-    return Validator(root, {}, faults).check_table(text, "", root);
+    return Validator(root, nullptr, {}, faults).check_table(text, "", root);
 }
 
 CheckedTable check_table(const DeckNode& node,
                          const std::string& path,
                          const TableSpec& table,
                          FaultList& faults) {
-    return Validator(table, {}, faults).check_table(node, path, table);
+    return Validator(table, nullptr, {}, faults).check_table(node, path, table);
 }
 
 }  // namespace gxrod

@@ -41,13 +41,14 @@ std::optional<std::string> read_word(const DeckNode& node,
     const std::string* text = node.text();
     const std::vector<std::string>& words = key.choices;
     if (text != nullptr && std::find(words.begin(), words.end(), *text) != words.end()) return *text;
-    const std::string hint = text == nullptr ? "" : explain_word(*text, words);
+    const std::vector<std::string>& expected = context.likely_words.empty() ? words : context.likely_words;
+    const std::string hint = text == nullptr ? "" : explain_word(*text, expected);
     const std::string remark = key.remark.empty() ? "" : (hint.empty() ? "; " : " ") + key.remark;
     context.faults.add(node.place,
                        path,
                        fmt::format("expected {}{}, found {}{}{}",
-                                   words.size() > 1 ? "one of " : "",
-                                   quoted_list(words),
+                                   expected.size() > 1 ? "one of " : "",
+                                   quoted_list(expected),
                                    describe_found(node),
                                    hint,
                                    remark));

@@ -7,6 +7,7 @@
 
 #include "batch/plan_schema.hpp"
 #include "deck/decks.hpp"
+#include "deck/schema/history_words.hpp"
 #include "deck/schema/schema.hpp"
 #include "tools/catch.hpp"
 
@@ -87,6 +88,18 @@ TEST_CASE("Every synonym of a word leads to a word of some key", "[deck]") {
     for (const TableSpec* root : {&deck_schema(), &plan_schema(), &variation_table()}) {
         for (const auto& [path, table] : all_tables(*root)) collect_choices(*table, choices);
     }
+    for (const HistoryKind kind : {HistoryKind::rod,
+                                   HistoryKind::body,
+                                   HistoryKind::spring,
+                                   HistoryKind::bushing,
+                                   HistoryKind::joint,
+                                   HistoryKind::gear,
+                                   HistoryKind::tendon,
+                                   HistoryKind::touching}) {
+        choices.push_back(quantity_words_of(kind));
+    }
+    // A joint that cannot turn.
+    choices.push_back({"slide", "slide_rate", "force", "moment"});
     for (const WordSynonyms& synonyms : word_synonyms()) {
         for (const std::string& word : split_words(synonyms.words)) {
             INFO(synonyms.choice << ": " << word);
@@ -150,6 +163,42 @@ TEST_CASE("An initial displacement is explained, not reported as a missing veloc
           "x.toml:13:1: initial[0]: missing; expected velocity or angular_velocity or spin = { … }");
     CHECK(faults_of(rod_deck + "[[initial]]\non = \"r\"\nv = [0, 0, 1]\n") ==
           "x.toml:15:1: initial[0].v: unknown key; did you mean \"velocity\"?");
+}
+
+TEST_CASE("Quantities of a history are suggested by what its point is", "[deck]") {
+    const auto hint = [](const std::string& at, const std::string& word) {
+        const std::string things =
+            "[body.b]\nmass = 1\ninertia = [1, 1, 1]\nat = [0, 5, 0]\n"
+            "[spring.k]\nbetween = [\"r.end\", \"b\"]\nstiffness = 1\n"
+            "[joint.h]\ntype = \"hinge\"\nbetween = [\"b\", \"ground\"]\naxis = [0, 0, 1]\n"
+            "[tendon.t]\non = \"r\"\noffset = [0, 0.1]\ntension = 1\n";
+        const std::string fault = faults_of(rod_deck + things + "[[history]]\nname = \"n\"\nat = \"" + at +
+                                            "\"\nquantities = \"" + word + "\"\n");
+        INFO(fault);
+        CHECK(fault.find("history[0].quantities: ") != std::string::npos);
+        const std::size_t begin = fault.find("; did you mean \"");
+        return begin == std::string::npos ? "" : fault.substr(begin + 16, fault.rfind('"') - begin - 16);
+    };
+    CHECK(hint("r.end", "pos") == "position");
+    CHECK(hint("r@0.3", "torque") == "moment");
+    CHECK(hint("r.end", "stress") == "force");
+    CHECK(hint("b", "pos") == "position");
+    CHECK(hint("k", "stress") == "axial_force");
+    CHECK(hint("k", "force") == "axial_force");
+    CHECK(hint("k", "pos") == "elongation");
+    CHECK(hint("h", "pos") == "angle");
+    CHECK(hint("h", "torque") == "moment");
+    CHECK(hint("h", "velocity") == "angle_rate");
+    CHECK(hint("t", "force") == "tendon_tension");
+    CHECK(hint("t", "stress") == "tendon_tension");
+    CHECK(hint("k", "quaternion") == "");
+    // Only what suits is listed.
+    CHECK(faults_of(rod_deck +
+                    "[spring.k]\nbetween = [\"r.end\", \"ground\"]\nat_b = [11, 0, 0]\nstiffness = 1\n"
+                    "[[history]]\nname = \"n\"\nat = \"k\"\nquantities = \"pull\"\n") ==
+          "x.toml:20:14: history[0].quantities: expected one of \"elongation\", \"axial_force\", found the "
+          "text "
+          "\"pull\"");
 }
 
 }  // namespace gxrod::test
