@@ -34,6 +34,7 @@
 #include "deck/joints/build_gears.hpp"
 #include "deck/joints/build_joints.hpp"
 #include "deck/joints/build_sleeves.hpp"
+#include "deck/reading/further_faults.hpp"
 #include "deck/reading/overrides.hpp"
 #include "deck/reading/resumption.hpp"
 #include "deck/reading/text_file.hpp"
@@ -242,13 +243,22 @@ void prepare_sweeps(const DeckNode& tree, const CheckedTable& deck, Problem& pro
     }
 }
 
-// The deck of a tree, with one to resume, if any: a key that must not differ is a fault.
-Problem build_tree(DeckNode tree,
-                   const DeckSource& source,
-                   const std::vector<std::string>& overrides,
-                   const DeckRecord* before) {
-    FaultList faults(source.file, overrides);
-    apply_overrides(overrides, tree, faults);
+// Inputs that no expression reads. The deck and the model have each of them anyway.
+void note_idle_inputs(Problem& problem) {
+    for (const std::shared_ptr<Input>& input : problem.model.inputs) {
+        if (input.use_count() > 2) continue;
+        problem.notes.push_back(
+            fmt::format("input.{}: nothing uses it; expressions of t read it by its name", input->name()));
+    }
+}
+
+// The deck of a tree that has its overrides, with one to resume, if any: a key that must not differ is a
+// fault. Throws with `faults` and those of the first phase that finds some.
+Problem build_overridden(const DeckNode& tree,
+                         const DeckSource& source,
+                         const std::vector<std::string>& overrides,
+                         const DeckRecord* before,
+                         FaultList& faults) {
     std::vector<MeshRecord> tables;
     const CheckedTable deck = check_with_tables(tree, source.tables, tables, faults);
     faults.throw_if_any();
@@ -256,6 +266,7 @@ Problem build_tree(DeckNode tree,
     faults.throw_if_any();
     Problem problem = build_problem(deck, {source.meshes, source.tables}, faults);
     faults.throw_if_any();
+    note_idle_inputs(problem);
     for (const MeshRecord& table : tables) keep_file(table.file, table.bytes, problem.record.meshes);
     problem.record.name = std::filesystem::path(source.file).filename().string();
     problem.record.text =
@@ -263,6 +274,25 @@ Problem build_tree(DeckNode tree,
     if (!source.is_varied) prepare_sweeps(tree, deck, problem, faults);
     faults.throw_if_any();
     return problem;
+}
+
+// The same of a tree without overrides. Throws with the faults of all phases.
+Problem build_tree(DeckNode tree,
+                   const DeckSource& source,
+                   const std::vector<std::string>& overrides,
+                   const DeckRecord* before) {
+    FaultList faults(source.file, overrides);
+    apply_overrides(overrides, tree, faults);
+    try {
+        return build_overridden(tree, source, overrides, before, faults);
+    } catch (const DeckError& error) {
+        if (source.is_varied) throw;
+        const auto build = [&](const DeckNode& rest) {
+            FaultList further(source.file, overrides);
+            build_overridden(rest, source, overrides, before, further);
+        };
+        throw DeckError(find_further_faults(error.faults, std::move(tree), build));
+    }
 }
 
 Problem read_source(const DeckSource& source,

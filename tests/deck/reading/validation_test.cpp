@@ -224,6 +224,7 @@ x.toml:6:15: rod.r.line.to: expected an array of 3 numbers or expressions, found
 x.toml:6:34: rod.r.line.from[1]: expected a number or an expression, found a boolean
 x.toml:6:40: rod.r.line.from[2]: "1/0": the value is inf, not a finite number
 x.toml:8:1: body.b.mas: unknown key; did you mean "mass"?
+x.toml:9:11: body.b.inertia: expected principal moments that are not negative, found -1, 1, 1
 x.toml:10:1: load[0]: missing; expected force or moment
 x.toml:14:1: analysis.end_time: kind "static" does not use this key; it is for dynamic, quasi-static
 x.toml:14:12: analysis.end_time: expected a number greater than 0, found -1)");
