@@ -192,10 +192,9 @@ std::optional<Eigen::VectorXd> find_limit_rate(PathContext& work) {
     const double parameter = work.state.time;
     if (!factorize_tangent(work, parameter)) return std::nullopt;
     const std::vector<double>& values = work.workspace.values;
-    const Eigen::VectorXd of_load = compute_other_gradient(
-        system, *work.limit_load_factor, parameter, work.workspace.residual, values, work.state);
-    const Eigen::VectorXd of_parameter =
-        compute_load_gradient(system, parameter, work.workspace.residual, values, work.state);
+    const Eigen::VectorXd of_load =
+        compute_other_gradient(system, *work.limit_load_factor, parameter, values, work.state);
+    const Eigen::VectorXd of_parameter = compute_load_gradient(system, parameter, values, work.state);
     const Eigen::VectorXd kernel = find_kernel(work);
     if (kernel.size() == 0) return std::nullopt;
     constexpr double least_part = 1e-6;  // of the loads' size: below, the tangent is singular by symmetry

@@ -85,8 +85,7 @@ EquilibriumReport PathAnalysis::find_first_direction() {
     EquilibriumReport report;
     compute_consistent_tangent(system_, *integrator_, state_.time, workspace_, state_);
     if (!factorize(system_, workspace_, report)) return report;
-    Eigen::VectorXd rate =
-        -compute_load_gradient(system_, state_.time, workspace_.residual, workspace_.values, state_);
+    Eigen::VectorXd rate = -compute_load_gradient(system_, state_.time, workspace_.values, state_);
     workspace_.linear_solver->solve(rate);
     if (!rate.allFinite()) {
         report.outcome = Outcome::not_finite;

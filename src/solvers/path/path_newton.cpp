@@ -97,17 +97,13 @@ class PathNewton {
         const Eigen::Index count = system_.equations().count();
         Borders borders{
             Eigen::MatrixXd(count, size), Eigen::MatrixXd(count, size), Eigen::MatrixXd::Zero(size, size)};
-        borders.columns.col(0) = compute_load_gradient(
-            system_, solution_.load_factor, workspace_.residual, workspace_.values, state_);
+        borders.columns.col(0) =
+            compute_load_gradient(system_, solution_.load_factor, workspace_.values, state_);
         for (std::size_t i = 0; i < problem_.disturbances.size(); ++i)
             borders.columns.col(static_cast<Eigen::Index>(i) + 1) = problem_.disturbances[i];
         if (problem_.other_factor != nullptr)
-            borders.columns.col(size - 1) = compute_other_gradient(system_,
-                                                                   *problem_.other_factor,
-                                                                   solution_.load_factor,
-                                                                   workspace_.residual,
-                                                                   workspace_.values,
-                                                                   state_);
+            borders.columns.col(size - 1) = compute_other_gradient(
+                system_, *problem_.other_factor, solution_.load_factor, workspace_.values, state_);
         for (Eigen::Index i = 0; i < size; ++i) {
             borders.rows.col(i) = problem_.rows[static_cast<std::size_t>(i)].u;
             borders.corner(i, 0) = problem_.rows[static_cast<std::size_t>(i)].load;
@@ -135,6 +131,7 @@ class PathNewton {
     bool apply(const PathVector& increment, const Eigen::VectorXd& amplitudes) {
         const PhaseTimer timer(workspace_.seconds.update);
         solution_.load_factor += increment.load;
+        state_.trial_time = solution_.load_factor;
         solution_.amplitudes += amplitudes;
         if (problem_.other_factor != nullptr) {
             *problem_.other_factor += amplitudes[amplitudes.size() - 1];
@@ -205,6 +202,19 @@ namespace {
 
 constexpr double gradient_difference = 1e-5;
 
+// How the residual of the trial motions changes where only what acts on them changes, over the difference.
+// Supports stay where they are.
+Eigen::VectorXd compare_residuals(const System& system,
+                                  const Residual& here,
+                                  Residual there,
+                                  const std::vector<double>& values) {
+    for (std::size_t i = 0; i < here.nodal.size(); ++i)
+        there.nodal[i] = (there.nodal[i] - here.nodal[i]) / gradient_difference;
+    for (std::size_t i = 0; i < here.rows.size(); ++i)
+        there.rows[i] = (there.rows[i] - here.rows[i]) / gradient_difference;
+    return gather_residual(system, there, values);
+}
+
 // ∂R/∂t of supports that move, from where they are at a load factor that is further by the difference. Stiff
 // elements answer nonlinearly even to that; so by a part of it, to both sides.
 Eigen::VectorXd compute_support_gradient(const System& system,
@@ -221,67 +231,40 @@ Eigen::VectorXd compute_support_gradient(const System& system,
     return 0.5 / gradient_difference * sum;
 }
 
-// What the motors and drives of joints add to ∂R/∂λ.
-void add_motor_gradient(const System& system,
-                        double load_factor,
-                        double further,
-                        const std::vector<double>& values,
-                        const State& state,
-                        Eigen::VectorXd& gradient) {
-    const JointAssembly& joints = system.joints();
-    if (joints.empty()) return;
-    Residual here, there;
-    for (auto [residual, time] : {std::pair(&here, load_factor), std::pair(&there, further)}) {
-        residual->nodal.assign(state.trial.size(), Vec6::Zero());
-        joints.compute_rows(state, time, {}, residual->rows);
-        joints.add_forces(state, time, ConstraintLevel::position, system.scale_groups(), *residual);
-    }
-    for (std::size_t i = 0; i < here.rows.size(); ++i)
-        there.rows[i] = (there.rows[i] - here.rows[i]) / gradient_difference;
-    for (std::size_t i = 0; i < here.nodal.size(); ++i)
-        there.nodal[i] = (there.nodal[i] - here.nodal[i]) / gradient_difference;
-    gradient += gather_residual(system, there, values);
-}
-
-Eigen::VectorXd gather_gradient(const System& system,
-                                std::vector<Vec6> forces,
-                                const std::vector<Vec6>& further) {
-    for (std::size_t i = 0; i < forces.size(); ++i)
-        forces[i] = (forces[i] - further[i]) / gradient_difference;
-    return gather(forces, system.equations(), system.team());
-}
-
 }  // namespace
 
 Eigen::VectorXd compute_load_gradient(const System& system,
                                       double load_factor,
-                                      const Residual& residual,
                                       const std::vector<double>& values,
                                       const State& state) {
-    // Of what grows with the load factor, it is exact.
+    // The difference is exact for what grows with the load factor.
     const double further = load_factor + gradient_difference;
-    Eigen::VectorXd result = gather_gradient(
-        system, system.compute_load_forces(state, load_factor), system.compute_load_forces(state, further));
-    add_motor_gradient(system, load_factor, further, values, state, result);
+    Residual here, there;
+    system.compute_residual(state, load_factor, here);
+    system.compute_residual(state, further, there);
+    Eigen::VectorXd result = compare_residuals(system, here, std::move(there), values);
     if (!system.supports().move()) return result;
-    return result + compute_support_gradient(system, further, load_factor, residual, values, state);
+    return result + compute_support_gradient(system, further, load_factor, here, values, state);
 }
 
 Eigen::VectorXd compute_other_gradient(const System& system,
                                        double& other_factor,
                                        double load_factor,
-                                       const Residual& residual,
                                        const std::vector<double>& values,
                                        const State& state) {
-    const std::vector<Vec6> forces = system.compute_load_forces(state, load_factor);
-    const double here = other_factor;
-    other_factor = here + gradient_difference;
+    Residual here, there;
+    system.compute_residual(state, load_factor, here);
+    const double kept = other_factor;
+    other_factor = kept + gradient_difference;
     system.forget_loads();
-    Eigen::VectorXd result = gather_gradient(system, forces, system.compute_load_forces(state, load_factor));
-    // The loads' own change cancels in it.
+    system.compute_residual(state, load_factor, there);
+    // Supports move from where they are in loads that have changed already.
+    Eigen::VectorXd moved;
     if (system.supports().move())
-        result += compute_support_gradient(system, load_factor, load_factor, residual, values, state);
-    other_factor = here;
+        moved = compute_support_gradient(system, load_factor, load_factor, there, values, state);
+    Eigen::VectorXd result = compare_residuals(system, here, std::move(there), values);
+    if (moved.size() > 0) result += moved;
+    other_factor = kept;
     system.forget_loads();
     return result;
 }

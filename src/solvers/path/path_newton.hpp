@@ -45,15 +45,13 @@ EquilibriumReport solve_path_equilibrium(const System& system,
 Eigen::VectorXd compute_other_gradient(const System& system,
                                        double& other_factor,
                                        double load_factor,
-                                       const Residual& residual,
                                        const std::vector<double>& values,
                                        const State& state);
 
-// ∂R/∂λ of the trial motions, supports and joints that move included, from their residual and the values of
-// their tangent.
+// ∂R/∂λ of the trial motions by all that acts on them, within sections and in joints too, and by supports
+// that move; from the values of their tangent.
 Eigen::VectorXd compute_load_gradient(const System& system,
                                       double load_factor,
-                                      const Residual& residual,
                                       const std::vector<double>& values,
                                       const State& state);
 

@@ -30,13 +30,12 @@ std::optional<PathTangent> compute_path_tangent(const System& system,
     EquilibriumReport report;
     if (!factorize(system, workspace, report)) return std::nullopt;
     const PathVector row = metric.row(along);
-    const BorderedSolve bordered(
-        *workspace.linear_solver,
-        system.pattern(),
-        workspace.values,
-        {compute_load_gradient(system, load_factor, workspace.residual, workspace.values, state),
-         row.u,
-         Eigen::MatrixXd::Constant(1, 1, row.load)});
+    const BorderedSolve bordered(*workspace.linear_solver,
+                                 system.pattern(),
+                                 workspace.values,
+                                 {compute_load_gradient(system, load_factor, workspace.values, state),
+                                  row.u,
+                                  Eigen::MatrixXd::Constant(1, 1, row.load)});
     const BorderedVector solved =
         bordered.solve_refined({Eigen::VectorXd::Zero(row.u.size()), Eigen::VectorXd::Ones(1)});
     PathVector direction{solved.x, solved.y[0]};
