@@ -31,6 +31,8 @@ const char* name_of(Outcome outcome) {
             return "velocities could not be made to fit the joints";
         case Outcome::control_turned:
             return "the displacement that controls the path was about to turn back";
+        case Outcome::path_crawls:
+            return "the path crawled";
         case Outcome::lost_stability:
             return "the equilibrium was less stable than the one before";
     }

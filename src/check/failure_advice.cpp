@@ -115,6 +115,8 @@ std::string describe_outcome(const Failure& failure) {
                 failure.joint_gap);
         case Outcome::control_turned:
             return "the displacement or rotation that controls the path turns back here";
+        case Outcome::path_crawls:
+            return "the path crawls: each of its last steps was shorter than a thousandth of its longest one";
         case Outcome::lost_stability:
             return "the equilibrium found is less stable than the one before" + at;
     }
@@ -173,6 +175,11 @@ std::vector<std::string> advise(const Failure& failure) {
             break;
         case Outcome::control_turned:
             advice.push_back("a path without control: its arc length goes on where displacements turn back");
+            break;
+        case Outcome::path_crawls:
+            advice.push_back("a look at functions of t with a kink or a jump there");
+            advice.push_back("a smaller newton.tolerance");
+            advice.push_back("until.steps, which ends the path where it is");
             break;
         case Outcome::lost_stability:
             advice.push_back(shorter_steps(failure));

@@ -28,6 +28,7 @@ enum class Outcome {
     energy_out_of_reach,  // no moderate scaling of the vibrations' rates gives the energy that is due
     joints_open,          // joints cannot be closed, or velocities do not fit them
     control_turned,       // the displacement that controls a path turns back
+    path_crawls,          // a path's steps stay short compared with those that it took before
     lost_stability        // the step is good, but shorter ones seek what it may have passed: a stable
                           // equilibrium, or, on a path, a bend or critical points
 };

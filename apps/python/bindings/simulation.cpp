@@ -55,6 +55,8 @@ const char* name_of(Outcome outcome) {
             return "joints open";
         case Outcome::control_turned:
             return "control turned";
+        case Outcome::path_crawls:
+            return "path crawls";
         case Outcome::lost_stability:
             return "lost stability";
         default:

@@ -16,6 +16,9 @@ NewtonSettings choose_path_newton(const Model& model, const PathSettings& settin
     return choose_newton(model, as_static);
 }
 
+// Of the model's length: two places that are nearer are one.
+constexpr double at_origin = 1e-5;
+
 int sign_of(double value) { return value < 0.0 ? -1 : 1; }
 
 }  // namespace
@@ -68,17 +71,22 @@ EquilibriumReport PathAnalysis::solve_trial() {
     if (branch_) return solve_branch_trial();
     // The tangent gives no direction.
     if (!symmetry_.empty()) throw std::runtime_error(symmetry_);
+    if (sequence().is_crawling()) {
+        EquilibriumReport report;
+        report.outcome = Outcome::path_crawls;
+        return report;
+    }
     restore_limit_load();
     PathContext search = settings_.limit_load_factor ? exact_work() : work();
-    const PathVector row = control_ ? *control_ : metric_.row(tangent_);
-    EquilibriumReport report = solve_path_step(search, trial_.step * tangent_, row, trial_);
+    EquilibriumReport report = solve_path_step(search, trial_.step * tangent_, step_row(), trial_);
     if (control_ && !report.converged() && control_rate(tangent_) < slow * largest_control_rate_)
         report.outcome = Outcome::control_turned;
     return report;
 }
 
 EquilibriumReport PathAnalysis::solve_branch_trial() {
-    PathContext search = work();
+    // The shape resists hardly at all there, so that little residual is a long way.
+    PathContext search = exact_work();
     EquilibriumReport report;
     const std::optional<PathTrial> found = step_on_branch(search, *branch_, steps_->time_step());
     report.iterations = search.iterations;
@@ -99,6 +107,12 @@ void PathAnalysis::judge_equilibrium(EquilibriumReport& report) {
     if (!report.converged()) restore_limit_load();
 }
 
+bool PathAnalysis::hit_target(PathContext& search, PathTrial& trial) const {
+    // Along limit points directions are those of chords, which say nothing of how a step bends.
+    const PathVector& direction = settings_.limit_load_factor ? trial.direction : tangent_;
+    return targets_.hit(search, {direction, step_row(), sequence().is_short()}, trial);
+}
+
 void PathAnalysis::judge_trial(EquilibriumReport& report) {
     const double cosine = metric_.multiply(trial_.direction, tangent_);
     const bool can_shorten = !sequence().is_shortest();
@@ -109,7 +123,7 @@ void PathAnalysis::judge_trial(EquilibriumReport& report) {
     PathContext search = settings_.limit_load_factor ? exact_work() : work();
     const double whole = trial_.step;
     const int effort = trial_.effort;
-    if (!branch_ && !targets_.hit(search, trial_)) {
+    if (!branch_ && !hit_target(search, trial_)) {
         report.outcome = Outcome::lost_stability;
         return;
     }
@@ -139,19 +153,29 @@ void PathAnalysis::count_pivots(EquilibriumReport& report) {
     trial_.direction = exact->direction;
     trial_sense_ = sign_of(trial_.direction.load);
     trial_.pivots = exact->negative_pivots;
-    if (trial_.pivots < 0)
+    if (trial_.pivots != pivots_)
         trial_.pivots =
             counter_.count(*integrator_, {0, state_.time, 0.0, trial_.load_factor}, workspace_, state_);
 }
 
-// A loop begins and ends at the same bifurcation.
-bool PathAnalysis::is_closed() const {
-    constexpr double close = 1e-5;
-    if (origin_.empty() || points_.empty() || points_.back().step != steps_->steps_done() + 1) return false;
+// By how far the farthest node of the trial is from where it was where the branch began, of the model's
+// length.
+double PathAnalysis::distance_from_origin() const {
     double farthest = 0.0;
     for (std::size_t i = 0; i < origin_.size(); ++i)
         farthest = std::max(farthest, (origin_[i].r - state_.trial[i].r).norm());
-    return farthest < close * system_.length_scale();
+    return farthest / system_.length_scale();
+}
+
+// Until a branch has left the bifurcation at which it begins, what softens there is that one.
+bool PathAnalysis::is_still_at_origin() const {
+    return !origin_.empty() && !has_left_origin_ && distance_from_origin() < at_origin;
+}
+
+// A loop begins and ends at the same bifurcation.
+bool PathAnalysis::is_closed() const {
+    if (!has_left_origin_ || points_.empty() || points_.back().step != steps_->steps_done() + 1) return false;
+    return distance_from_origin() < at_origin;
 }
 
 void PathAnalysis::note_equilibrium() {
@@ -171,6 +195,7 @@ void PathAnalysis::note_equilibrium() {
         trial_branches_.clear();
     }
     const bool is_back = is_closed();
+    if (!origin_.empty() && distance_from_origin() >= at_origin) has_left_origin_ = true;
     note_progress(trial_.load_factor);
     if (is_back || (!origin_.empty() && !symmetry_.empty())) sequence().finish();
 }

@@ -32,7 +32,7 @@ class PathAnalysis : public SteppedAnalysis {
     const PathMetric& metric() const { return metric_; }
     // The critical points of this run of it.
     std::vector<std::string> list_findings() const override;
-    bool is_unstable() const override { return pivots_ > 0; }
+    bool is_unstable() const override { return has_potential_ && pivots_ > 0; }
 
   protected:
     EquilibriumReport solve_trial() override;
@@ -41,6 +41,7 @@ class PathAnalysis : public SteppedAnalysis {
     void judge_equilibrium(EquilibriumReport& report) override;
     void note_equilibrium() override;
     std::int64_t accepted_pivots() const override { return pivots_; }
+    std::int64_t counted_pivots() const override { return has_potential_ ? pivots_ : -1; }
     void resume_pivots(std::int64_t pivots) override { pivots_ = pivots; }
     void remember(RestartRecord& record) const override;
     void recall(const RestartRecord& record) override;
@@ -50,6 +51,7 @@ class PathAnalysis : public SteppedAnalysis {
     // Of a more exact search.
     PathContext exact_work();
     PathSequence& sequence() { return static_cast<PathSequence&>(*steps_); }
+    const PathSequence& sequence() const { return static_cast<const PathSequence&>(*steps_); }
     // The path's first direction, at the start; and what follows from how the unknowns follow the load
     // factor.
     EquilibriumReport find_first_direction();
@@ -58,6 +60,9 @@ class PathAnalysis : public SteppedAnalysis {
     void set_first_direction(const Eigen::VectorXd& rate);
     EquilibriumReport start_at_limit();
     EquilibriumReport solve_branch_trial();
+    PathVector step_row() const { return control_ ? *control_ : metric_.row(tangent_); }
+    // False if the step to this trial passes a target that was not found; else it ends on the first of them.
+    bool hit_target(PathContext& search, PathTrial& trial) const;
     // How the controlling displacement changes along a direction.
     double control_rate(const PathVector& direction) const;
     void judge_trial(EquilibriumReport& report);
@@ -70,6 +75,8 @@ class PathAnalysis : public SteppedAnalysis {
     void look_for_symmetry();
     // How far it is from what ends it, and whether it is there.
     void note_progress(double load_factor);
+    double distance_from_origin() const;
+    bool is_still_at_origin() const;
     // Whether a branch has come back to where it began.
     bool is_closed() const;
     // Which critical points the step has passed; false if a shorter step has to find out.
@@ -90,6 +97,7 @@ class PathAnalysis : public SteppedAnalysis {
     bool has_potential_;
     std::optional<BranchStart> branch_;  // until its first step is taken
     std::vector<NodeMotion> origin_;     // of a branch
+    bool has_left_origin_ = false;       // by more than round-off
     // At the last accepted equilibrium.
     PathVector tangent_;
     std::int64_t pivots_ = -1;

@@ -21,13 +21,29 @@ bool PathAnalysis::look_for_critical_points() {
     if (!turns && change == 0) return true;
     if (settings_.critical == CriticalSearch::locate) {
         const PathTrial end = trial_;
-        if (keep(locate(turns, change))) return true;
-        if (!sequence().is_short()) return false;
+        const std::optional<LocatedPoint> located = locate(turns, change);
+        const bool is_origin = located && !turns && is_still_at_origin();
+        if (located && !is_origin && !branch_) {
+            // The step to the point bends as none of its ends shows.
+            PathTrial before = located->trial;
+            PathContext search = exact_work();
+            if (!hit_target(search, before)) return false;
+            if (before.step != located->trial.step) {
+                trial_ = before;
+                trial_.pivots = pivots_;
+                trial_sense_ = sense_;
+                sequence().end_at(trial_.step);
+                return true;
+            }
+        }
+        if (!is_origin && keep(located)) return true;
+        if (!is_origin && !sequence().is_short()) return false;
         // Back to where the step ended.
         PathContext search = exact_work();
         if (!solve_path_step(search, end.step * tangent_, metric_.row(tangent_), trial_).converged())
             return false;
         trial_ = end;
+        if (is_origin) return true;
     }
     keep_unlocated(turns ? CriticalKind::limit : crossing_kind(),
                    std::max(1, static_cast<int>(std::abs(change))));
@@ -75,7 +91,7 @@ bool PathAnalysis::keep(const std::optional<LocatedPoint>& located) {
     describe(point, located->kernel);
     trial_point_ = std::move(point);
     if (!located->turns && located->multiplicity == 1) {
-        PathContext search = work();
+        PathContext search = exact_work();
         FoundBranches found = find_branches(search, *located, pivots_, settings_);
         for (BranchStart& start : found.starts) start.point = points_.size();
         trial_point_->branching = found.branching;

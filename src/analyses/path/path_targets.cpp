@@ -58,7 +58,9 @@ double PathTargets::value_of(const PathTarget& target, const NodeMotion* motion,
     return motion->r[target.component] - reference[target.component];
 }
 
-std::optional<PathTargets::Hit> PathTargets::find_first(const PathContext& work, double load_factor) const {
+std::optional<PathTargets::Hit> PathTargets::find_first(const PathContext& work,
+                                                        const PathCurve& curve,
+                                                        double load_factor) const {
     std::optional<Hit> first;
     for (const PathTarget& target : targets_) {
         const auto motion_in = [&](const std::vector<NodeMotion>& motions) {
@@ -66,31 +68,48 @@ std::optional<PathTargets::Hit> PathTargets::find_first(const PathContext& work,
         };
         const double from = value_of(target, motion_in(work.state.previous), work.state.time);
         const double to = value_of(target, motion_in(work.state.trial), load_factor);
+        const PathVector row = row_of(target);
         for (const double value : target.values) {
             const double scale = target.node < 0 ? std::max(1.0, std::abs(value)) : system_->length_scale();
-            if (std::abs(value - from) <= close * scale || (value - from) * (value - to) > 0.0) continue;
-            const double part = (value - from) / (to - from);
-            if (!first || part < first->part) first = Hit{&target, part};
+            // At its end the step is there.
+            if (std::abs(value - to) <= close * scale && std::abs(value - from) > close * scale) {
+                if (!first) first = Hit{&target, value - from, 1.0, true};
+                continue;
+            }
+            const std::optional<double> part = curve.find_first(row, value - from, close * scale);
+            if (part && (!first || *part < first->part))
+                first = Hit{&target, value - from, *part, (value - from) * (value - to) < 0.0};
         }
     }
     return first;
 }
 
-bool PathTargets::hit(PathContext& work, PathTrial& trial) const {
-    const std::optional<Hit> first = find_first(work, trial.load_factor);
-    if (!first) return true;
-    // The part of the chord; the row's value is then right, since displacements and load factors add.
-    PathVector prediction =
-        first->part * PathVector{compute_step(work.system, work.state), trial.load_factor - work.state.time};
+bool PathTargets::hit(PathContext& work, const Step& step, PathTrial& trial) const {
+    // Of the way to where it is looked for, how far from there another solution is.
+    constexpr double near = 0.25;
+    const PathVector whole{compute_step(work.system, work.state), trial.load_factor - work.state.time};
+    const PathCurve curve(step.direction, whole, trial.direction, step.row);
+    const std::optional<Hit> first = find_first(work, curve, trial.load_factor);
+    if (!first || first->part == 1.0) return true;
+    const PathVector row = row_of(*first->target);
+    PathVector prediction = curve.at(first->part);
+    // The value of the target's row: displacements and load factors add, and no further increment changes it.
+    const double rest = first->value - row.u.dot(prediction.u) - row.load * prediction.load;
+    prediction = prediction + rest * row;
     PathTrial found;
-    if (!solve_path_step(work, prediction, row_of(*first->target), found).converged()) return false;
-    const PathVector movement{compute_step(work.system, work.state), found.load_factor - work.state.time};
-    const double step = work.metric.norm(movement);
-    // Another solution than the one within the step.
-    if (step > trial.step * 1.2) return false;
-    found.step = step;
-    trial = found;
-    return true;
+    bool is_there = solve_path_step(work, prediction, row, found).converged();
+    if (is_there) {
+        const PathVector movement{compute_step(work.system, work.state), found.load_factor - work.state.time};
+        found.step = work.metric.norm(movement);
+        is_there = work.metric.norm(movement + -1.0 * prediction) <= near * trial.step;
+    }
+    if (is_there) {
+        trial = found;
+        return true;
+    }
+    if (first->is_between || !step.is_short) return false;
+    // The value turned back before it was there.
+    return solve_path_step(work, whole, step.row, found).converged();
 }
 
 bool PathTargets::is_end(const std::vector<NodeMotion>& motions, double load_factor) const {

@@ -14,6 +14,11 @@ double compute_growth(int iterations) {
     return std::clamp(std::pow(goal / std::max(iterations, 1), exponent), 0.5, 2.0);
 }
 
+// Of the longest step, below which one is short; and how many in a row make a path crawl. Together they are
+// not as long as a fifth of the longest.
+constexpr double short_part = 1e-3;
+constexpr long most_short_steps = 200;
+
 }  // namespace
 
 PathSequence::PathSequence(const PathSettings& settings) : settings_(settings) {
@@ -39,7 +44,12 @@ void PathSequence::end_at(double step) {
     is_cut_ = true;
 }
 
+bool PathSequence::is_crawling() const { return !settings_.steps && short_steps_ >= most_short_steps; }
+
 void PathSequence::accept() {
+    longest_ = std::max(longest_, step_);
+    // Steps that end at what was asked for are as short as that has it.
+    if (!is_cut_) short_steps_ = step_ < short_part * longest_ ? short_steps_ + 1 : 0;
     const bool is_end = settings_.arc && !is_cut_ && arc_ + step_ >= *settings_.arc;
     arc_ = is_end ? *settings_.arc : arc_ + step_;
     ++accepted_;
@@ -52,7 +62,7 @@ void PathSequence::accept() {
 
 bool PathSequence::reject() {
     is_cut_ = false;
-    has_failed_ = step_ <= settings_.min_step;
+    has_failed_ = step_ <= settings_.min_step || is_crawling();
     if (!has_failed_) plan(0.5 * step_);
     return !has_failed_;
 }

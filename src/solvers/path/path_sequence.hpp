@@ -28,6 +28,9 @@ class PathSequence : public StepSequence {
 
     // The first step, where the settings leave it open.
     void start(double step);
+    // Whether the last steps, many of them, were all short compared with the longest one. A path whose number
+    // of steps is given may take them.
+    bool is_crawling() const;
     // Whether the next step cannot be cut; and whether that is no use to find out what happens within it, for
     // it is short compared with what was tried first.
     bool is_shortest() const { return planned_ <= 2.0 * settings_.min_step; }
@@ -49,6 +52,8 @@ class PathSequence : public StepSequence {
     double step_ = 0.0;
     double planned_ = 0.0;
     double first_tried_ = 0.0;  // since the last accepted step
+    double longest_ = 0.0;      // of the accepted steps
+    long short_steps_ = 0;      // the last accepted ones that were short compared with it
     int iterations_ = 0;
     std::int64_t accepted_ = 0;
     bool is_marked_ = true;  // whether the accepted point was asked for
