@@ -7,8 +7,11 @@
 #include <limits>
 
 #include "assembly/contact/contact_assembly.hpp"
+#include "assembly/scatter.hpp"
 #include "check/direction_words.hpp"
+#include "linear/scalar_pivots.hpp"
 #include "model/contact_friction.hpp"
+#include "solvers/path/soft_modes.hpp"
 
 namespace gxrod {
 
@@ -125,8 +128,47 @@ std::int64_t PivotCounter::count(const Integrator& integrator,
         return chains_->factorize(workspace.values);
     };
     // Each multiplier of a joint adds one.
+    const std::int64_t multipliers = system_->equations().attached_count();
     const std::int64_t count = factorize().negative_pivots;
-    return count < 0 ? count : count - system_->equations().attached_count();
+    if (count <= multipliers) return count < 0 ? count : 0;
+    const std::vector<double>& values = paired_ ? paired_->assemble() : workspace.values;
+    const SparsePattern& pattern = paired_ ? paired_->pattern() : system_->pattern();
+    const std::int64_t exact = has_potential_ ? count_negative_pivots(pattern, values) : -1;
+    const std::int64_t negative = (exact < 0 ? count : exact) - multipliers;
+    if (negative <= 0 || multipliers > 0) return std::max<std::int64_t>(negative, 0);
+    return negative - count_neutral(pattern, values, workspace.residual, static_cast<int>(negative));
+}
+
+// Shapes that resist so little that neither round-off nor what Newton's method leaves out of balance tells
+// their sign: a line that can spin about itself, say. If forces r are out of balance, K times a turn of all
+// nodes is the turned r instead of zero.
+std::int64_t PivotCounter::count_neutral(const SparsePattern& pattern,
+                                         const std::vector<double>& values,
+                                         const Residual& residual,
+                                         int count) const {
+    constexpr double safety = 10.0;
+    const EquationNumbers& equations = system_->equations();
+    const double length = system_->length_scale();
+    Eigen::VectorXd weights(pattern.size());
+    for (std::int64_t i = 0; i < pattern.size(); ++i)
+        weights[i] = equations.unknown(i).component < 3 ? 1.0 / (length * length) : 1.0;
+    const std::unique_ptr<LinearSolver> solver = make_general_solver(pattern);
+    if (!solver->factorize(values).regular) return count;
+    const SoftModes modes = find_soft_modes(*solver, pattern, values, weights, count, has_potential_);
+    const Eigen::VectorXd rest = gather(residual.nodal, equations, system_->team());
+    const double out_of_balance =
+        rest.cwiseQuotient(weights.cwiseSqrt()).norm();  // moments, and forces times length
+    std::int64_t neutral = 0;
+    for (Eigen::Index k = 0; k < modes.values.size(); ++k) {
+        double terms = 0.0;  // what cancels in xᵀ K x
+        pattern.visit_entries([&](std::int64_t i, std::int64_t j, std::int64_t slot) {
+            terms +=
+                std::abs(modes.vectors(i, k) * values[static_cast<std::size_t>(slot)] * modes.vectors(j, k));
+        });
+        const double unknown = rounding * terms + safety * out_of_balance;
+        if (std::abs(modes.values[k]) <= unknown) ++neutral;
+    }
+    return std::min<std::int64_t>(neutral, count);
 }
 
 std::string PivotCounter::describe_shape(const Integrator& integrator,

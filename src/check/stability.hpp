@@ -31,11 +31,12 @@ std::string find_load_without_potential(const Model& model);
 class PivotCounter {
   public:
     // The system must outlive it.
-    explicit PivotCounter(const System& system) : system_(&system) {}
+    explicit PivotCounter(const System& system)
+        : system_(&system), has_potential_(find_load_without_potential(system.model()).empty()) {}
 
-    // Of the consistent tangent of the trial motions at the load factor of `stage`, or −1 if a pivot
-    // vanishes. What round-off alone makes negative does not count: the diagonal is raised by 100 units of
-    // rounding.
+    // Of the consistent tangent of the trial motions, whose residual the workspace has, at the load factor of
+    // `stage`, or −1 if a pivot vanishes. What round-off alone makes negative does not count: the diagonal is
+    // raised by 100 units of rounding, and shapes are left out whose stiffness it hides.
     std::int64_t count(const Integrator& integrator,
                        const Stage& stage,
                        SolverWorkspace& workspace,
@@ -55,7 +56,13 @@ class PivotCounter {
                          State& state,
                          double round_off);
 
+    std::int64_t count_neutral(const SparsePattern& pattern,
+                               const std::vector<double>& values,
+                               const Residual& residual,
+                               int count) const;
+
     const System* system_;
+    bool has_potential_;
     std::unique_ptr<LinearSolver>
         chains_;  // where the run's solver exchanges rows; none before the first use
     std::unique_ptr<PairedMatrix> paired_;  // where rods touch each other; none before the first use
