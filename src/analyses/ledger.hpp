@@ -6,6 +6,7 @@
 #include "assembly/system.hpp"
 #include "integrators/integrator.hpp"
 #include "solvers/equilibrium.hpp"
+#include "state/energy_jump.hpp"
 #include "state/restart_record.hpp"
 #include "state/step_record.hpp"
 
@@ -54,6 +55,8 @@ class Ledger {
     // committed, that only equilibria in between show whether the structure jumped; and the ends of the
     // step, to look for these, and the work that they make of it.
     bool is_unclear() const;
+    // Whether the last load step has released what a start that is not in equilibrium held back.
+    bool has_released() const { return release_ > energy_worth_a_word * largest_energy_; }
     struct LoadStepEnds {
         const std::vector<Vec6>& forces_before;
         const std::vector<Vec6>& forces_after;
@@ -109,7 +112,10 @@ class Ledger {
     double largest_energy_before_ = 0.0;
     double largest_energy_ = 0.0;  // in statics: strain energy or work
     StepWork step_work_;           // of the last load step
-    double work_before_ = 0.0;     // of loads and moving supports, before that step
+    std::vector<Vec6>
+        held_;              // what would hold the start where it is, in statics; empty from the first step on
+    double release_ = 0.0;  // how much work that could have done in the last step, if it vanished there
+    double work_before_ = 0.0;  // of loads and moving supports, before that step
     double work_ = 0.0;
     double dissipated_ = 0.0;
     double dissipated_by_scheme_ = 0.0;

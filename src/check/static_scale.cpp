@@ -25,8 +25,10 @@ constexpr int most_times = 50;
 constexpr double largest_strain = 2.0;
 constexpr double largest_displacement = 100.0;
 
-// At rest: what is out of balance are gravity and loads.
+// At rest: what is out of balance are gravity and loads. Obstacles that come nearer push as hard as is
+// needed.
 Model make_resting(Model model) {
+    model.contact = {};
     for (Node& node : model.nodes) {
         node.velocity.setZero();
         node.angular_velocity.setZero();

@@ -228,6 +228,14 @@ EnergySurvey survey_energy(const Hdf5Reader& file, bool is_static, std::size_t s
         const std::vector<double> work = read("/ledger/external_work");
         const std::vector<double> error = read("/ledger/energy_error");
         std::vector<double> times, uncertain, branches(count);
+        // What is stored or lost in addition to the strain energy; files of older versions lack some of it.
+        std::vector<double> others(count);
+        for (const char* name : {"dissipated_energy", "contact_energy", "contact_loss"}) {
+            const std::string column = std::string("/ledger/") + name;
+            if (!finds_jumps || !file.has(column)) continue;
+            const std::vector<double> values = read(column);
+            for (std::size_t i = 0; i < count; ++i) others[i] += values[i];
+        }
         if (file.has(branch_column)) branches = read(branch_column);
         if (finds_jumps) {
             times = read("/histories/time");
@@ -241,7 +249,7 @@ EnergySurvey survey_energy(const Hdf5Reader& file, bool is_static, std::size_t s
                 has_point = false;
                 continue;
             }
-            const EnergyPoint point{times[i], strain[i], work[i], uncertain[i]};
+            const EnergyPoint point{times[i], strain[i] + others[i], work[i], uncertain[i]};
             // The books of a branch start anew.
             const bool has_before = has_point && branches[i] == branch_before;
             const auto jump = has_before ? find_jump(before, point, survey.largest) : std::nullopt;

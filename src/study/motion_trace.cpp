@@ -144,8 +144,9 @@ class Tracer {
 
     // Between equilibria of different branches.
     void watch_jumps(double load_factor, const LedgerRow& ledger, double largest_energy) {
-        const EnergyPoint point{
-            load_factor, ledger.strain_energy, ledger.external_work, ledger.work_uncertainty};
+        const double kept =
+            ledger.strain_energy + ledger.dissipated_energy + ledger.contact_energy + ledger.contact_loss;
+        const EnergyPoint point{load_factor, kept, ledger.external_work, ledger.work_uncertainty};
         if (load_factor > 0.0) {
             const std::optional<EnergyJump> jump = find_jump(last_point_, point, largest_energy);
             if (jump) add_jump(*jump, survey_.jumps);

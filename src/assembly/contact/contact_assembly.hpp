@@ -28,6 +28,7 @@ namespace gxrod {
 struct ContactWork {
     double by_obstacles = 0.0;  // that move, on rods
     double loss = 0.0;          // by impacts and friction
+    double uncertainty = 0.0;   // of both together, in statics
 };
 
 // Contact of rods and bodies with obstacles: forces, their tangent, and how far a motion may go so that

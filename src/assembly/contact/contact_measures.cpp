@@ -61,10 +61,14 @@ ContactWork ContactAssembly::compute_work(const State& state, double time, doubl
                 const Vec3 before =
                     law_force(at, obstacle, p, gap, state).force * found.slope * found.normal +
                     touching.friction.traction;
+                const Vec3 change = force - before;
                 force = 0.5 * (force + before);
                 const Vec3 slip = motion.displacement -
                                   motion.radius * motion.rotation.cross(surface.normal) - surface.drift;
                 slip_work -= 0.5 * place.weight * (after.traction + touching.friction.traction).dot(slip);
+                const Vec3 slipped = after.traction - touching.friction.traction;
+                work.uncertainty +=
+                    0.5 * place.weight * (std::abs(change.dot(surface.drift)) + std::abs(slipped.dot(slip)));
                 const double k = touching.friction.stiffness;
                 if (k > 0.0)
                     slip_work -= 0.5 * place.weight / k *
