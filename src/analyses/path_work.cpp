@@ -27,6 +27,16 @@ LoadStep compute_load_step(const PathPoint& from, const PathPoint& to) {
     return step;
 }
 
+// Half-way, or else where an equilibrium can be found.
+std::optional<PathPoint> find_between(const PathPoint& from, const PathPoint& to, const PathSearch& search) {
+    for (const double part : {0.5, 0.25, 0.75, 0.125}) {
+        std::optional<PathPoint> found =
+            search.find(from, from.load_factor + part * (to.load_factor - from.load_factor));
+        if (found) return found;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 StepWork integrate_path(const PathPoint& from, const PathPoint& to, const PathSearch& search) {
@@ -34,13 +44,18 @@ StepWork integrate_path(const PathPoint& from, const PathPoint& to, const PathSe
     const double imbalance = std::abs(to.strain_energy - from.strain_energy - whole.work);
     // Where work and strain energy agree, there is no uncertainty.
     whole.uncertainty = std::min(whole.uncertainty, imbalance);
-    if (imbalance <= search.tolerable || search.halvings == 0) return whole;
-    const std::optional<PathPoint> middle =
-        search.find(from, from.load_factor + 0.5 * (to.load_factor - from.load_factor));
+    const bool is_hard = to.iterations >= many_iterations;
+    if ((imbalance <= search.tolerable && !is_hard) || search.halvings == 0) return whole;
+    const std::optional<PathPoint> middle = find_between(from, to, search);
     if (!middle) return whole;
     const PathSearch finer{search.find, search.tolerable, search.halvings - 1};
+    PathPoint end = to;
+    if (is_hard) {
+        const std::optional<PathPoint> again = search.find(*middle, to.load_factor);
+        end.iterations = again ? again->iterations : many_iterations;
+    }
     const StepWork first = integrate_path(from, *middle, finer);
-    const StepWork second = integrate_path(*middle, to, finer);
+    const StepWork second = integrate_path(*middle, end, finer);
     return {first.work + second.work, first.uncertainty + second.uncertainty};
 }
 

@@ -18,6 +18,7 @@ struct PathPoint {
     std::vector<Vec6> coordinates;  // of joints
     State state;                    // its trial motions; to continue from: committed there
     double dissipated = 0.0;        // by laws of sections, since the first of both
+    int iterations = 0;             // that it took to find it from the one before
 };
 
 // Finds the equilibrium at a load factor from another one, if it can.
@@ -30,9 +31,13 @@ struct PathSearch {
     int halvings;
 };
 
+// A step that takes as many iterations may jump, whatever the energies at its ends say.
+inline constexpr int many_iterations = 7;
+
 // The work from one equilibrium to another where the trapezoidal rule over all of the step parts too far from
-// the strain energy: the step is halved, and again the half that is not right, as often as `search` admits.
-// What a jump loses stays, since no equilibria in between make it less.
+// the strain energy, or the step took many iterations: the step is halved, and again the half that is not
+// right, as often as `search` admits. What a jump loses stays, since no equilibria in between make it less.
+// Where a jump passes several equilibria, the energies at its ends can agree by accident.
 StepWork integrate_path(const PathPoint& from, const PathPoint& to, const PathSearch& search);
 
 }  // namespace gxrod

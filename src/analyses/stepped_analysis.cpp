@@ -95,7 +95,7 @@ void SteppedAnalysis::accept_start(double time, bool is_loaded) {
     body_values_ = system_.compute_body_surroundings(state_, time);
     system_.commit(state_, time);
     reactions_ = system_.compute_reactions(workspace_.residual);
-    solver_row_.negative_pivots = accepted_pivots();
+    solver_row_.negative_pivots = counted_pivots();
     ledger_ = std::make_unique<Ledger>(system_,
                                        *integrator_,
                                        state_,
@@ -323,7 +323,7 @@ EquilibriumReport SteppedAnalysis::advance() {
     body_values_ = system_.compute_body_surroundings(state_, time);
     keep_step(time);
     ledger_->add_step(state_, {time, steps_->time_step(), workspace_.residual, workspace_.stage_powers});
-    look_into_load_step();
+    look_into_load_step(report.iterations);
     solver_row_.time_step = steps_->time_step();
     solver_row_.newton_iterations = report.iterations;
     solver_row_.residual = report.residual;
@@ -334,7 +334,7 @@ EquilibriumReport SteppedAnalysis::advance() {
         solver_row_.shortened = report.shortened;
     }
     note_equilibrium();
-    solver_row_.negative_pivots = accepted_pivots();
+    solver_row_.negative_pivots = counted_pivots();
     step_start_ = state_.time;
     system_.commit(state_, time);
     steps_->accept();
@@ -351,8 +351,10 @@ std::optional<PathPoint> SteppedAnalysis::find_equilibrium(const PathPoint& from
     const double length = load_factor - from.load_factor;
     PathPoint point{load_factor, 0.0, {}, from.turned, {}, from.state, from.dissipated};
     const Stage stage{0, from.load_factor, length, load_factor};
-    if (!solve_step(system_, *integrator_, newton_, stage, workspace_, point.state).converged())
-        return std::nullopt;
+    const EquilibriumReport report =
+        solve_step(system_, *integrator_, newton_, stage, workspace_, point.state);
+    if (!report.converged()) return std::nullopt;
+    point.iterations = report.iterations;
     for (std::size_t i = 0; i < point.turned.size(); ++i) point.turned[i] += point.state.trial[i].theta;
     point.forces = system_.compute_load_forces(point.state, load_factor);
     system_.add_support_forces(workspace_.residual, point.forces);
@@ -367,9 +369,10 @@ std::optional<PathPoint> SteppedAnalysis::find_equilibrium(const PathPoint& from
 
 // Where work and strain energy part, equilibria between both ends of a load step say why. They are discarded
 // afterwards; if none can be found, or there is no memory for them, the books stay as they are.
-void SteppedAnalysis::look_into_load_step() {
+void SteppedAnalysis::look_into_load_step(int iterations) {
     // Contact stores and loses energy as well, which points of a path do not have.
-    if (!looks_into_load_steps() || system_.contact() || !ledger_->is_unclear()) return;
+    if (!looks_into_load_steps() || system_.contact()) return;
+    if (!ledger_->is_unclear() && (iterations < many_iterations || ledger_->has_released())) return;
     constexpr double tolerable = 0.25 * energy_worth_a_word;
     constexpr int halvings = 8;
     try {
@@ -380,6 +383,7 @@ void SteppedAnalysis::look_into_load_step() {
         from.coordinates =
             system_.joints().compute_coordinates(from.state.trial, from.load_factor, from.state);
         PathPoint to{steps_->next_time(), ends.energy_after, ends.forces_after, from.turned, {}, state_};
+        to.iterations = iterations;
         to.coordinates = system_.joints().compute_coordinates(state_.trial, to.load_factor, state_);
         for (std::size_t i = 0; i < to.turned.size(); ++i) to.turned[i] = state_.trial[i].theta;
         const auto find = [&](const PathPoint& point, double load_factor) {

@@ -126,6 +126,8 @@ class SteppedAnalysis {
     virtual void note_equilibrium() {}
     // Negative pivots of the tangent at the last accepted equilibrium; −1 where none are counted.
     virtual std::int64_t accepted_pivots() const { return -1; }
+    // What results say of them: −1 as well where they do not count unstable shapes.
+    virtual std::int64_t counted_pivots() const { return accepted_pivots(); }
     virtual void resume_pivots(std::int64_t) {}
 
     ThreadTeam team_;
@@ -153,7 +155,7 @@ class SteppedAnalysis {
     // Of the trial motions, if what lies within the step is wanted.
     void keep_step(double time);
     // Of the trial motions, which are the end of a load step.
-    void look_into_load_step();
+    void look_into_load_step(int iterations);
     // Fails the report if the step's estimated error is too large for steps that are chosen by it.
     void check_error(EquilibriumReport& report);
 

@@ -98,3 +98,22 @@ TEST_CASE("moments work along turns of more than a half", "[analyses]") {
     CHECK(integrate_path(turned_by(0.0, 0.0), turned_by(7.0, 2.0), {find, 1e-3, 8}).work == Approx(7.0));
     CHECK(integrate_path(turned_by(1.0, 2.0), turned_by(5.0, 2.0), {find, 1e-3, 8}).work == Approx(8.0));
 }
+
+TEST_CASE("a jump whose energies agree by accident is found where a step takes many iterations",
+          "[analyses]") {
+    // At λ = 0.7 it jumps by 1, which takes the work 0.7; 0.5 of it is kept, which is the mean force times
+    // the way.
+    const TestSpring accident{[](double t) { return t > 0.7 ? 1.0 : 0.0; },
+                              [](double t) { return t > 0.7 ? 0.5 : 0.0; }};
+    const auto find = [&](const PathPoint& from, double load_factor) {
+        PathPoint point = accident.at(load_factor);
+        point.iterations = from.load_factor <= 0.7 && load_factor > 0.7 ? many_iterations : 2;
+        return std::optional(point);
+    };
+    PathPoint end = accident.at(1.0);
+    CHECK(integrate_path(accident.at(0.0), end, {find, 1e-3, 8}).work == 0.5);
+    end.iterations = many_iterations;
+    const StepWork work = integrate_path(accident.at(0.0), end, {find, 1e-3, 8});
+    CHECK(work.work == Approx(0.7).margin(1.0 / 256.0));
+    CHECK(work.uncertainty < 0.01);
+}
