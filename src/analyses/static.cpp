@@ -57,7 +57,8 @@ void StaticAnalysis::judge_equilibrium(EquilibriumReport& report) {
     if (is_last || trial_ != accepted_ || report.iterations <= few) {
         trial_ = as_known(counter_.count(*integrator_, current_stage(), workspace_, state_));
     }
-    if (trial_ < 0) trial_ = accepted_;
+    is_counted_ = trial_ >= 0;
+    if (!is_counted_) trial_ = accepted_;
     // What contact holds may leave a stable branch that ends for one that goes on in a longer step alone.
     const bool can_seek = !system_.contact() && sought_ < most_sought &&
                           steps_->time_step() > nominal_step_ * finest_part * (1.0 + 1e-9);

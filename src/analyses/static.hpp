@@ -22,6 +22,7 @@ class StaticAnalysis : public SteppedAnalysis {
     void judge_equilibrium(EquilibriumReport& report) override;
     void note_equilibrium() override;
     std::int64_t accepted_pivots() const override { return accepted_; }
+    std::int64_t counted_pivots() const override { return has_potential_ && is_counted_ ? accepted_ : -1; }
     void resume_pivots(std::int64_t pivots) override { accepted_ = pivots; }
 
   private:
@@ -32,9 +33,10 @@ class StaticAnalysis : public SteppedAnalysis {
     bool has_potential_;
     std::int64_t trial_ =
         0;  // negative pivots at the trial equilibrium; of det K's sign alone without potential
-    std::int64_t accepted_;  // −1: not counted (any more); with a contrast of stiffness, whose round-off
-                             // makes pivots negative, or where iterations solve
-    int sought_ = 0;         // losses of stability that shorter steps could not avoid
+    std::int64_t accepted_;   // −1: not counted (any more); with a contrast of stiffness, whose round-off
+                              // makes pivots negative, or where iterations solve
+    bool is_counted_ = true;  // whether the last equilibrium's pivots are known
+    int sought_ = 0;          // losses of stability that shorter steps could not avoid
     bool was_unstable_ = false;
     std::vector<StabilityChange> changes_;
 };

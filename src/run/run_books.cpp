@@ -6,7 +6,10 @@
 #include <cmath>
 #include <iterator>
 
+#include "analyses/path/path.hpp"
+#include "analyses/static.hpp"
 #include "check/shape_report.hpp"
+#include "check/stability.hpp"
 #include "model/analysis_traits.hpp"
 #include "model/energy_round_off.hpp"
 #include "model/newton_choice.hpp"
@@ -17,7 +20,7 @@ namespace {
 
 EnergyPoint point_of(const StageSequence& stages, const LedgerRow& ledger) {
     return {stages.axis(),
-            ledger.strain_energy + ledger.dissipated_energy,
+            ledger.strain_energy + ledger.dissipated_energy + ledger.contact_energy + ledger.contact_loss,
             ledger.external_work,
             ledger.work_uncertainty};
 }
@@ -88,8 +91,22 @@ void RunBooks::watch_energy(const StageSequence& stages, const LedgerRow& ledger
 
 void RunBooks::sum_up_stage(const StageSequence& stages, std::int64_t stage_count) {
     const std::string prefix = name_stage(stages, stage_count);
+    note_pivots(stages, prefix);
     sum_up_cuts(stages, prefix);
     compare_errors(stages, prefix);
+}
+
+void RunBooks::note_pivots(const StageSequence& stages, const std::string& prefix) {
+    const SteppedAnalysis& analysis = stages.analysis();
+    const bool counts =
+        dynamic_cast<const StaticAnalysis*>(&analysis) || dynamic_cast<const PathAnalysis*>(&analysis);
+    if (!counts || analysis.steps().steps_done() == 0) return;
+    const std::string cause = find_load_without_potential(stages.model());
+    if (cause.empty()) return;
+    summary_.notes.push_back(fmt::format(
+        "{}{}, so pivots do not show whether equilibria are stable (/solver/negative_pivots is -1, unknown)",
+        prefix,
+        cause));
 }
 
 // Of this part of a run that was resumed.

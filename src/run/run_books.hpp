@@ -41,6 +41,7 @@ class RunBooks {
     std::string join_warnings() const;
 
   private:
+    void note_pivots(const StageSequence& stages, const std::string& prefix);
     void sum_up_cuts(const StageSequence& stages, const std::string& prefix);
     void compare_errors(const StageSequence& stages, const std::string& prefix);
 

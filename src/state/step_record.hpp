@@ -41,8 +41,8 @@ struct SolverRow {
     std::int64_t contacts = 0;
     double least_gap = 0.0;
     int shortened = 0;
-    // Of the tangent at a static equilibrium: unstable shapes, or, where loads have no potential, 1 if its
-    // determinant is negative. −1: not counted.
+    // Of the tangent at a static equilibrium: unstable shapes. −1: not known, as where loads have no
+    // potential.
     std::int64_t negative_pivots = -1;
 };
 

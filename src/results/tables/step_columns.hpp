@@ -86,8 +86,8 @@ inline constexpr std::array<SolverColumn, 8> solver_columns{{
      "1",
      &SolverRow::shortened},
     {"negative_pivots",
-     "negative pivots of the tangent: 0 where the equilibrium is stable; with loads that follow, 1 where the "
-     "tangent's determinant is negative; -1 if not counted",
+     "negative pivots of the tangent: 0 where the equilibrium is stable; -1 where that is unknown, as with "
+     "loads that have no potential",
      "1",
      &SolverRow::negative_pivots,
      true},
