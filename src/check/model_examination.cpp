@@ -1,4 +1,5 @@
 #include "check/model_examination.hpp"
+#include "check/buckling_findings.hpp"
 #include "check/contact_findings.hpp"
 
 #include <fmt/format.h>
@@ -227,8 +228,10 @@ bool any_load(const Model& model) {
     const auto acts = [](const NodalLoad& load) { return load.has_force() || !is_zero(load.moment); };
     const auto is_bent = [](const Rod& rod) { return !rod.starts_free_of_stress(); };
     const auto moves = [](const Support& support) { return support.moved != std::array<bool, 6>{}; };
+    const auto is_moved_obstacle = [](const Obstacle& obstacle) { return obstacle.motion.has_value(); };
     return model.rotation || !model.gravity.is_zero() || is_pushed_by_fluids(model.surroundings) ||
            !model.actuations.empty() || !model.tendons.empty() ||
+           std::ranges::any_of(model.contact.obstacles, is_moved_obstacle) ||
            std::any_of(model.springs.begin(), model.springs.end(), strains) ||
            std::ranges::any_of(model.rods, is_bent) || any_joint_is_moved(model) ||
            std::any_of(model.loads.begin(), model.loads.end(), acts) ||
@@ -272,6 +275,24 @@ void find_odd_bodies(const Model& model, std::vector<Finding>& findings) {
                  moments[1],
                  moments[2],
                  moments[0] + moments[1])});
+    }
+}
+
+// Of stages of buckling, which look at what acts in the last stage with steps before them.
+void examine_buckling(const Model& model,
+                      const std::vector<StagePlan>& stages,
+                      std::vector<Finding>& findings) {
+    Model acting = model;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        if (i > 0 && has_steps(stages[i].analysis)) {
+            acting = model;
+            set_actions(stages[i].actions, acting);
+        }
+        if (!std::holds_alternative<BucklingSettings>(stages[i].analysis)) continue;
+        const std::string reason = find_reason_against_factors(acting);
+        if (reason.empty()) continue;
+        const std::string prefix = stages[i].name.empty() ? "" : "stage " + stages[i].name + ": ";
+        findings.push_back({Severity::error, prefix + reason});
     }
 }
 
@@ -338,6 +359,7 @@ std::vector<Finding> examine_stages(const Model& model, const std::vector<StageP
             findings.push_back(std::move(finding));
         }
     }
+    examine_buckling(model, stages, findings);
     return findings;
 }
 

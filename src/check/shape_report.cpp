@@ -54,6 +54,14 @@ class Lister {
                                      record.load_time,
                                      record.is_complete ? ", and none below (counted)" : ""));
         std::size_t number = 0;
+        constexpr double noticeable = 0.02;
+        if (record.mesh_error > noticeable) {
+            lines_.push_back(fmt::format(
+                "the mesh is coarse for this: the first factor is too high by some {:.2g} %, most "
+                "of it by rod {}; take more elements, or a higher order",
+                100.0 * record.mesh_error,
+                record.coarse_rod));
+        }
         for (const BucklingFactor& one : record.factors)
             add(++number, fmt::format("{:<12.8g} {}", one.factor, one.shape.words));
         end(record.factors.size());
@@ -266,6 +274,14 @@ struct Warner {
 
     static std::string describe_count(const ModesRecord& record) {
         if (record.counted < 0) return "the pivots could not be counted: a mode may be missing";
+        if (record.counted == record.found) {
+            double worst = 0.0;
+            for (const Mode& mode : record.modes) worst = std::max(worst, mode.residual);
+            return fmt::format(
+                "the modes are all that the pivots count, but one of them is known to {:.2g} of its "
+                "squared frequency only",
+                worst);
+        }
         return fmt::format("{} modes were found where the pivots count {}: {} may be missing",
                            record.found,
                            record.counted,

@@ -63,7 +63,9 @@ struct BucklingFactor {
 
 struct BucklingRecord {
     std::string failure;
-    double load_time = 0.0;                // the load that is multiplied is the deck's at this time
+    double mesh_error = 0.0;  // by how much elements make the first factor too large, about, relative
+    std::string coarse_rod;   // whose elements do most of that
+    double load_time = 0.0;   // the load that is multiplied is the deck's at this time
     std::vector<BucklingFactor> factors;   // positive, rising
     std::vector<BucklingFactor> reversed;  // negative, falling: of the load turned round
 

@@ -2,20 +2,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "analyses/shapes/shape_measures.hpp"
 #include "assembly/scatter.hpp"
+#include "check/buckling_findings.hpp"
 #include "check/stability.hpp"
 #include "linear/eigen/smallest_factors.hpp"
+#include "solvers/newton_steps.hpp"
+#include "solvers/trial_moves.hpp"
 
 namespace gxrod {
 
 namespace {
 
+void unload(JointCoordinate& one) {
+    if (one.motion) one.motion = TimeFunction((*one.motion)(0.0));
+    one.drive = TimeFunction();
+    one.rest = TimeFunction(one.rest(0.0));
+}
+
+// Without loads and gravity, and with what moves where it is at t = 0; supports excepted.
 Model make_unloaded(Model model) {
     model.loads.clear();
     model.distributed_loads.clear();
     model.gravity = TimeVector(Vec3::Zero());
+    for (Joint& joint : model.joints) {
+        unload(joint.turn);
+        unload(joint.slide);
+    }
+    for (Sleeve& sleeve : model.sleeves) unload(sleeve.slide);
     return model;
 }
 
@@ -45,18 +61,11 @@ class FactorFinder {
         record_.load_time = load_time_;
         record_.cause = find_load_without_potential(system_.model());
         record_.is_symmetric = record_.cause.empty();
-        if (system_.is_driven() || !system_.model().tendons.empty()) {
-            record_.failure =
-                "the factor would leave out what tendons and actuations do: raise these in a static stage "
-                "with "
-                "small steps, whose stability is counted";
-            return record_;
-        }
+        record_.failure = find_reason_against_factors(system_.model());
+        if (!record_.failure.empty()) return record_;
         std::vector<double> K = compute_tangent(system_, time_, {});
-        if (!solve_for_load(K)) {
-            record_.failure = "the state has no unique change under more load: its tangent has no inverse";
-            return record_;
-        }
+        record_.failure = solve_for_load(K);
+        if (!record_.failure.empty()) return record_;
         std::vector<double> S = compute_change(K);
         if (!record_.is_symmetric) {
             K = make_symmetric(system_.pattern(), K);
@@ -83,28 +92,78 @@ class FactorFinder {
         return values;
     }
 
-    // Sets what the load at load_time would add to the motions by K, and its own stiffness.
-    bool solve_for_load(const std::vector<double>& K) {
+    // Sets what is added at load_time to what acts without any load, the motions by K that this adds, and its
+    // own stiffness. Why there are none, or "".
+    std::string solve_for_load(const std::vector<double>& K) {
         const Model unloaded_model = make_unloaded(system_.model());
         const System unloaded(unloaded_model, system_.team());
         Residual with, without;
         system_.compute_residual(state_, load_time_, with);
         unloaded.compute_residual(state_, load_time_, without);
-        for (std::size_t i = 0; i < with.nodal.size(); ++i) without.nodal[i] -= with.nodal[i];
+        Residual added = with;
+        for (std::size_t i = 0; i < added.nodal.size(); ++i) added.nodal[i] -= without.nodal[i];
+        for (std::size_t i = 0; i < added.rows.size(); ++i) added.rows[i] -= without.rows[i];
         const ConstraintRequest alike{.scaled_as = &K};
         load_stiffness_ = combine(
             compute_tangent(system_, load_time_, alike), -1.0, compute_tangent(unloaded, load_time_, alike));
-        Eigen::VectorXd change = gather(without.nodal, system_.equations(), system_.team());
+        const Eigen::VectorXd rest = gather(without.nodal, system_.equations(), system_.team());
+        Eigen::VectorXd change = -gather_residual(system_, added, K);
+        if (system_.supports().move())
+            change -= compute_move_force(load_time_, with, K) - compute_move_force(0.0, with, K);
+        if (change.isZero(0.0)) return "nothing strains the model that a buckling factor could multiply";
+        if (load_time_ != time_ && is_out_of_balance(rest, change, K))
+            return "the reference shape is not in equilibrium without its loads, by springs that pull, bent "
+                   "starts or "
+                   "what is around: put a stage of kind static before";
         const auto solver = make_linear_solver(LinearSolverKind::chains, system_.pattern(), system_.team());
-        if (!solver->factorize(K).regular) return false;
+        constexpr const char* singular =
+            "the state has no unique change under more load: its tangent has no inverse";
+        if (!solver->factorize(K).regular) return singular;
         solver->solve(change);
         increments_.resize(state_.trial.size());
         for (std::size_t i = 0; i < increments_.size(); ++i)
             increments_[i] = system_.equations().increment_of(static_cast<int>(i), change);
+        if (system_.supports().move()) add_moves();
         State loaded = state_;
         system_.joints().advance_multipliers(increments_, change, K, loaded);
         joints_ = loaded.joints_trial;
-        return change.allFinite();
+        return change.allFinite() ? "" : singular;
+    }
+
+    // What supports that move to where they are at this time do to the residual, to first order.
+    Eigen::VectorXd compute_move_force(double time,
+                                       const Residual& residual,
+                                       const std::vector<double>& K) const {
+        constexpr double part = 1e-5;
+        const auto one_sided = [&](double side) {
+            return compute_support_motion_force(system_, time, load_time_, side, residual, K, state_);
+        };
+        return 0.5 * (one_sided(part) + one_sided(-part));
+    }
+
+    void add_moves() {
+        std::vector<Vec6> from(increments_.size(), Vec6::Zero());
+        add_support_motion(system_, 0.0, state_, from);
+        add_support_motion(system_, load_time_, state_, increments_);
+        for (std::size_t i = 0; i < increments_.size(); ++i) increments_[i] -= from[i];
+    }
+
+    // Whether forces remain by more than round-off, and than a hardly noticeable part of the load.
+    bool is_out_of_balance(const Eigen::VectorXd& rest,
+                           const Eigen::VectorXd& load,
+                           const std::vector<double>& K) const {
+        constexpr double noticeable = 1e-6;
+        constexpr double rounding = 100.0 * std::numeric_limits<double>::epsilon();
+        const double length = system_.length_scale();
+        double largest = 0.0, of_load = 0.0, stiffest = 0.0;
+        for (Eigen::Index i = 0; i < rest.size(); ++i) {
+            const bool is_force = system_.equations().unknown(i).component < 3;
+            const double size = is_force ? 1.0 : length;
+            largest = std::max(largest, std::abs(rest[i]) / size);
+            of_load = std::max(of_load, std::abs(load[i]) / size);
+            stiffest = std::max(stiffest, std::abs(K[system_.pattern().slot(i, i)]) * length / (size * size));
+        }
+        return largest > std::max(noticeable * of_load, rounding * stiffest);
     }
 
     // K_σ: of the resultants that the increments add, and of the load itself. It is linear in them, and they
@@ -153,6 +212,62 @@ class FactorFinder {
                 found.values[i], found.residuals[i], make_unit_shape(system_, state_, found.vectors.col(i))};
             (factor.factor > 0.0 ? record_.factors : record_.reversed).push_back(std::move(factor));
         }
+        if (!record_.factors.empty()) estimate_mesh_error(record_.factors.front());
+    }
+
+    // A column of elements of order p, each of the length L and pressed with P, has a factor that is too
+    // large by about c x^(2p), x² = P L²/EI. Rods count by their part in the energy of the shape.
+    void estimate_mesh_error(const BucklingFactor& found) {
+        double largest = 0.0;
+        const Model& model = system_.model();
+        for (std::size_t r = 0; r < model.rods.size(); ++r) {
+            const Rod& rod = model.rods[r];
+            const Mat6& stiffness = model.sections[static_cast<std::size_t>(rod.section)].stiffness;
+            double of_rod = 0.0;
+            for (const int bending : {4, 5}) {
+                const double share = found.shape.energy_shares[r][bending];
+                if (share <= 0.0 || stiffness(bending, bending) <= 0.0) continue;
+                double worst = 0.0;
+                for (int element = 0; element < rod.element_count(); ++element) {
+                    const double pressed = find_compression(rod, element, found.factor) * stiffness(0, 0);
+                    if (pressed <= 0.0) continue;
+                    const double length = find_length(rod, element);
+                    const double x = length * std::sqrt(pressed / stiffness(bending, bending));
+                    worst = std::max(worst, estimate_column_error(rod.order, x));
+                }
+                of_rod += share * worst;
+            }
+            record_.mesh_error += of_rod;
+            if (of_rod <= largest) continue;
+            largest = of_rod;
+            record_.coarse_rod = rod.name;
+        }
+    }
+
+    // c = 2/(2p + 1) (p!/(2p)!)²: 1/6, 1/360, 1/50400, …
+    static double estimate_column_error(int order, double x) {
+        double error = 2.0 / (2.0 * order + 1.0);
+        for (int i = 1; i <= order; ++i) error *= std::pow(x / (order + i), 2);
+        return error;
+    }
+
+    static double find_length(const Rod& rod, int element) {
+        const std::size_t first = static_cast<std::size_t>(element) * static_cast<std::size_t>(rod.order + 1);
+        return rod.arc_length[first + static_cast<std::size_t>(rod.order)] - rod.arc_length[first];
+    }
+
+    // By how much an element is shortened under the factor times the load, relative, by the line through its
+    // ends.
+    double find_compression(const Rod& rod, int element, double factor) const {
+        const std::size_t first = static_cast<std::size_t>(element) * static_cast<std::size_t>(rod.order + 1);
+        const auto a = static_cast<std::size_t>(rod.element_nodes[first]);
+        const auto b =
+            static_cast<std::size_t>(rod.element_nodes[first + static_cast<std::size_t>(rod.order)]);
+        const std::vector<Node>& nodes = system_.model().nodes;
+        const Vec3 chord = state_.trial[b].r - state_.trial[a].r;
+        const double before = (nodes[b].position - nodes[a].position).norm();
+        const double added = chord.normalized().dot(increments_[b].head<3>() - increments_[a].head<3>());
+        return -(chord.norm() - before + factor * added) / before;
     }
 
     const System& system_;
