@@ -57,7 +57,7 @@ force_per_length = [0, 0, "s"]
         "load[1] on rod q: force per length, spatial\n"
         "gravity (0, 0, -9.81)\n");
     CHECK(describe_conditions(read("gravity = [0, 0, \"-2*t\"]\n" + rod_deck).model) ==
-          "gravity changes with t; at t = 1 it is (0, 0, -2)\n");
+          "gravity grows with t, to (0, 0, -2) at t = 1\n");
     CHECK(describe_conditions(read(rod_deck).model).empty());
 }
 
