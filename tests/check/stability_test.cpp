@@ -170,8 +170,7 @@ TEST_CASE("with a load that follows only divergence is reported", "[check]") {
     CHECK_THAT(run.warnings[0], Contains("the determinant of the tangent became negative"));
     const std::string between = "between t = ";
     REQUIRE(run.warnings[0].starts_with(between));
-    CHECK(std::stod(run.warnings[0].substr(between.size())) * 6.0 ==
-          Approx(4.0).margin(6.0 / 2560.0 + 4e-3));
+    CHECK(std::stod(run.warnings[0].substr(between.size())) * 6.0 == Approx(4.0).margin(6.0 / 2560.0 + 4e-3));
     // They count no unstable shapes.
     CHECK(run.pivots == std::vector<std::int64_t>(run.pivots.size(), -1));
 }
