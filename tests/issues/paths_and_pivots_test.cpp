@@ -244,6 +244,26 @@ TEST_CASE("The factor of buckling multiplies moves of supports", "[issues][shape
     CHECK(by_move.is_complete);
 }
 
+TEST_CASE("The factor of buckling multiplies motors and drives of joints", "[issues][shapes]") {
+    const std::string pressed =
+        replaced(beam("[joint.press]\ntype = \"slider\"\nbetween = [\"ground\", \"beam.end\"]\n"
+                      "axis = [1, 0, 0]\nACTS\n"),
+                 "gravity = [0, 0, -1]",
+                 "gravity = [0, 0, 0]");
+    const auto factor_of = [&](const std::string& acts, const std::string& analysis) {
+        return find_factors(replaced(pressed, "ACTS", acts) + analysis).factors.at(0).factor;
+    };
+    const std::string alone = "[analysis]\nkind = \"buckling\"\n";
+    const std::string after_statics =
+        "[[stage]]\nname = \"press\"\nkind = \"static\"\nsteps = 2\n"
+        "[[stage]]\nname = \"buckle\"\nkind = \"buckling\"\n";
+    const std::string motor = "move = \"-0.002*t\"", drive = "drive = \"-2*t\"";
+    // Both ends clamped: 4 π²/2 = 19.74, less by shear. The motor presses with EA 0.002 / 1.
+    CHECK(factor_of(drive, alone) == Approx(18.44).margin(0.05));
+    CHECK(factor_of(motor, alone) == Approx(factor_of(drive, alone)).epsilon(1e-6));
+    CHECK(1.0 + factor_of(motor, after_statics) == Approx(factor_of(motor, alone)).epsilon(3e-3));
+}
+
 TEST_CASE("Buckling refuses what a factor cannot multiply, by its name", "[issues][shapes]") {
     const std::string analysis = "[analysis]\nkind = \"buckling\"\n";
     const std::string without = replaced(beam(""), "gravity = [0, 0, -1]", "gravity = [0, 0, 0]");
