@@ -20,7 +20,9 @@ namespace {
 using Catch::Contains;
 
 RunSummary run(const Problem& problem) {
-    return run_analysis({problem.model, problem.analysis, problem.output, problem.record, problem.stages});
+    RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}};
+    request.stages = problem.stages;
+    return run_analysis(request);
 }
 
 // What a run warns of, jumps included.
@@ -142,7 +144,9 @@ TEST_CASE("A path with what acts within sections ends where statics end", "[issu
 }
 
 TEST_CASE("A path that crawls ends with a clear message", "[issues][path]") {
-    PathSequence steps({.max_step = 0.2});
+    PathSettings settings;
+    settings.max_step = 0.2;
+    PathSequence steps(settings);
     steps.start(0.1);
     steps.accept();
     for (int i = 0; i < 200; ++i) {
