@@ -138,9 +138,6 @@ TEST_CASE("A path with what acts within sections ends where statics end", "[issu
     check_path(beam("[[actuation]]\non = \"beam\"\ncurvature = [0, 0, 1]\n"), 15);
     check_path(beam("[[actuation]]\non = \"beam\"\ntemperature_gradient = [50, 0]\n", "expansion = 1e-2\n"),
                15);
-    check_path(
-        beam("[spring.tie]\nbetween = [\"beam.end\", \"ground\"]\nat_b = [1, 0.5, 0]\nforce = \"0.3*t\"\n"),
-        15);
 }
 
 TEST_CASE("A path that crawls ends with a clear message", "[issues][path]") {
@@ -318,7 +315,7 @@ count = 1
     };
     const double euler = std::pow(std::acos(-1.0), 2);
     for (const auto& [elements, order] :
-         {std::pair(4, 1), std::pair(8, 1), std::pair(1, 2), std::pair(2, 2)}) {
+         {std::pair(4, 1), std::pair(8, 1), std::pair(2, 2), std::pair(4, 2)}) {
         INFO(elements << " elements of order " << order);
         const RunSummary summary = run(column(elements, order));
         const auto record = std::get<BucklingRecord>(summary.shapes.at(0).record);
