@@ -14,11 +14,17 @@ struct Limit {
     Vec6 gradient = Vec6::Zero();
 };
 
+// A force has reached its limit if it is so near to it, relative.
+constexpr double round_off = 1e-9;
+
+double find_limit(const Layer& layer, double tension) {
+    return layer.limit + layer.limit_per_tension * std::max(tension, 0.0);
+}
+
 Limit find_limit(const Layer& layer, const SectionResponse& response) {
     const double tension = response.resultants[0];
     if (layer.limit_per_tension == 0.0 || !(tension > 0.0)) return {layer.limit};
-    return {layer.limit + layer.limit_per_tension * tension,
-            layer.limit_per_tension * response.tangent.row(0).transpose()};
+    return {find_limit(layer, tension), layer.limit_per_tension * response.tangent.row(0).transpose()};
 }
 
 }  // namespace
@@ -48,6 +54,30 @@ SectionResponse LayeredLaw::respond(const Vec6& strain,
         at += static_cast<std::size_t>(entries_of(layer.on).count);
     }
     return response;
+}
+
+// The axial resultant is that of all layers, as those on tension alone add to it.
+Mat6 LayeredLaw::elastic_tangent(const Vec6& strain, std::span<const double> memory) const {
+    const double tension = respond(strain, memory, 0.0, {}).resultants[0];
+    Mat6 tangent = stiffness_;
+    for (const Layer& layer : layers_) {
+        if (!(find_limit(layer, tension) > 0.0)) continue;
+        for (const int i : entries_of(layer.on).list()) tangent(i, i) += layer.stiffness;
+    }
+    return tangent;
+}
+
+bool LayeredLaw::is_at_limit(const Vec6& strain, std::span<const double> memory) const {
+    const double tension = respond(strain, memory, 0.0, {}).resultants[0];
+    std::size_t at = 0;
+    for (const Layer& layer : layers_) {
+        double size = 0.0;
+        for (const int i : entries_of(layer.on).list())
+            size = std::hypot(size, layer.stiffness * (strain[i] - memory[at++]));
+        const double limit = find_limit(layer, tension);
+        if (limit > 0.0 && size >= (1.0 - round_off) * limit) return true;
+    }
+    return false;
 }
 
 // (L2), (L3), (L5), (L6).

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "laws/strain_part.hpp"
-#include "model/section_law.hpp"
+#include "model/small_motion_law.hpp"
 
 namespace gxrod {
 
@@ -17,7 +17,7 @@ struct Layer {
 
 // S = C E + Σ S_i, each layer's S_i elastic up to its limit, at which it slips; docs/theory/laws.md,
 // (L1)–(L6). What it remembers is the slip of each layer, a strain for each of its entries.
-class LayeredLaw final : public SectionLaw {
+class LayeredLaw final : public SmallMotionLaw {
   public:
     // `C` acts next to all layers; it can be semidefinite. Layers on tension have no limit_per_tension.
     LayeredLaw(const Mat6& C, std::vector<Layer> layers);
@@ -30,6 +30,8 @@ class LayeredLaw final : public SectionLaw {
                             std::span<const double> memory,
                             double elapsed,
                             std::span<double> after) const override;
+    Mat6 elastic_tangent(const Vec6& strain, std::span<const double> memory) const override;
+    bool is_at_limit(const Vec6& strain, std::span<const double> memory) const override;
 
     const Mat6& stiffness() const { return stiffness_; }
     const std::vector<Layer>& layers() const { return layers_; }

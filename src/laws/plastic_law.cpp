@@ -12,6 +12,8 @@ namespace gxrod {
 namespace {
 
 constexpr int most_iterations = 100;
+// Resultants have reached a surface if they are so near to it, relative.
+constexpr double round_off = 1e-9;
 
 using Entries = PlasticLaw::Entries;
 
@@ -118,6 +120,41 @@ PlasticLaw::Return PlasticLaw::find_return(const Surface& surface, const Entries
     return found;
 }
 
+// Resultants from the centre of the surface, over their limits.
+Entries PlasticLaw::scale_resultants(const Surface& surface,
+                                     const Vec6& elastic,
+                                     const double* memory) const {
+    const auto count = static_cast<Eigen::Index>(surface.index.size());
+    Entries scaled(count);
+    for (Eigen::Index a = 0; a < count; ++a) {
+        const double resultant = stiffness_.row(surface.index[a]).dot(elastic);
+        scaled[a] = (resultant - surface.hardening[a] * memory[a]) / surface.limits[a];
+    }
+    return scaled;
+}
+
+Vec6 PlasticLaw::subtract_plastic(const Vec6& strain, std::span<const double> memory) const {
+    Vec6 elastic = strain;
+    std::size_t at = 0;
+    for (const Surface& surface : surfaces_) {
+        for (const int i : surface.index) elastic[i] -= memory[at++];
+        ++at;
+    }
+    return elastic;
+}
+
+bool PlasticLaw::is_at_limit(const Vec6& strain, std::span<const double> memory) const {
+    const Vec6 elastic = subtract_plastic(strain, memory);
+    std::size_t at = 0;
+    for (const Surface& surface : surfaces_) {
+        const double gone = memory[at + surface.index.size()];
+        const double size = scale_resultants(surface, elastic, &memory[at]).norm();
+        if (size >= (1.0 - round_off) * factor(gone)) return true;
+        at += surface.index.size() + 1;
+    }
+    return false;
+}
+
 // (L20) to (L26).
 void PlasticLaw::add(const Surface& surface,
                      const Vec6& elastic_trial,
@@ -127,11 +164,7 @@ void PlasticLaw::add(const Surface& surface,
                      SectionResponse& response) const {
     const auto count = static_cast<Eigen::Index>(surface.index.size());
     const double gone = memory[count];
-    Entries scaled(count);
-    for (Eigen::Index a = 0; a < count; ++a) {
-        const double resultant = stiffness_.row(surface.index[a]).dot(elastic_trial);
-        scaled[a] = (resultant - surface.hardening[a] * memory[a]) / surface.limits[a];
-    }
+    const Entries scaled = scale_resultants(surface, elastic_trial, memory);
     Return found;
     const bool yields = scaled.norm() > factor(gone);
     if (yields) found = find_return(surface, surface.axes.transpose() * scaled, gone);
@@ -162,14 +195,9 @@ SectionResponse PlasticLaw::respond(const Vec6& strain,
                                     std::span<double> after) const {
     SectionResponse response;
     response.tangent = stiffness_;
-    Vec6 trial = strain;
-    std::size_t at = 0;
-    for (const Surface& surface : surfaces_) {
-        for (const int i : surface.index) trial[i] -= memory[at++];
-        ++at;
-    }
+    const Vec6 trial = subtract_plastic(strain, memory);
     Vec6 elastic = trial;
-    at = 0;
+    std::size_t at = 0;
     for (const Surface& surface : surfaces_) {
         add(surface, trial, &memory[at], after.empty() ? nullptr : &after[at], elastic, response);
         at += surface.index.size() + 1;

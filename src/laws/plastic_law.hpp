@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "laws/piecewise_line.hpp"
-#include "model/section_law.hpp"
+#include "model/small_motion_law.hpp"
 
 namespace gxrod {
 
@@ -27,7 +27,7 @@ struct YieldLimits {
 // Elastic by C up to a yield surface, then S returns to its closest point in the energy norm;
 // docs/theory/laws.md, (L18)–(L26). It remembers, of each surface, plastic strains and how much it has
 // yielded.
-class PlasticLaw final : public SectionLaw {
+class PlasticLaw final : public SmallMotionLaw {
   public:
     // `interaction` none: C couples no two yielding entries.
     PlasticLaw(const Mat6& C, const YieldLimits& yield);
@@ -40,6 +40,10 @@ class PlasticLaw final : public SectionLaw {
                             std::span<const double> memory,
                             double elapsed,
                             std::span<double> after) const override;
+    Mat6 elastic_tangent(const Vec6& /*strain*/, std::span<const double> /*memory*/) const override {
+        return stiffness_;
+    }
+    bool is_at_limit(const Vec6& strain, std::span<const double> memory) const override;
 
     const YieldLimits& yield() const { return yield_; }
 
@@ -64,6 +68,9 @@ class PlasticLaw final : public SectionLaw {
                                 const std::vector<std::pair<int, double>>& limits,
                                 double kinematic);
     double factor(double gone) const;
+    Entries scale_resultants(const Surface& surface, const Vec6& elastic, const double* memory) const;
+    // Strains without the plastic ones of all surfaces.
+    Vec6 subtract_plastic(const Vec6& strain, std::span<const double> memory) const;
     Return find_return(const Surface& surface, const Entries& trial, double gone) const;
     void add(const Surface& surface,
              const Vec6& elastic_trial,

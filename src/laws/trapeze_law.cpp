@@ -8,6 +8,33 @@ TrapezeLaw::TrapezeLaw(const Mat6& C, std::shared_ptr<const SectionLaw> inner)
     : c_(C(4, 4) + C(5, 5)),
       inner_(inner ? std::move(inner) : std::make_shared<LayeredLaw>(C, std::vector<Layer>{})) {}
 
+namespace {
+
+// Adds what the term alone makes.
+void add_coupling(double c, const Vec6& strain, Mat6& tangent) {
+    const double extension = strain[0];
+    const double twist = strain[3];
+    tangent(0, 3) += c * twist;
+    tangent(3, 0) += c * twist;
+    tangent(3, 3) += c * extension;
+}
+
+}  // namespace
+
+Mat6 TrapezeLaw::elastic_tangent(const Vec6& strain, std::span<const double> memory) const {
+    Mat6 tangent = find_elastic_tangent(*inner_, strain, memory);
+    add_coupling(c_, strain, tangent);
+    return tangent;
+}
+
+std::vector<RelaxingStiffness> TrapezeLaw::relaxing_stiffness() const {
+    return list_relaxing_stiffness(*inner_);
+}
+
+bool TrapezeLaw::is_at_limit(const Vec6& strain, std::span<const double> memory) const {
+    return gxrod::is_at_limit(*inner_, strain, memory);
+}
+
 SectionResponse TrapezeLaw::respond(const Vec6& strain,
                                     std::span<const double> memory,
                                     double elapsed,
@@ -17,9 +44,7 @@ SectionResponse TrapezeLaw::respond(const Vec6& strain,
     const double twist = strain[3];
     response.resultants[0] += 0.5 * c_ * twist * twist;
     response.resultants[3] += c_ * twist * extension;
-    response.tangent(0, 3) += c_ * twist;
-    response.tangent(3, 0) += c_ * twist;
-    response.tangent(3, 3) += c_ * extension;
+    add_coupling(c_, strain, response.tangent);
     response.stored += 0.5 * c_ * twist * twist * extension;
     return response;
 }

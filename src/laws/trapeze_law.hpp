@@ -2,14 +2,14 @@
 
 #include <memory>
 
-#include "model/section_law.hpp"
+#include "model/small_motion_law.hpp"
 
 namespace gxrod {
 
 // Adds to another law how a twisted section shortens, as its outer fibres, helices then, pull: ½ c κ² of
 // axial force and c κ ε of torque, κ the twist, ε the extension, c the sum of both bending stiffnesses:
 // BeamDyn's term; docs/theory/laws.md, (L17).
-class TrapezeLaw final : public SectionLaw {
+class TrapezeLaw final : public SmallMotionLaw {
   public:
     // Next to the stiffness `C` alone, if `inner` is nullptr.
     TrapezeLaw(const Mat6& C, std::shared_ptr<const SectionLaw> inner = nullptr);
@@ -20,6 +20,9 @@ class TrapezeLaw final : public SectionLaw {
                             std::span<const double> memory,
                             double elapsed,
                             std::span<double> after) const override;
+    Mat6 elastic_tangent(const Vec6& strain, std::span<const double> memory) const override;
+    std::vector<RelaxingStiffness> relaxing_stiffness() const override;
+    bool is_at_limit(const Vec6& strain, std::span<const double> memory) const override;
 
     double coefficient() const { return c_; }
     const SectionLaw& inner() const { return *inner_; }

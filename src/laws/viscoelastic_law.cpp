@@ -84,4 +84,16 @@ SectionResponse ViscoelasticLaw::respond(const Vec6& strain,
     return response;
 }
 
+// (L27)
+std::vector<RelaxingStiffness> ViscoelasticLaw::relaxing_stiffness() const {
+    std::vector<RelaxingStiffness> list;
+    for (const auto& [ratio, time] : branches_) {
+        const auto same = [&](const RelaxingStiffness& one) { return one.time == time; };
+        auto found = std::ranges::find_if(list, same);
+        if (found == list.end()) found = list.insert(list.end(), {time, Mat6::Zero()});
+        found->stiffness += ratio * relaxing_;
+    }
+    return list;
+}
+
 }  // namespace gxrod

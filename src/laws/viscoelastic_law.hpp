@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "laws/strain_part.hpp"
-#include "model/section_law.hpp"
+#include "model/small_motion_law.hpp"
 
 namespace gxrod {
 
@@ -16,7 +16,7 @@ struct PronyBranch {
 // S = C E + Σ S_i, C the relaxed stiffness and each S_i of a branch that follows strain quickly and relaxes;
 // exact where strain is linear in time; docs/theory/laws.md, (L12)–(L16). It remembers the strain and, of
 // each branch, that of its spring.
-class ViscoelasticLaw final : public SectionLaw {
+class ViscoelasticLaw final : public SmallMotionLaw {
   public:
     // Branches act on the entries of C within `on`; on all of it if that is empty.
     ViscoelasticLaw(const Mat6& C, std::vector<PronyBranch> branches, const std::vector<StrainPart>& on = {});
@@ -27,6 +27,10 @@ class ViscoelasticLaw final : public SectionLaw {
                             std::span<const double> memory,
                             double elapsed,
                             std::span<double> after) const override;
+    Mat6 elastic_tangent(const Vec6& /*strain*/, std::span<const double> /*memory*/) const override {
+        return stiffness_;
+    }
+    std::vector<RelaxingStiffness> relaxing_stiffness() const override;
 
     // Of the branches, at ratio 1.
     const Mat6& relaxing() const { return relaxing_; }

@@ -117,6 +117,47 @@ TEST_CASE("Every law answers with numbers over no time, any time and for ever", 
     }
 }
 
+// Along straight paths, where a step back unloads all that slips or yields. A limit that follows the tension
+// falls with it, and what is held by it alone slips on.
+TEST_CASE("The elastic tangent of every law is that of a small step back, after a long time", "[laws]") {
+    constexpr double small = 1e-6;
+    int at_limit = 0, softer = 0;
+    for (const NamedLaw& named : every_law()) {
+        if (!named.is_symmetric) continue;
+        INFO(named.name);
+        tools::RandomValues random(21);
+        for (int i = 0; i < 20; ++i) {
+            LawPath path(*named.law);
+            const Vec6 strain = random.number(0.1, 3.0) * random_strain(random, named.scale);
+            const Vec6 resultants = path.go(strain, infinite).resultants;
+            const Mat6 elastic = find_elastic_tangent(*named.law, strain, path.memory());
+            const Vec6 change = resultants - path.look((1.0 - small) * strain, infinite).resultants;
+            const Vec6 expected = elastic * (small * strain);
+            CHECK((change - expected).norm() < 1e-5 * expected.norm() + 1e-10 * resultants.norm());
+            if (is_at_limit(*named.law, strain, path.memory())) ++at_limit;
+            const Vec6 further = path.look((1.0 + small) * strain, infinite).resultants - resultants;
+            if (further.norm() < 0.99 * expected.norm()) ++softer;
+        }
+    }
+    CHECK(at_limit > 20);
+    CHECK(softer > 20);
+    CHECK(softer <= at_limit);
+}
+
+TEST_CASE("Quick changes of strain meet what relaxes in addition", "[laws]") {
+    for (const NamedLaw& named : every_law()) {
+        // A layer whose limit is only by tension has none yet.
+        if (!named.is_symmetric) continue;
+        INFO(named.name);
+        const LawPath path(*named.law);
+        Mat6 sum = find_elastic_tangent(*named.law, Vec6::Zero(), path.memory());
+        for (const RelaxingStiffness& one : list_relaxing_stiffness(*named.law)) sum += one.stiffness;
+        const Vec6 tiny = 1e-9 * named.scale;
+        const Vec6 expected = sum * tiny;
+        CHECK((path.look(tiny, 0.0).resultants - expected).norm() < 1e-6 * expected.norm());
+    }
+}
+
 // The work done on a section is stored or dissipated: in the limit of small steps, whose error by the
 // trapezoid rule falls with the square of their number, kinks apart.
 TEST_CASE("Energy comes from nothing in no law", "[laws]") {
