@@ -14,8 +14,9 @@ namespace gxrod {
 //
 //   (x, y) → (−S⁻¹ ((D + 2 σ M) x + M y), x)
 //
-// has the eigenvalues θ = 1/μ and the vectors (x, μ x). Each new vector is made orthogonal to all others; the
-// basis grows (docs/theory/vibrations.md, (V13)).
+// has the eigenvalues θ = 1/μ and the vectors (x, μ x). Whatever relaxes adds unknowns w = x/(1 + λτ), the
+// strains of its dashpots (V22). Each new vector is made orthogonal to all others; the basis grows
+// (docs/theory/vibrations.md, (V13)).
 class BandArnoldi {
   public:
     // `inverse` has the factors of S. Components are weighed by `weights`, and y is kept over `scale`, a
@@ -55,8 +56,16 @@ class BandArnoldi {
 
     // z → operator z; both weighed and scaled.
     void apply(const Ref& z, Eigen::VectorXd& image);
-    // −S⁻¹ ((D + 2 σ M) x + M y), as they are.
-    void apply_top(const Eigen::VectorXd& x, const Eigen::VectorXd& y, Eigen::VectorXd& top);
+    // −S⁻¹ ((D + 2 σ M) x + M y + Σ τ/(1 + στ) R w), as they are; w one after the other.
+    void apply_top(const Eigen::VectorXd& x,
+                   const Eigen::VectorXd& y,
+                   const Eigen::VectorXd& w,
+                   Eigen::VectorXd& top);
+    // Unknowns of the operator: x, y and each w.
+    Index unknowns() const { return (2 + relaxing_count()) * problem_.size(); }
+    Index relaxing_count() const { return static_cast<Index>(problem_.relaxing.size()); }
+    // By which w is multiplied, so that it is about as large as x.
+    double dashpot_scale(Index i) const;
     // Appends what of w is orthogonal to the basis; its parts go into column j of H, if j ≥ 0.
     bool append(Index j);
     void reserve(Index columns);
@@ -64,13 +73,14 @@ class BandArnoldi {
     const QuadraticProblem& problem_;
     LinearSolver& inverse_;
     std::vector<double> damping_;  // D + 2 σ M
+    double shift_;
     Eigen::VectorXd weights_;
     double scale_;
     Eigen::MatrixXd V_, H_;
     Index done_ = 0, end_ = 0;
     double largest_norm_ = 0.0;
     std::uint64_t seed_ = 31;
-    Eigen::VectorXd w_, x_, y_, top_, product_;
+    Eigen::VectorXd image_, x_, y_, w_, top_, product_;
 };
 
 }  // namespace gxrod

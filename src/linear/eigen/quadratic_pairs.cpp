@@ -37,7 +37,12 @@ class QuadraticSearch {
     bool find_shift() {
         ratio_ = find_typical_ratio(*problem_.pattern, problem_.K, problem_.M);
         if (ratio_ == 0.0) return false;
-        if (factorize(0.0) && measure_inverse() < 1.0 / (1e3 * epsilon * ratio_)) return true;
+        if (factorize(0.0) && measure_inverse() < 1.0 / (1e3 * epsilon * ratio_)) {
+            if (problem_.relaxing.empty()) return true;
+            // What creeps lies along the negative axis, slow motions next to 0: from about as far on the
+            // other side as the lowest vibration is, that has the largest θ.
+            if (factorize(1.0 / std::sqrt(inverse_size_)) && measure_inverse() > 0.0) return true;
+        }
         // Rigid motions: the shift of the symmetric problem lies about as far from them as vibrations do.
         const auto pairs = find_lowest_pairs(
             *problem_.pattern, make_symmetric(*problem_.pattern, problem_.K), problem_.M, 2, {}, team_);
@@ -103,13 +108,15 @@ class QuadraticSearch {
     }
 
     std::complex<double> mu(Index i) const { return 1.0 / ritz_.values[i]; }
-    // Leaves aside what has no inertia, and values of no eigenvalue, such as come and go while the basis
-    // grows.
+    // Leaves aside what has no inertia, what creeps, and values of no eigenvalue, such as come and go while
+    // the basis grows.
     void take_ritz(const BandArnoldi::Ritz& all) {
         std::vector<Index> kept;
         for (Index i = 0; i < all.values.size(); ++i) {
             const bool is_finite = std::abs(all.values[i]) > no_inertia * std::abs(all.values[0]);
-            if (is_finite && all.residuals[i] < rough) kept.push_back(i);
+            if (!is_finite || all.residuals[i] >= rough) continue;
+            if (!problem_.relaxing.empty() && creeps(result_.shift + 1.0 / all.values[i])) continue;
+            kept.push_back(i);
         }
         ritz_ = {all.values(kept), all.residuals(kept), all.combinations(Eigen::all, kept)};
         finite_ = static_cast<Index>(kept.size());
@@ -211,7 +218,7 @@ class QuadraticSearch {
         if (const auto found = find_nearest_pairs(transposed, settings, team_)) match_left_vectors(*found);
     }
 
-    // The largest |S⁻¹ (λ² M + λ D + K)ᵀ y| / |y|, with S for its transposed.
+    // The largest |S⁻¹ T(λ)ᵀ y| / |y|, with S for its transposed.
     double measure_left(const QuadraticProblem& transposed) {
         double largest = 0.0;
         Eigen::VectorXd product, rest;
@@ -228,6 +235,7 @@ class QuadraticSearch {
             add(transposed.K, 1.0);
             add(transposed.D, lambda);
             add(transposed.M, lambda * lambda);
+            for (const RelaxingMatrix& one : transposed.relaxing) add(one.values, one.factor(lambda));
             double square = 0.0;
             for (const Eigen::VectorXd& part :
                  {Eigen::VectorXd(residual.real()), Eigen::VectorXd(residual.imag())}) {

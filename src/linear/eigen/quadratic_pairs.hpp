@@ -8,12 +8,13 @@
 namespace gxrod {
 
 // Eigenvalues λ of a quadratic problem with Im λ ≥ 0; of the others each is the conjugate of one of these.
+// Where something relaxes, those that creep are left out.
 struct QuadraticPairs {
     Eigen::VectorXcd values;  // by rising distance from the shift
     Eigen::MatrixXcd vectors;
-    Eigen::MatrixXcd left;      // y, yᵀ (λ² M + λ D + K) = 0, if asked for; zero where none was found
-    Eigen::VectorXd residuals;  // of S⁻¹ (λ² M + λ D + K) x, S that at the shift, relative to x
-    double shift = 0.0;         // real; 0, but where K is singular
+    Eigen::MatrixXcd left;      // y, yᵀ T(λ) = 0, if asked for; zero where none was found
+    Eigen::VectorXd residuals;  // of S⁻¹ T(λ) x, S that at the shift, relative to x
+    double shift = 0.0;         // real; 0, but where K is singular or something relaxes
     // So far from the shift all have been sought; so many more lie within as the determinant counts them,
     // conjugates counted too. −1: not counted.
     double radius = 0.0;

@@ -170,6 +170,97 @@ TEST_CASE("the determinant counts the eigenvalues within a circle", "[linear]") 
     }
 }
 
+namespace {
+
+// Stiffness of some rank that relaxes in 1/0.7 and in 1/5, and a slow one.
+std::vector<Eigen::MatrixXd> make_relaxing(Eigen::Index size, double part) {
+    std::mt19937_64 generator(5);
+    std::vector<Eigen::MatrixXd> list;
+    for (const Eigen::Index rank : {size, size / 3, size / 2}) {
+        const Eigen::MatrixXd B = make_random_matrix(generator, size, rank);
+        list.push_back(part * B * B.transpose());
+    }
+    return list;
+}
+
+constexpr std::array<double, 3> relaxation_times{1.0 / 0.7, 0.2, 300.0};
+
+QuadraticProblem with_relaxing(const DenseProblem& dense, const std::vector<Eigen::MatrixXd>& relaxing) {
+    QuadraticProblem problem = dense.sparse();
+    for (std::size_t i = 0; i < relaxing.size(); ++i)
+        problem.relaxing.push_back({relaxation_times[i], list_values(relaxing[i])});
+    return problem;
+}
+
+// All eigenvalues with Im λ ≥ 0 that do not creep, of unknowns x, x′ and the strains w of dashpots, τ w′ = x
+// − w.
+std::vector<Complex> find_all_relaxing(const DenseProblem& dense,
+                                       const std::vector<Eigen::MatrixXd>& relaxing,
+                                       double shift) {
+    const Eigen::Index n = dense.size();
+    const auto count = static_cast<Eigen::Index>(relaxing.size());
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero((2 + count) * n, (2 + count) * n);
+    A.block(0, n, n, n).setIdentity();
+    A.block(n, 0, n, n) = -dense.K;
+    A.block(n, n, n, n) = -dense.D;
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const double time = relaxation_times[static_cast<std::size_t>(i)];
+        A.block(n, 0, n, n) -= relaxing[static_cast<std::size_t>(i)];
+        A.block(n, (2 + i) * n, n, n) = relaxing[static_cast<std::size_t>(i)];
+        A.block((2 + i) * n, 0, n, n) = Eigen::MatrixXd::Identity(n, n) / time;
+        A.block((2 + i) * n, (2 + i) * n, n, n) = -Eigen::MatrixXd::Identity(n, n) / time;
+    }
+    std::vector<Complex> kept;
+    for (const Complex& lambda : find_eigenvalues(A)) {
+        if (lambda.imag() >= 0.0 && !creeps(lambda)) kept.push_back(lambda);
+    }
+    std::sort(kept.begin(), kept.end(), [&](Complex a, Complex b) {
+        return std::abs(a - shift) < std::abs(b - shift);
+    });
+    return kept;
+}
+
+}  // namespace
+
+TEST_CASE("what relaxes adds stiffness and damping, and what creeps is left out", "[linear]") {
+    for (const double part : {0.01, 0.1, 3.0}) {
+        for (const double circulation : {0.0, 1.0}) {
+            INFO(part << " " << circulation);
+            const DenseProblem dense = make_problem(make_squares(24), 0.0, circulation, 0.1);
+            const std::vector<Eigen::MatrixXd> relaxing = make_relaxing(24, part);
+            const QuadraticProblem problem = with_relaxing(dense, relaxing);
+            const auto pairs = find_nearest_pairs(problem, {.wanted = 6, .left = true});
+            REQUIRE(pairs);
+            CHECK(pairs->shift > 0.0);
+            CHECK(pairs->missing == 0);
+            REQUIRE(pairs->values.size() >= 6);
+            const std::vector<Complex> all = find_all_relaxing(dense, relaxing, pairs->shift);
+            for (Eigen::Index i = 0; i < pairs->values.size(); ++i) {
+                const Complex lambda = pairs->values[i];
+                CHECK(std::abs(lambda - all[static_cast<std::size_t>(i)]) < 1e-8 * std::abs(lambda));
+                const std::vector<Complex> values = problem.at(lambda);
+                const Eigen::MatrixXcd T = Eigen::MatrixXcd::Map(values.data(), 24, 24);
+                CHECK((T * pairs->vectors.col(i)).norm() < 1e-8 * T.norm() * pairs->vectors.col(i).norm());
+                CHECK((T.transpose() * pairs->left.col(i)).norm() <
+                      1e-7 * T.norm() * pairs->left.col(i).norm());
+            }
+        }
+    }
+}
+
+TEST_CASE("the determinant counts what does not creep where something relaxes", "[linear]") {
+    const DenseProblem dense = make_problem(make_squares(24), 0.0, 0.0, 0.1);
+    const std::vector<Eigen::MatrixXd> relaxing = make_relaxing(24, 0.1);
+    const QuadraticProblem problem = with_relaxing(dense, relaxing);
+    for (const double centre : {0.5, 2.0}) {
+        const std::vector<Complex> all = find_all_relaxing(dense, relaxing, centre);
+        const double radius = 0.5 * (std::abs(all[4] - centre) + std::abs(all[5] - centre));
+        CHECK(count_more_within(problem, centre, radius, {}) == 10);
+        const Eigen::VectorXcd known = Eigen::VectorXcd::Map(all.data(), 4);
+        CHECK(count_more_within(problem, centre, radius, known) == 2);
+    }
+}
+
 TEST_CASE("complex systems are solved, transposed too, and their determinants have directions", "[linear]") {
     const DenseProblem dense = make_problem(make_squares(12), 0.05, 3.0, 0.3);
     const Complex lambda(0.3, 2.0);
