@@ -70,11 +70,11 @@ std::optional<MeshFrequencies> find_mesh_frequencies(const Model& model) {
     const std::int64_t size = system.pattern().size();
     if (size < 2) return std::nullopt;
     const StateMatrices matrices = compute_state_matrices(system, system.initial_state(), 0.0);
-    const std::optional<double> largest = find_largest(system.pattern(), matrices.stiffness, matrices.mass);
+    const std::vector<double> stiffness = matrices.instantaneous_stiffness();
+    const std::optional<double> largest = find_largest(system.pattern(), stiffness, matrices.mass);
     if (!largest || !(*largest > 0.0)) return std::nullopt;
     const int rigid = static_cast<int>(count_free_motions(bare));
-    const std::optional<double> smallest =
-        find_smallest(system.pattern(), matrices.stiffness, matrices.mass, rigid);
+    const std::optional<double> smallest = find_smallest(system.pattern(), stiffness, matrices.mass, rigid);
     if (!smallest || !(*smallest > 0.0)) return std::nullopt;
     return MeshFrequencies{std::sqrt(*smallest), std::sqrt(*largest), rigid};
 }

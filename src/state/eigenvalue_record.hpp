@@ -7,19 +7,19 @@
 // What is found of small motions about a state that damps, follows or turns.
 namespace gxrod {
 
-// A small motion x e^(λt) about a state, (λ² M + λ D + K) x = 0, whose real part is what moves. Of a pair of
-// conjugates the one with Im λ ≥ 0.
+// A small motion x e^(λt) about a state, T(λ) x = 0 (docs/theory/vibrations.md, (V12) and (V21)), whose real
+// part is what moves. Of a pair of conjugates the one with Im λ ≥ 0.
 struct Eigenmode {
     double growth = 0.0;         // Re λ, per time; negative if it decays
     double omega = 0.0;          // Im λ, rad per time
     double frequency = 0.0;      // cycles per time
     double damping_ratio = 0.0;  // −Re λ / |λ|
-    double residual = 0.0;       // of S⁻¹ (λ² M + λ D + K) x, S near K, relative to x
+    double residual = 0.0;       // of S⁻¹ T(λ) x, S near K, relative to x
     // The real part of x, whose words and shares of strain energy are those of both parts; the largest
     // component of x is real and positive, and xᴴ M x = 1, if anything that moves has inertia.
     Shape shape;
     std::vector<Vec6> imaginary;  // of each node
-    // The left vector, real and imaginary part of yᵀ in yᵀ (λ² M + λ D + K) = 0, with yᵀ (2 λ M + D) x = 1
+    // The left vector, real and imaginary part of yᵀ in yᵀ T(λ) = 0, with yᵀ T′(λ) x = 1
     // (or of that length where this vanishes); only if asked for.
     std::vector<Vec6> left, left_imaginary;
 

@@ -312,7 +312,7 @@ class Simulation(Shown):
     def tangent(self) -> scipy.sparse.csc_matrix:
         """∂(residual)/∂(δr, δφ) at the last accepted state at unchanged rates: a scipy.sparse matrix [n,n]; rows and columns are `unknowns`.
 
-        δr and δφ, the turn, have global components. Needs SciPy.
+        δr and δφ, the turn, have global components. Sections with laws are elastic and relaxed here, as in `modes`. Needs SciPy.
         """
         return self._matrix(0)
 

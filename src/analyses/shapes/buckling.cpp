@@ -6,6 +6,7 @@
 
 #include "analyses/shapes/shape_measures.hpp"
 #include "assembly/scatter.hpp"
+#include "assembly/small_motions.hpp"
 #include "check/buckling_findings.hpp"
 #include "check/stability.hpp"
 #include "linear/eigen/smallest_factors.hpp"
@@ -286,7 +287,8 @@ BucklingRecord find_buckling(const System& system,
                              const State& state,
                              double load_time,
                              const BucklingSettings& settings) {
-    return FactorFinder(system, state, load_time).find(settings);
+    const SmallMotions small(system);
+    return FactorFinder(small.system(), state, load_time).find(settings);
 }
 
 }  // namespace gxrod

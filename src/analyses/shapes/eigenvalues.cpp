@@ -7,6 +7,7 @@
 
 #include "analyses/shapes/shape_measures.hpp"
 #include "analyses/shapes/shape_words.hpp"
+#include "assembly/small_motions.hpp"
 #include "linear/eigen/pencil.hpp"
 #include "linear/eigen/quadratic_pairs.hpp"
 
@@ -31,7 +32,7 @@ class EigenvalueFinder {
         : system_(system),
           state_(state),
           settings_(settings),
-          problem_{&system.pattern(), matrices.stiffness, matrices.damping, matrices.mass} {
+          problem_(matrices.problem_on(system.pattern())) {
         record_.time = time;
     }
 
@@ -142,8 +143,10 @@ class EigenvalueFinder {
 
     void take_left_vector(Eigen::VectorXcd y, const Eigen::VectorXcd& x, Eigenmode& mode) const {
         if (y.isZero(0.0)) return;
-        const Eigen::VectorXcd change =
+        Eigen::VectorXcd change =
             2.0 * mode.lambda() * multiply_complex(problem_.M, x) + multiply_complex(problem_.D, x);
+        for (const RelaxingMatrix& one : problem_.relaxing)
+            change += one.slope(mode.lambda(), mode.lambda()) * multiply_complex(one.values, x);
         const Complex product = (y.transpose() * change)(0);
         if (std::abs(product) > 1e-12 * y.norm() * change.norm()) y /= product;
         mode.left = list_nodes(y.real());
@@ -165,7 +168,8 @@ EigenvaluesRecord find_eigenvalues(const System& system,
                                    double time,
                                    const EigenvalueSettings& settings,
                                    const StateMatrices& matrices) {
-    return EigenvalueFinder(system, state, time, settings, matrices).find();
+    const SmallMotions small(system);
+    return EigenvalueFinder(small.system(), state, time, settings, matrices).find();
 }
 
 EigenvaluesRecord find_eigenvalues(const System& system,

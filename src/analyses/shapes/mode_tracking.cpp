@@ -41,7 +41,15 @@ Eigen::MatrixXd correlate(const ModeTraces& earlier, const ModeTraces& later) {
     const Eigen::MatrixXcd damping = earlier.left.transpose() * later.damping;
     const Eigen::MatrixXcd sums = earlier.lambda.replicate(1, later.lambda.size()) +
                                   later.lambda.transpose().replicate(earlier.lambda.size(), 1);
-    return (sums.cwiseProduct(mass) + damping).cwiseAbs();
+    Eigen::MatrixXcd correlation = sums.cwiseProduct(mass) + damping;
+    for (const auto& [law, image] : later.relaxing) {
+        const Eigen::MatrixXcd relaxing = earlier.left.transpose() * image;
+        for (Index j = 0; j < relaxing.cols(); ++j) {
+            for (Index i = 0; i < relaxing.rows(); ++i)
+                correlation(i, j) += law.slope(earlier.lambda[i], later.lambda[j]) * relaxing(i, j);
+        }
+    }
+    return correlation.cwiseAbs();
 }
 
 // Of those that are no copies of one.
@@ -64,7 +72,10 @@ ModeTraces make_traces(const System& system,
     ModeTraces traces{Eigen::VectorXcd(count),
                       Eigen::MatrixXcd::Zero(size, count),
                       Eigen::MatrixXcd(size, count),
-                      Eigen::MatrixXcd(size, count)};
+                      Eigen::MatrixXcd(size, count),
+                      {}};
+    for (const RelaxingMatrix& one : matrices.relaxing)
+        traces.relaxing.push_back({{one.time, {}}, Eigen::MatrixXcd(size, count)});
     for (Index i = 0; i < count; ++i) {
         const Eigenmode& mode = modes[static_cast<std::size_t>(i)];
         traces.lambda[i] = mode.lambda();
@@ -72,6 +83,9 @@ ModeTraces make_traces(const System& system,
         const Eigen::VectorXcd z = join(system, mode.shape.nodes, mode.imaginary);
         traces.mass.col(i) = multiply_complex(system.pattern(), matrices.mass, z);
         traces.damping.col(i) = multiply_complex(system.pattern(), matrices.damping, z);
+        for (std::size_t k = 0; k < traces.relaxing.size(); ++k)
+            traces.relaxing[k].second.col(i) =
+                multiply_complex(system.pattern(), matrices.relaxing[k].values, z);
     }
     return traces;
 }

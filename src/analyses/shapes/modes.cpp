@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "analyses/shapes/shape_measures.hpp"
+#include "assembly/small_motions.hpp"
 #include "assembly/state_matrices.hpp"
 #include "check/stability.hpp"
 #include "linear/eigen/lowest_pairs.hpp"
@@ -164,7 +165,8 @@ class ModeFinder {
 }  // namespace
 
 ModesRecord find_modes(const System& system, const State& state, double time, const ModesSettings& settings) {
-    return ModeFinder(system, state, time).find(settings);
+    const SmallMotions small(system);
+    return ModeFinder(small.system(), state, time).find(settings);
 }
 
 }  // namespace gxrod

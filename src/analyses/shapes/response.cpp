@@ -18,11 +18,8 @@ using Complex = std::complex<double>;
 // Of the motion: where round-off may change it by more, it is none.
 constexpr double solved = 1e-3;
 
-QuadraticProblem make_problem(const System& system, StateMatrices&& matrices) {
-    return {&system.pattern(),
-            std::move(matrices.stiffness),
-            std::move(matrices.damping),
-            std::move(matrices.mass)};
+QuadraticProblem make_problem(const System& system, const StateMatrices& matrices) {
+    return matrices.problem_on(system.pattern());
 }
 
 Eigen::VectorXcd gather_complex(const ComplexVectors& nodal, const EquationNumbers& equations) {
