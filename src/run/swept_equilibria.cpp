@@ -7,6 +7,7 @@
 
 #include "analyses/static.hpp"
 #include "model/analysis_traits.hpp"
+#include "model/path_dependence.hpp"
 
 namespace gxrod {
 namespace {
@@ -53,6 +54,8 @@ SweptEquilibria::Equilibrium SweptEquilibria::prepare(const StagedModel& deck, s
 
 bool SweptEquilibria::settle(const StagedModel& deck, Equilibrium& found) const {
     if (!last_.analysis || !have_same_shape(*last_.model, deck.model)) return false;
+    // From the last equilibrium it would inherit what sections and friction remember of that.
+    if (depends_on_path(deck.model)) return false;
     const std::size_t stage = find_last(deck);
     if (!has_steps(deck.stages[stage].analysis)) return false;
     found = prepare(deck, stage);
