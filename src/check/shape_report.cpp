@@ -8,6 +8,9 @@
 #include <numbers>
 #include <ranges>
 
+#include "assembly/small_motions.hpp"
+#include "model/small_motion_law.hpp"
+
 namespace gxrod {
 namespace {
 
@@ -27,6 +30,19 @@ std::string describe_effective_mass(const ModesRecord& record) {
         text += fmt::format("{}{:.0f} % {}", text.empty() ? "" : ", ", percent * share, directions[i]);
     }
     return text;
+}
+
+// "sections of beam and arm relax"
+std::string name_relaxing_rods(const Model& model) {
+    std::vector<std::string> names;
+    for (const Rod& rod : model.rods) {
+        const auto& law = model.sections[static_cast<std::size_t>(rod.section)].law;
+        if (law && !list_relaxing_stiffness(*law).empty()) names.push_back(rod.name);
+    }
+    constexpr std::size_t most = 3;
+    const bool are_many = names.size() > most;
+    if (are_many) names.resize(most);
+    return fmt::format("sections of {}{} relax", fmt::join(names, ", "), are_many ? ", …" : "");
 }
 
 class Lister {
@@ -304,6 +320,34 @@ std::string find_failure(const ShapesRecord& record) {
             return "";
         },
         record);
+}
+
+std::vector<std::string> note_sections(const System& system, const State& state, const ShapesRecord& record) {
+    std::vector<std::string> notes;
+    if (!system.has_laws()) return notes;
+    const SmallMotions small(system);
+    const bool is_buckling = std::holds_alternative<BucklingRecord>(record);
+    if (small.relaxes() && std::holds_alternative<ModesRecord>(record)) {
+        notes.push_back(
+            name_relaxing_rods(system.model()) +
+            ": the modes are those of the stiffness after a long time; kind = \"eigenvalues\" finds "
+            "how fast it vibrates and how that is damped");
+    } else if (small.relaxes() && is_buckling) {
+        notes.push_back(name_relaxing_rods(system.model()) +
+                        ": the factors are those of loads that stay, of the stiffness after a long time");
+    } else if (small.relaxes() && !std::holds_alternative<ResponseRecord>(record)) {
+        notes.push_back(name_relaxing_rods(system.model()) +
+                        ": motions with a damping ratio above 0.99, by which it creeps, are not listed");
+    }
+    const double length = small.measure_length_at_limit(state, state.time);
+    if (length > 0.0 && !std::holds_alternative<SweepRecord>(record)) {
+        notes.push_back(fmt::format(
+            "sections are about to yield or to slip over a length of {:.3g}: their stiffness is taken as "
+            "elastic, as if they unloaded{}",
+            length,
+            is_buckling ? ", which makes factors too high where more load yields" : ""));
+    }
+    return notes;
 }
 
 std::string describe_left_out_loads(const Model& model) {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "model/model.hpp"
+#include "assembly/system.hpp"
 #include "state/shapes_record.hpp"
 
 // What a stage has found about small motions, in sentences.
@@ -20,5 +20,9 @@ std::string find_failure(const ShapesRecord& record);
 
 // Of a deck whose first stage finds modes: which of its loads do not act there; "" if it has none.
 std::string describe_left_out_loads(const Model& model);
+
+// How shapes about a state take the laws of its sections, a sentence each; none where no section relaxes or
+// is about to slip or to yield.
+std::vector<std::string> note_sections(const System& system, const State& state, const ShapesRecord& record);
 
 }  // namespace gxrod

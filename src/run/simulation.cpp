@@ -168,6 +168,8 @@ bool Simulation::find_shapes() {
         const std::string note = multiplies_loads ? "" : describe_left_out_loads(request_.model);
         if (!note.empty()) books_.summary().notes.push_back(prefix + note);
     }
+    for (const std::string& note : note_sections(analysis().system(), analysis().state(), found.record))
+        books_.summary().notes.push_back(prefix + note);
     for (const std::string& warning : warn_of_shapes(found.record)) books_.add_warning(prefix + warning);
     if (file_) {
         const PhaseTimer timer(output_seconds_);
