@@ -25,6 +25,7 @@ constexpr double most_density_ratio = 100.0;  // between a rod or body and water
 constexpr double most_friction = 2.0;
 constexpr double most_offset = 10.0;  // of a tendon, in sizes of the section
 constexpr double most_damping = 2.0;  // of critical
+constexpr double least_piece = 0.2;   // of a line of rods; shorter ones buckle with the others
 constexpr double most_speed = 2.0;    // along a rod, compared with waves of stretching
 
 std::string describe(const Box& box) {
@@ -60,6 +61,10 @@ class Questions {
         for (const Tendon& tendon : model_.tendons) ask_of_offset(tendon);
         if (std::ranges::any_of(stages, [](const StagePlan& stage) { return vibrates(stage.analysis); }))
             ask_of_damping();
+        const auto buckles = [](const StagePlan& stage) {
+            return std::holds_alternative<BucklingSettings>(stage.analysis);
+        };
+        if (std::ranges::any_of(stages, buckles)) ask_of_waves();
         return std::move(findings_);
     }
 
@@ -244,6 +249,33 @@ class Questions {
             rod.name,
             offset / size,
             size));
+    }
+
+    // Elements of order 1 that meet at the angles of a half wave of n of them: its load is (tan x/x)² times
+    // the exact one, x = π/(2 n).
+    void ask_of_waves() {
+        constexpr int fewest = 8;
+        std::vector<std::string> names;
+        int elements = fewest;
+        const std::vector<double> lines = measure_lines(model_);
+        for (std::size_t i = 0; i < model_.rods.size(); ++i) {
+            const Rod& rod = model_.rods[i];
+            const bool is_piece = rod.length < least_piece * lines[i];
+            if (rod.order > 1 || rod.element_count() >= fewest || is_piece) continue;
+            names.push_back(rod.name);
+            elements = std::min(elements, rod.element_count());
+        }
+        if (names.empty()) return;
+        const double x = std::numbers::pi / (2.0 * elements);
+        const std::string more = names.size() == 1 ? "" : fmt::format(" (and {} more)", names.size() - 1);
+        ask(fmt::format(
+            "rod {}{} has few elements of order 1 for a half wave of buckling along it: {} of them make "
+            "its load {} too high; order = 2, or {} elements or more, would not",
+            names.front(),
+            more,
+            elements,
+            elements == 1 ? "far" : fmt::format("{:.2g} %", 100.0 * (std::pow(std::tan(x) / x, 2) - 1.0)),
+            fewest));
     }
 
     void ask_of_damping() {

@@ -129,6 +129,22 @@ TEST_CASE("A modulus in another unit is asked about in motions, too", "[check]")
     check_asked(moved, replaced(moved, "E = 2.1e11", "E = 7"), "places of rod r move at");
 }
 
+TEST_CASE("Coarse rods are asked about where they are to buckle", "[check]") {
+    const auto deck = [](const std::string& elements, const std::string& order) {
+        return replaced(
+            make_deck(steel,
+                      "[[load]]\nat = \"r@0.5\"\nforce = [-1, 0, 0]\n[[stage]]\nname = \"load\"\nkind = "
+                      "\"static\"\n[[stage]]\nname = \"buckle\"\nkind = \"buckling\"\n"),
+            "elements = 2\norder = 2",
+            "elements = " + elements + "\norder = " + order);
+    };
+    check_asked(deck("2", "2"),
+                deck("4", "1"),
+                "rod r has few elements of order 1 for a half wave of buckling along it: "
+                "4 of them make its load 11 % too high");
+    check_asked(deck("8", "1"), deck("2", "1"), "2 of them make its load 62 % too high");
+}
+
 TEST_CASE("An input that no expression reads is noted", "[check]") {
     const auto deck = [](const std::string& tension) {
         return make_deck(steel,
