@@ -104,8 +104,7 @@ void note_threads(const JobOptions& options) {
 // Reports what is suspicious, before the run.
 void print(const JobOptions& options, const std::vector<Finding>& findings) {
     for (const Finding& finding : findings) {
-        const bool is_shown = finding.severity != Severity::note || (finding.is_of_run && !options.quiet);
-        if (is_shown) say(stderr, "{}: {}\n", options.deck, describe(finding));
+        if (finding.severity != Severity::note) say(stderr, "{}: {}\n", options.deck, describe(finding));
     }
 }
 

@@ -13,7 +13,6 @@ enum class Severity {
 struct Finding {
     Severity severity;
     std::string message;
-    bool is_of_run = false;  // a note that a run prints, too
 };
 
 }  // namespace gxrod

@@ -185,8 +185,7 @@ void note_lack_of_potential(const Model& model, std::vector<Finding>& findings) 
                             "its sign" +
                             (has_shapes ? ". A stage of kind eigenvalues after this one shows whether the "
                                           "structure stays there"
-                                        : ""),
-                        true});
+                                        : "")});
 }
 
 double compute_mass(const Model& model) {

@@ -104,13 +104,4 @@ TEST_CASE("Mesh errors that check finds are warnings of the run", "[issues]") {
     check_warns(bent + clamp + "[[load]]\nat = \"r.end\"\nforce = [0, 0, 1e-3]\n", "rod r is bent by up to");
 }
 
-TEST_CASE("Of loads that follow the run itself says that pivots do not tell", "[issues]") {
-    const Problem problem =
-        read(static_rod_deck + clamp + "[[load]]\nat = \"r.end\"\nforce = [0, 0, 1]\nframe = \"follower\"\n");
-    const std::vector<Finding> findings = examine_stages(problem.model, problem.stages);
-    CHECK(std::ranges::any_of(findings, [](const Finding& finding) {
-        return finding.is_of_run && finding.message.find("negative pivots do not count") != std::string::npos;
-    }));
-}
-
 }  // namespace gxrod::test
