@@ -165,6 +165,13 @@ void split_contact(const System& system,
     exchange();
 }
 
+// Makes what went wrong at the end of a step that of the step.
+void report_end(const EquilibriumReport& end, EquilibriumReport& report) {
+    const int iterations = report.iterations;
+    report = end;
+    report.iterations = iterations;
+}
+
 // Of an implicit step that has converged.
 void restore_hidden_constraints(const System& system,
                                 const Stage& stage,
@@ -175,7 +182,7 @@ void restore_hidden_constraints(const System& system,
     project_velocities(system, stage.end_time, step, workspace, state, report);
     if (!report.converged()) return;
     const EquilibriumReport end = solve_accelerations(system, stage.end_time, step, workspace, state);
-    if (!end.converged()) report.outcome = end.outcome;
+    if (!end.converged()) report_end(end, report);
 }
 
 // Where the end of the step is not a stage, or joints have to be met there, accelerations are found anew.
@@ -196,16 +203,17 @@ EquilibriumReport solve_together(const System& system,
         project_positions(system, step.end_time, workspace, state, end);
         if (end.converged()) restore_hidden_constraints(system, step, workspace, state, end);
     }
-    if (!end.converged()) report.outcome = end.outcome;
+    if (!end.converged()) report_end(end, report);
     return report;
 }
 
-EquilibriumReport solve_in_turn(const System& system,
-                                const Integrator& integrator,
-                                const NewtonSettings& settings,
-                                const Stage& first_stage,
-                                SolverWorkspace& workspace,
-                                State& state) {
+EquilibriumReport solve_stages(const System& system,
+                               const Integrator& integrator,
+                               const NewtonSettings& settings,
+                               const Stage& first_stage,
+                               std::optional<ConstraintLevel> level,
+                               SolverWorkspace& workspace,
+                               State& state) {
     EquilibriumReport total;
     Stage stage = first_stage;
     const bool weighs_power = !integrator.power_weights().empty();
@@ -214,7 +222,7 @@ EquilibriumReport solve_in_turn(const System& system,
         EquilibriumReport report =
             integrator.is_explicit()
                 ? solve_stage_explicitly(system, integrator, stage, workspace, state)
-                : solve_equilibrium(system, integrator, settings, stage, workspace, state);
+                : solve_equilibrium(system, integrator, settings, stage, workspace, state, level);
         report.iterations += total.iterations;
         total = report;
         if (!report.converged()) break;
@@ -231,6 +239,32 @@ EquilibriumReport solve_in_turn(const System& system,
     if (total.converged() && is_implicit && system.contact() && system.model().has_inertia)
         split_contact(system, integrator, stage, workspace, state, total);
     return total;
+}
+
+// Whether a stage meets joints by accelerations, though it is implicit.
+bool asks_for_accelerations(const System& system, const Integrator& integrator) {
+    if (integrator.is_explicit() || !has_hidden_constraints(system)) return false;
+    for (int stage = 0; stage < integrator.stage_count(); ++stage) {
+        if (integrator.constraint_level(stage) == ConstraintLevel::acceleration) return true;
+    }
+    return false;
+}
+
+// Where bars come into line the accelerations of joints have a pole within the step; positions have none.
+EquilibriumReport solve_in_turn(const System& system,
+                                const Integrator& integrator,
+                                const NewtonSettings& settings,
+                                const Stage& first_stage,
+                                SolverWorkspace& workspace,
+                                State& state) {
+    EquilibriumReport report =
+        solve_stages(system, integrator, settings, first_stage, std::nullopt, workspace, state);
+    if (report.converged() || !asks_for_accelerations(system, integrator)) return report;
+    const int before = report.iterations;
+    report =
+        solve_stages(system, integrator, settings, first_stage, ConstraintLevel::position, workspace, state);
+    report.iterations += before;
+    return report;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -93,13 +94,15 @@ struct SolverWorkspace {
 // or, where round-off hides that, when the last increment was below 1e-4 × tolerance or four units of
 // rounding, or the next one would be (going by the ratio of the last two) and the residual, not as large as
 // all forces, no longer falls, or it was below 1e-10 and no longer shrinking (δr relative to the model's
-// length or the node's distance from the origin, δφ in rad).
+// length or the node's distance from the origin, δφ in rad). `level`: at which joints are met, in place of
+// the one that the integrator asks for.
 EquilibriumReport solve_equilibrium(const System& system,
                                     const Integrator& integrator,
                                     const NewtonSettings& settings,
                                     const Stage& stage,
                                     SolverWorkspace& workspace,
-                                    State& state);
+                                    State& state,
+                                    std::optional<ConstraintLevel> level = std::nullopt);
 
 // Sets the trial accelerations, and the multipliers of joints, from equilibrium at the trial's positions,
 // rotations and velocities: M a − Gᵀλ = f, with the equations of joints at the level of accelerations.

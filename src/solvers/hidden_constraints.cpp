@@ -12,13 +12,20 @@ namespace {
 constexpr double met = 1e-12;       // of the scale
 constexpr double tolerable = 1e-8;  // where round-off leaves more
 constexpr int most_corrections = 8;
+// The regularization of the joints' equations truncates their factorization: a correction takes the part
+// ε/(σ² + ε) of the gap away, σ the singular value by which velocities change it, and so after all
+// corrections what is left has σ below some √ε. These are the equations that lose their rank where bars come
+// into line; velocities cannot meet them, and positions do, in the steps that follow.
+constexpr double tolerable_in_line = 1e-6;
 
-// Calls correct(increments of the nodes) until measure(rows) is small or no longer falls.
+// Calls correct(increments of the nodes) until measure(rows) is small or no longer falls. `most` is tolerated
+// where all corrections leave it.
 template <class Compute, class Measure, class Correct>
 void project(const System& system,
              SolverWorkspace& workspace,
              EquilibriumReport& report,
              Eigen::VectorXd* total,
+             double most,
              const Compute& compute_rows,
              const Measure& measure,
              const Correct& correct) {
@@ -30,6 +37,7 @@ void project(const System& system,
         report.joint_gap = measure(rows);
         const double gap = report.joint_gap.size;
         if (gap <= met || (gap <= tolerable && gap >= 0.5 * before)) return;
+        if (i == most_corrections && gap <= most) return;
         if (i == most_corrections || !(gap < 1e3 * before)) break;
         before = gap;
         Eigen::VectorXd residual = Eigen::VectorXd::Zero(system.equations().count());
@@ -70,6 +78,7 @@ void project_velocities(const System& system,
         workspace,
         report,
         total,
+        tolerable_in_line,
         [&](std::vector<double>& rows) {
             joints.compute_rows(state, time, {ConstraintLevel::velocity, step, time_scale}, rows);
         },
@@ -93,6 +102,7 @@ void project_positions(const System& system,
         workspace,
         report,
         total,
+        tolerable,
         [&](std::vector<double>& rows) { joints.compute_rows(state, time, {}, rows); },
         [&](const std::vector<double>& rows) { return joints.measure_gap(rows, state); },
         [&](std::size_t node, const Vec6& increment) {

@@ -25,6 +25,7 @@ class Newton {
            const Integrator& integrator,
            const NewtonSettings& settings,
            const Stage& stage,
+           const ConstraintRequest& request,
            SolverWorkspace& workspace,
            State& state)
         : system_(system),
@@ -33,7 +34,7 @@ class Newton {
           settings_(settings),
           stage_(stage),
           time_(integrator.stage_time(stage)),
-          request_(find_request(system, integrator, stage)),
+          request_(request),
           moves_supports_(integrator.is_static() && system.supports().move()),
           contact_(system.contact()),
           limits_rotation_(!integrator.is_static() || system.uses_step_rotations()),
@@ -292,17 +293,21 @@ EquilibriumReport solve_equilibrium(const System& system,
                                     const NewtonSettings& settings,
                                     const Stage& stage,
                                     SolverWorkspace& workspace,
-                                    State& state) {
+                                    State& state,
+                                    std::optional<ConstraintLevel> level) {
+    ConstraintRequest request = find_request(system, integrator, stage);
+    if (level) request.level = *level;
     if (settings.tangent != TangentKind::mixed) {
-        return Newton(system, integrator, settings, stage, workspace, state).solve();
+        return Newton(system, integrator, settings, stage, request, workspace, state).solve();
     }
-    const EquilibriumReport mixed = Newton(system, integrator, settings, stage, workspace, state).solve();
+    const EquilibriumReport mixed =
+        Newton(system, integrator, settings, stage, request, workspace, state).solve();
     if (mixed.converged()) return mixed;
     // Past a limit point the consistent tangent's wilder increments may find a way. The prediction does not
     // depend on where the first attempt has left the trial motions.
     NewtonSettings other = settings;
     other.tangent = TangentKind::consistent;
-    EquilibriumReport report = Newton(system, integrator, other, stage, workspace, state).solve();
+    EquilibriumReport report = Newton(system, integrator, other, stage, request, workspace, state).solve();
     if (report.converged()) report.iterations += mixed.iterations;
     return report;
 }

@@ -31,7 +31,8 @@ class CoupledNewton {
         }
         compute_residuals();
         if (own_.common.factorize(stages_, workspace_, report_)) iterate_with_common();
-        if (!report_.converged() && system_.joints().empty()) iterate_with_exact();
+        if (!report_.converged() && (system_.joints().empty() || stages_.asks_for_positions))
+            iterate_with_exact();
         if (report_.converged()) finish();
         return report_;
     }
@@ -192,8 +193,10 @@ class CoupledNewton {
             const auto spin = [&](std::size_t node) -> Vec3 { return deltas[node].tail<3>(); };
             is_admitted = guards_[j].admits(state_.trial, spin, report_);
             if (!is_admitted) return;
-            if (!system_.joints().empty())
-                system_.joints().advance_multipliers(deltas, increments_[j], workspace_.values, state_);
+            if (!system_.joints().empty()) {
+                const std::vector<double>& values = is_common ? workspace_.values : own_.exact->values_of(j);
+                system_.joints().advance_multipliers(deltas, increments_[j], values, state_);
+            }
             system_.team().for_each_range(deltas.size(), [&](std::size_t first, std::size_t last) {
                 for (std::size_t node = first; node < last; ++node)
                     apply_spin(state_.previous[node],
@@ -248,7 +251,8 @@ EquilibriumReport solve_coupled_step(const System& system,
     StagesOfStep stages{system, scheme, step, state, system.joints().are_linear()};
     EquilibriumReport report = CoupledNewton(stages, settings, workspace).solve();
     if (report.converged() || stages.asks_for_positions) return report;
-    // Where joints are redundant their accelerations can contradict each other; positions do not.
+    // Where joints are redundant their accelerations can contradict each other; positions do not. Where bars
+    // come into line the equations of joints change their rank within the step, and no common matrix serves.
     stages.asks_for_positions = true;
     const int before = report.iterations;
     report = CoupledNewton(stages, settings, workspace).solve();

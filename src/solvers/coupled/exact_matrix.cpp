@@ -44,6 +44,7 @@ void ExactMatrix::assemble(const StagesOfStep& stages, SolverWorkspace& workspac
     const std::size_t count = stages.count();
     const auto entries = static_cast<std::size_t>(stages.system.pattern().nonzeros());
     std::vector<std::vector<double>> rows(count * count, std::vector<double>(entries, 0.0));
+    of_stages_.resize(count);
     for (std::size_t j = 0; j < count; ++j) {
         blocks_.assign(count, std::vector<double>(entries, 0.0));
         for (std::size_t k = 0; k < count; ++k) {
@@ -60,6 +61,7 @@ void ExactMatrix::assemble(const StagesOfStep& stages, SolverWorkspace& workspac
                                               block_,
                                               stages.tangent_request());
             });
+            if (k == j) of_stages_[j] = block_;
             for (std::size_t l = 0; l < count; ++l)
                 add_scaled(from_unknowns_(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(l)),
                            block_,
@@ -87,9 +89,10 @@ void ExactMatrix::solve(const StagesOfStep& stages,
     const auto size = static_cast<Eigen::Index>(system.equations().count());
     const auto count = static_cast<Eigen::Index>(stages.count());
     Matrix right_sides(size, count);
-    for (Eigen::Index j = 0; j < count; ++j) {
-        right_sides.col(j) =
-            -gather(residuals[static_cast<std::size_t>(j)].nodal, system.equations(), system.team());
+    for (std::size_t j = 0; j < stages.count(); ++j) {
+        Eigen::VectorXd right_side = gather(residuals[j].nodal, system.equations(), system.team());
+        if (!system.joints().empty()) system.joints().set_rows(residuals[j].rows, of_stages_[j], right_side);
+        right_sides.col(static_cast<Eigen::Index>(j)) = -right_side;
     }
     const Matrix combined = right_sides * to_equations_.transpose();
     Eigen::VectorXd vector;

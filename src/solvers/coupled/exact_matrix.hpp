@@ -6,9 +6,9 @@
 namespace gxrod {
 
 // The derivative of the equations of all stages by the placements of all, where the common matrix is not
-// near enough: a system of as many times the model's size as there are stages, of models without joints. It
-// is written in the unknowns that would part the common one (docs/theory/newmark.md, (R4)), so that
-// elimination needs no exchange of equations either.
+// near enough: a system of as many times the model's size as there are stages. It is written in the unknowns
+// that would part the common one (docs/theory/newmark.md, (R4)), so that elimination needs no exchange of
+// equations either. Joints are met by positions.
 class ExactMatrix {
   public:
     ExactMatrix(const System& system, const CoupledStages& scheme, LinearSolverKind kind);
@@ -21,6 +21,9 @@ class ExactMatrix {
                SolverWorkspace& workspace,
                std::vector<Eigen::VectorXd>& increments);
 
+    // The tangent of a stage by its own placements, which scales the equations of its joints.
+    const std::vector<double>& values_of(std::size_t stage) const { return of_stages_[stage]; }
+
   private:
     // Sets values_ to the blocks of the stacked system, the first index the equations'.
     void assemble(const StagesOfStep& stages, SolverWorkspace& workspace);
@@ -29,6 +32,7 @@ class ExactMatrix {
     std::unique_ptr<LinearSolver> solver_;
     Eigen::MatrixXd to_equations_, from_unknowns_;  // of the stages
     std::vector<std::vector<double>> blocks_;       // equations of all, unknowns of one
+    std::vector<std::vector<double>> of_stages_;    // equations and unknowns of the same one
     std::vector<double> block_, values_;
 };
 
