@@ -33,7 +33,9 @@ class DeckExaminer {
     DeckExaminer(const DeckTemplate& deck,
                  const std::vector<std::string>& overrides,
                  const DeckStudyOptions& options)
-        : options_(&options), base_problem_(deck.build(overrides)) {
+        : options_(&options),
+          base_problem_(deck.build(overrides)),
+          deck_(base_problem_.record.text, deck.file()) {
         add_histories(base_problem_);
         const Problem& problem = base_problem_;
         study_.title = problem.record.title;
@@ -78,7 +80,7 @@ class DeckExaminer {
 
     // The user's overrides are part of the deck then, so that a variant's keys may exclude theirs.
     Problem build(const std::vector<std::string>& overrides) {
-        Problem problem = rebuild_problem(base_problem_.record, overrides);
+        Problem problem = deck_.build(overrides);
         add_histories(problem);
         return problem;
     }
@@ -281,6 +283,7 @@ class DeckExaminer {
 
     const DeckStudyOptions* options_;
     Problem base_problem_;
+    DeckTemplate deck_;  // with the user's overrides
     std::vector<Series> series_;
     Quat rotation_;
     Quat rotation_more_;

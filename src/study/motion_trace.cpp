@@ -190,7 +190,7 @@ std::vector<Series> list_series(const OutputSettings& output) {
                    request.quantities.end();
         };
         for (const Quantity quantity : request.quantities) {
-            const bool is_vector = quantity == Quantity::rotation_vector;
+            const bool is_vector = quantity == Quantity::rotation_vector && request.bushing < 0;
             if (is_vector && asks(Quantity::quaternion)) continue;
             const Quantity followed = is_vector ? Quantity::quaternion : quantity;
             const std::string name = is_vector ? "rotation" : word_of(quantity);

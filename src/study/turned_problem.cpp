@@ -118,6 +118,22 @@ TimeVector turn(const Quat& rotation, const TimeVector& vector) {
     return TimeVector(turn(rotation, vector.components()));
 }
 
+std::shared_ptr<const TriangleMesh> turn(const Quat& rotation, const TriangleMesh& mesh) {
+    auto turned = std::make_shared<TriangleMesh>(mesh);
+    for (Vec3& position : turned->positions) position = rotation * position;
+    return turned;
+}
+
+void turn(const Quat& rotation, Obstacle& obstacle) {
+    obstacle.normal = rotation * obstacle.normal;
+    for (Vec3& point : obstacle.line) point = rotation * point;
+    for (Vec3& tangent : obstacle.tangents) tangent = rotation * tangent;
+    if (obstacle.mesh) obstacle.mesh = turn(rotation, *obstacle.mesh);
+    if (!obstacle.motion) return;
+    ObstacleMotion& motion = *obstacle.motion;
+    motion = {turn(rotation, motion.displacement), turn(rotation, motion.rotation), rotation * motion.about};
+}
+
 }  // namespace
 
 Quat restrict_rotation(const Quat& rotation, const Model& model) {
@@ -144,6 +160,11 @@ std::optional<Vec3> find_small_turn(const Model& model) {
 void turn_model(const Quat& rotation, Model& model) {
     model.gravity = turn(rotation, model.gravity);
     turn(rotation, model.surroundings);
+    for (Obstacle& obstacle : model.contact.obstacles) turn(rotation, obstacle);
+    if (model.rotation) {
+        model.rotation->axis = rotation * model.rotation->axis;
+        model.rotation->through = rotation * model.rotation->through;
+    }
     for (Node& node : model.nodes) {
         node.position = rotation * node.position;
         node.velocity = rotation * node.velocity;
