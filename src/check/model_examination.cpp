@@ -43,6 +43,52 @@ std::string list_motions(const Model& model,
     return text;
 }
 
+// Whether it pulls or pushes at t = 0.
+bool is_strained(const Model& model, const Spring& spring) {
+    constexpr double round_off = 1e-12;
+    const Vec3 a = find_place(model, spring.ends[0]);
+    const Vec3 b = find_place(model, spring.ends[1]);
+    const double size = std::max({a.norm(), b.norm(), spring.length});
+    const double force = compute_elastic_tension(spring, (b - a).norm());
+    return std::abs(force) > round_off * find_stiffness(spring) * size;
+}
+
+// Whether something acts on this part.
+bool is_loaded(const Model& model, const ModelPart& part) {
+    const auto has_node = [&](int node) { return std::ranges::binary_search(part.nodes, node); };
+    const auto has_rod = [&](int rod) { return std::ranges::binary_search(part.rods, rod); };
+    const auto pushes = [&](const NodalLoad& load) {
+        return has_node(load.node) && (load.has_force() || !is_zero(load.moment));
+    };
+    const auto pushes_along = [&](const DistributedLoad& load) {
+        return has_rod(load.rod) && (!is_zero(load.force) || !is_zero(load.moment));
+    };
+    const auto is_bent = [&](int rod) {
+        return !model.rods[static_cast<std::size_t>(rod)].starts_free_of_stress();
+    };
+    const auto moves = [&](const Support& support) {
+        return has_node(support.node) && support.moved != std::array<bool, 6>{};
+    };
+    const auto acts_within = [&](const auto& drive) { return has_rod(drive.rod); };
+    const auto strains = [&](int spring) {
+        return is_strained(model, model.springs[static_cast<std::size_t>(spring)]);
+    };
+    return model.rotation || !model.gravity.is_zero() || std::ranges::any_of(model.loads, pushes) ||
+           std::ranges::any_of(model.distributed_loads, pushes_along) ||
+           std::ranges::any_of(part.rods, is_bent) || std::ranges::any_of(model.supports, moves) ||
+           std::ranges::any_of(model.actuations, acts_within) ||
+           std::ranges::any_of(model.tendons, acts_within) || std::ranges::any_of(part.springs, strains);
+}
+
+// Whether what acts on a part can hold it in spite of these motions, as gravity, tension and rotation hold
+// what hangs on an axis: turns, not all of them about the line of a straight rod.
+bool can_be_held(const Model& model, const ModelPart& part, const std::vector<UnsupportedMotion>& motions) {
+    const auto moves_along = [](const UnsupportedMotion& motion) { return motion.rotation.isZero(0.0); };
+    const auto twists = [&](const UnsupportedMotion& motion) { return is_twist(model, part, motion); };
+    if (!is_loaded(model, part) || std::ranges::any_of(motions, moves_along)) return false;
+    return !std::ranges::all_of(motions, twists);
+}
+
 // Equilibrium does not say where a part is that can move without being strained, unless what is around holds
 // it: as a current does a towed cable, and the surface what floats. Of what contact can hold at the start of
 // a run examine_contact says more.
@@ -60,6 +106,15 @@ void find_drifting_parts(const Model& model, bool begins_at_rest, std::vector<Fi
                                             list_motions(model, part, motions),
                                             is_surrounded ? "water, wind or the ground have"
                                                           : "contact has from the first step on")});
+            continue;
+        }
+        if (can_be_held(model, part, motions)) {
+            findings.push_back({Severity::warning,
+                                fmt::format("{} can {}; a static analysis needs {} that prevent it, or loads "
+                                            "that hold it",
+                                            name_part(part, model),
+                                            list_motions(model, part, motions),
+                                            holds)});
             continue;
         }
         findings.push_back({Severity::error,
@@ -193,16 +248,6 @@ double compute_mass(const Model& model) {
     for (const Rod& rod : model.rods) mass += model.sections[rod.section].mass(0, 0) * rod.length;
     for (const Body& body : model.bodies) mass += body.mass;
     return mass;
-}
-
-// Whether it pulls or pushes at t = 0.
-bool is_strained(const Model& model, const Spring& spring) {
-    constexpr double round_off = 1e-12;
-    const Vec3 a = find_place(model, spring.ends[0]);
-    const Vec3 b = find_place(model, spring.ends[1]);
-    const double size = std::max({a.norm(), b.norm(), spring.length});
-    const double force = compute_elastic_tension(spring, (b - a).norm());
-    return std::abs(force) > round_off * find_stiffness(spring) * size;
 }
 
 // Whether something acts on a coordinate of a joint from its start.

@@ -145,14 +145,6 @@ std::string describe_point(const Vec3& point, double size) {
     return fmt::format("({:.6g}, {:.6g}, {:.6g})", number(point[0]), number(point[1]), number(point[2]));
 }
 
-// Whether the part is one rod that lies on the axis of the turn.
-bool is_twist(const Model& model, const ModelPart& part, const UnsupportedMotion& turn, double size) {
-    if (part.rods.size() != 1 || !turn.has_place) return false;
-    return std::all_of(part.nodes.begin(), part.nodes.end(), [&](int node) {
-        return turn.rotation.cross(model.nodes[node].position - turn.point).norm() <= on_axis * size;
-    });
-}
-
 }  // namespace
 
 std::vector<UnsupportedMotion> find_unsupported_motions(const Model& model,
@@ -186,13 +178,21 @@ std::vector<UnsupportedMotion> find_unsupported_motions(const Model& model, cons
     return find_unsupported_motions(model, part, build_support_rows(model, part));
 }
 
+bool is_twist(const Model& model, const ModelPart& part, const UnsupportedMotion& turn) {
+    if (part.rods.size() != 1 || !turn.has_place || turn.rotation.isZero(0.0)) return false;
+    const double size = measure(model, part).size;
+    return std::all_of(part.nodes.begin(), part.nodes.end(), [&](int node) {
+        return turn.rotation.cross(model.nodes[node].position - turn.point).norm() <= on_axis * size;
+    });
+}
+
 std::string describe_unsupported_motion(const Model& model,
                                         const ModelPart& part,
                                         const UnsupportedMotion& motion) {
     if (motion.rotation.isZero(0.0)) return "move along " + describe_direction(motion.velocity);
     const double size = measure(model, part).size;
     const bool slides = !motion.velocity.isZero(0.0);
-    if (!slides && is_twist(model, part, motion, size)) return "twist about its axis";
+    if (!slides && is_twist(model, part, motion)) return "twist about its axis";
     std::string text = "turn about an axis along " + describe_direction(motion.rotation);
     if (motion.has_place) text += " through " + describe_point(motion.point, size);
     if (slides) text += fmt::format(" while it moves along it by {:.6g} per rad", motion.velocity.norm());

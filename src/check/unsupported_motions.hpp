@@ -33,6 +33,9 @@ std::vector<UnsupportedMotion> find_unsupported_motions(const Model& model,
                                                         const ModelPart& part,
                                                         const Eigen::MatrixXd& rows);
 
+// Whether the part is one straight rod, on the axis of the turn.
+bool is_twist(const Model& model, const ModelPart& part, const UnsupportedMotion& turn);
+
 // "move along x", "turn about an axis along (0, 0.6, 0.8) through (1, 2, 3)", "twist about its axis".
 std::string describe_unsupported_motion(const Model& model,
                                         const ModelPart& part,

@@ -33,10 +33,10 @@ at  = "beam.start"
 
 class Check(ProgramTest):
     def test_a_part_that_drifts_is_an_error_of_check_and_run(self):
-        self.write("beam.toml", BEAM + 'fix = ["position", "rx", "rz"]\n')
+        self.write("beam.toml", BEAM + 'fix = ["x", "y", "rotation"]\n')
         for verb in ("check", "run"):
             done = self.gxrod(verb, "beam.toml", code=2)
-            self.assertIn("error: rod beam can turn about an axis along y through (0, 0, 0); "
+            self.assertIn("error: rod beam can move along z; "
                           "a static analysis needs supports that prevent it", done.stderr)
         self.assertFalse((self.folder / "beam.vtkhdf").exists())
 
