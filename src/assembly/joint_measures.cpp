@@ -137,9 +137,11 @@ std::vector<JointValues> JointAssembly::compute_joint_values(const State& state,
         const Mat3 axes = at.a.Lambda.toRotationMatrix() * joint.a.axes;
         values.force_in_joint = axes.transpose() * values.force;
         values.moment_in_joint = axes.transpose() * values.moment;
-        const auto motor = [&](int row) { return row < 0 ? 0.0 : state.joints_trial[i].multipliers[row]; };
-        values.motor_turn = motor(joints_[i].turn_motor_row());
-        values.motor_slide = motor(joints_[i].slide_motor_row());
+        const auto drive = [&](const JointCoordinate& laws, int motor_row) {
+            return motor_row < 0 ? laws.drive(time) : state.joints_trial[i].multipliers[motor_row];
+        };
+        values.drive_turn = drive(joint.turn, joints_[i].turn_motor_row());
+        values.drive_slide = drive(joint.slide, joints_[i].slide_motor_row());
         const JointInputs inputs = inputs_at(i, state, time);
         const JointState& before = state.joints_previous[i];
         values.friction = compute_friction_force(

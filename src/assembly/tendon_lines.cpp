@@ -22,7 +22,7 @@ std::vector<double> TendonLines::find_tensions(const std::vector<JointValues>& j
     auto pulled = static_cast<std::size_t>(std::ranges::count_if(model_->tendons, has_winch));
     std::vector<double> tensions;
     for (const Tendon& tendon : model_->tendons)
-        tensions.push_back(has_winch(tendon) ? joints[joints.size() - pulled--].motor_slide
+        tensions.push_back(has_winch(tendon) ? joints[joints.size() - pulled--].drive_slide
                                              : tendon.tension(time));
     return tensions;
 }

@@ -229,7 +229,7 @@ JointValues TendonRows::compute_joint_values(const WidePlace& place,
     JointValues values;
     values.slide = length_at(place);
     values.slide_rate = line_.compute_gradient(place.nodes, place.state).dot(stack_rates(place));
-    values.motor_slide = compute_tension(place, multipliers);
+    values.drive_slide = compute_tension(place, multipliers);
     return values;
 }
 

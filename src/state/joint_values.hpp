@@ -15,8 +15,8 @@ struct JointValues {
     Vec3 moment = Vec3::Zero();
     Vec3 force_in_joint = Vec3::Zero();  // in the axes of A's side, the joint's own first
     Vec3 moment_in_joint = Vec3::Zero();
-    double motor_turn = 0.0;   // moment of the turn's motor
-    double motor_slide = 0.0;  // force of the slide's motor
+    double drive_turn = 0.0;   // moment that drives the turn: a motor's, or one that is given
+    double drive_slide = 0.0;  // force that drives the slide, likewise
     double friction = 0.0;     // moment or force of it
     double gap = 0.0;          // how far the joint's equations are from being satisfied, a length
 };

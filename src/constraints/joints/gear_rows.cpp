@@ -147,7 +147,7 @@ Eigen::VectorXd GearRows::compute_ground_force(const WidePlace& place,
 JointValues GearRows::compute_joint_values(const WidePlace& /*place*/,
                                            const Eigen::VectorXd& multipliers) const {
     JointValues values;
-    values.motor_turn = multipliers[0];
+    values.drive_turn = multipliers[0];
     return values;
 }
 

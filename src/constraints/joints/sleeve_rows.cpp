@@ -348,7 +348,8 @@ JointValues SleeveRows::compute_joint_values(const WidePlace& place,
     Mat3 axes;
     axes << along, find_across(along);
     values.force_in_joint = axes.transpose() * values.force;
-    if (sleeve_->slide.motion) values.motor_slide = multipliers[SleeveMotion::slide];
+    values.drive_slide =
+        sleeve_->slide.motion ? multipliers[SleeveMotion::slide] : sleeve_->slide.drive(place.time);
     values.friction =
         compute_friction_force(sleeve_->slide.friction, 0.0, slide.value, place.before.slide_slip);
     return values;

@@ -31,7 +31,7 @@ void check_name(const CheckedTable& history, std::set<std::string>& taken, const
         return context.add_fault(
             history, "name", fmt::format("expected a name of letters, digits, _ and -, found \"{}\"", name));
     }
-    constexpr std::array taken_words{"time", "stage", "load_factor", "branch"};
+    constexpr std::array taken_words{"time", "stage", "load_factor", "limit_load_factor", "branch"};
     if (std::find(taken_words.begin(), taken_words.end(), name) != taken_words.end()) {
         return context.add_fault(
             history, "name", fmt::format("\"{}\" is taken: a column of all histories has it", name));

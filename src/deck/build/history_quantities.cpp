@@ -51,11 +51,14 @@ bool is_of_surroundings(Quantity quantity) {
     }
 }
 
-// Why the joint has no such quantity, or "".
+// Why the joint has no such quantity, or "". What drives a coordinate, or rubs there, is 0 where nothing
+// does.
 std::string explain_missing(Quantity quantity, const Joint& joint) {
     const auto count = [&](const auto& has) { return int(has(joint.turn)) + int(has(joint.slide)); };
-    const int motors = count([](const JointCoordinate& one) { return one.motion.has_value(); });
+    const int motors =
+        count([](const JointCoordinate& one) { return one.motion.has_value() || !one.drive.is_zero(); });
     const int frictions = count([](const JointCoordinate& one) { return one.friction.acts(); });
+    const bool has_coordinate = joint.has_turn() || joint.has_slide();
     switch (quantity) {
         case Quantity::angle:
         case Quantity::angle_rate:
@@ -66,10 +69,11 @@ std::string explain_missing(Quantity quantity, const Joint& joint) {
         case Quantity::drive:
             if (motors > 1)
                 return "this joint has two motors; force_a and moment_a show both, along the axis";
-            return motors == 1 ? "" : "only a joint with a motor has it; this one has no `move`";
+            return has_coordinate ? ""
+                                  : "this joint has no turn about one axis and no slide that it could drive";
         case Quantity::friction:
             if (frictions > 1) return "this joint has two frictions; expected one";
-            return frictions == 1 ? "" : "this joint has no friction";
+            return has_coordinate ? "" : "this joint has no turn about one axis and no slide that could rub";
         default:
             if (is_of_joints(quantity)) return "";
             return is_of_springs(quantity) ? "only springs have it; this is a joint"

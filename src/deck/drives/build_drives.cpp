@@ -49,7 +49,7 @@ bool is_explicit(const AnalysisSettings& analysis) {
 void check_winch_keys(const CheckedTable& table, const BuildContext& context) {
     if (table.gives("tension") && table.gives("slack"))
         context.add_fault(table, "slack", "goes with shortening or length, not with a tension");
-    if (table.gives("tension") && table.gives("stiffness") && table.get<double>("friction") == 0.0)
+    if (table.gives("tension") && table.gives("stiffness") && !table.gives("friction"))
         context.add_fault(
             table, "stiffness", "goes with shortening or length, or with a tension and friction");
     if (table.gives("length") && table.gives("factor"))
@@ -90,7 +90,7 @@ std::optional<TendonWinch> make_winch(const CheckedTable& table,
 std::optional<CapstanFriction> make_friction(const CheckedTable& table, const BuildContext& context) {
     const double coefficient = table.get<double>("friction");
     if (coefficient == 0.0) {
-        if (table.gives("pulled_at"))
+        if (table.gives("pulled_at") && !table.gives("friction"))
             context.add_fault(table, "pulled_at", "goes with friction; without it both ends are alike");
         return std::nullopt;
     }

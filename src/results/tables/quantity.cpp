@@ -79,9 +79,8 @@ QuantityForm joint_form(Quantity quantity) {
                 {"moment_a", "moment that A exerts on B (about the axis, across it)", a_axes, "force·length"},
                 vector_row};
         case Quantity::drive:
-            return {
-                {"drive", "moment of the motor of a turn, force of that of a slide", "none", "force·length"},
-                scalar_row};
+            return {{"drive", "moment that drives a turn, force that drives a slide", "none", "force·length"},
+                    scalar_row};
         case Quantity::friction:
             return {{"friction",
                      "moment of the friction of a turn, force of that of a slide",

@@ -326,8 +326,7 @@ TEST_CASE("Histories of joints have their quantities", "[deck][joint]") {
     CHECK(message("b", "angle") == "only joints have it; this is a point");
     CHECK(message("b", "force") == "only points of rods have it; this one is a body");
     CHECK(message("j", "slide") == "this joint has no slide");
-    CHECK(message("j", "drive") == "only a joint with a motor has it; this one has no `move`");
-    CHECK(message("j", "friction") == "this joint has no friction");
+    CHECK(faults_of(deck + history("j", "[\"drive\", \"friction\"]")).empty());  // zero
     CHECK(faults_of(deck + history("jj", "\"angle\"")).find("no point \"jj\"") != std::string::npos);
     const std::string moved =
         parts + joint(from_ground("cylinder") + "axis = [0, 0, 1]\nmove = { turn = \"t\", slide = \"t\" }\n");

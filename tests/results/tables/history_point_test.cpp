@@ -335,8 +335,8 @@ TEST_CASE("A joint's history is what the snapshot has of it", "[results][joint]"
                              .moment = {8, 9, 10},
                              .force_in_joint = {11, 12, 13},
                              .moment_in_joint = {14, 15, 16},
-                             .motor_turn = 17,
-                             .motor_slide = 0,
+                             .drive_turn = 17,
+                             .drive_slide = 0,
                              .friction = 18,
                              .gap = 19};
     const std::vector<JointValues> joints{JointValues{}, values};
