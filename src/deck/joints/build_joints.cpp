@@ -36,7 +36,9 @@ void build_joint(const CheckedTable& table, double size, BuildContext& context) 
             table, "lead", "a screw of lead 0 does not slide; expected a hinge, or another lead");
     check_coordinates(table, joint, context);
     if (joint.kind == JointKind::free) check_action(table, context);
-    if (place_joint(table, size, joint, context)) context.model.joints.push_back(std::move(joint));
+    if (!place_joint(table, size, joint, context)) return;
+    note_coordinates(table, joint, size, context);
+    context.model.joints.push_back(std::move(joint));
 }
 
 // Of nodes and joints.

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numbers>
 
 #include "deck/build/acting.hpp"
+#include "deck/build/angle_note.hpp"
 
 namespace gxrod {
 namespace {
@@ -195,6 +197,19 @@ class CoordinateCheck {
     const BuildContext& context_;
 };
 
+// The length of the shortest rod that the joint joins; of bodies alone, the size of the model.
+double find_joined_length(const Joint& joint, double size, const Model& model) {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const Rod& rod : model.rods) {
+        const auto has = [&](const JointSide& side) {
+            return !side.anchor.is_ground() &&
+                   std::ranges::find(rod.nodes, side.anchor.node) != rod.nodes.end();
+        };
+        if (has(joint.a) || has(joint.b)) shortest = std::min(shortest, rod.length);
+    }
+    return std::isfinite(shortest) ? shortest : size;
+}
+
 TimeFunction scale(const TimeFunction& function, double factor) {
     if (function.is_constant()) return TimeFunction(factor * function(0.0));
     return TimeFunction([function, factor](double t) { return factor * function(t); }, function.switches());
@@ -292,6 +307,32 @@ std::vector<const CheckedTimeFunction*> functions_of(const CheckedTable& joint) 
 
 void check_coordinates(const CheckedTable& table, const Joint& joint, const BuildContext& context) {
     CoordinateCheck(table, joint, context).check();
+}
+
+void note_coordinates(const CheckedTable& table,
+                      const Joint& joint,
+                      double size,
+                      const BuildContext& context) {
+    const auto* friction = find_table(table, "friction", joint.kind, "turn");
+    if (friction != nullptr && friction->gives("radius")) {
+        const double radius = friction->get<double>("radius");
+        const double length = find_joined_length(joint, size, context.model);
+        if (radius > length) {
+            context.notes.push_back(
+                fmt::format("{}: {:.6g} is longer than what the joint joins, {:.6g}; the "
+                            "radius is that of the pin on which the friction acts",
+                            friction->path_of("radius"),
+                            radius,
+                            length));
+        }
+    }
+    const auto* limits = find_table(table, "limits", joint.kind, "turn");
+    if (limits == nullptr) return;
+    for (const char* key : {"lower", "upper"}) {
+        if (!limits->gives(key)) continue;
+        const std::string note = describe_many_turns(limits->get<double>(key));
+        if (!note.empty()) context.notes.push_back(limits->path_of(key) + ": " + note);
+    }
 }
 
 void set_coordinates(const CheckedTable& table, double size, Joint& joint, const BuildContext& context) {

@@ -21,6 +21,13 @@ std::string_view name_coordinate(const CheckedNamedFunction& value, JointKind ki
 // Faults of keys that a joint of this kind has no coordinate for, or that contradict each other.
 void check_coordinates(const CheckedTable& table, const Joint& joint, const BuildContext& context);
 
+// Notes on numbers that are likely in another unit: the radius of a pin, limits of a turn. `size` is that of
+// the model.
+void note_coordinates(const CheckedTable& table,
+                      const Joint& joint,
+                      double size,
+                      const BuildContext& context);
+
 // Turn and slide as they act in the stage at hand. `size` is that of the model.
 void set_coordinates(const CheckedTable& table, double size, Joint& joint, const BuildContext& context);
 

@@ -1,5 +1,9 @@
 #include "deck/sections/section_twist.hpp"
 
+#include <cmath>
+
+#include "deck/build/angle_note.hpp"
+
 namespace gxrod {
 
 SectionTwist::SectionTwist(const CheckedValue& twist) {
@@ -18,8 +22,21 @@ double SectionTwist::at(double fraction) const {
     return to > from ? before + (after - before) * (fraction - from) / (to - from) : after;
 }
 
+double SectionTwist::find_largest() const {
+    double largest = 0.0;
+    for (const auto& [fraction, angle] : rows_) {
+        if (std::abs(angle) > std::abs(largest)) largest = angle;
+    }
+    return largest;
+}
+
 SectionTwist find_twist(const CheckedTable& rod, const SectionFile* file, const BuildContext& context) {
-    if (file == nullptr || file->twist.empty()) return SectionTwist(*rod.find("twist"));
+    if (file == nullptr || file->twist.empty()) {
+        const SectionTwist twist(*rod.find("twist"));
+        const std::string note = describe_many_turns(twist.find_largest());
+        if (!note.empty()) context.notes.push_back(rod.path_of("twist") + ": " + note);
+        return twist;
+    }
     if (rod.gives("twist"))
         context.add_fault(
             rod, "twist", "the file of its sections has a column twist; only one of them can be");

@@ -17,6 +17,8 @@ class SectionTwist {
     explicit SectionTwist(const CheckedValue& twist);
 
     double at(double fraction) const;
+    // The angle farthest from 0.
+    double find_largest() const;
     double between(double first, double last) const { return at(last) - at(first); }
 
   private:
