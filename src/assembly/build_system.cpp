@@ -134,8 +134,14 @@ void System::build_blocks() {
     }
     for (int index = 0; index < static_cast<int>(model_->springs.size()); ++index)
         add_tie<SpringElement>(model_->springs[index], scale_groups_.of_spring(index), blocks_);
-    for (int index = 0; index < static_cast<int>(model_->bushings.size()); ++index)
-        add_tie<BushingElement>(model_->bushings[index], scale_groups_.of_bushing(index), blocks_);
+    for (int index = 0; index < static_cast<int>(model_->bushings.size()); ++index) {
+        const Bushing& bushing = model_->bushings[index];
+        const int group = scale_groups_.of_bushing(index);
+        if (bushing.has_axes_between())
+            add_tie<BushingElement>(bushing, group, blocks_);
+        else
+            add_tie<CarriedBushingElement>(bushing, group, blocks_);
+    }
     for (int index = 0; index < static_cast<int>(model_->rods.size()); ++index) {
         const Rod& rod = model_->rods[index];
         const int group = scale_groups_.of_rod(index);

@@ -6,6 +6,7 @@
 #include "assembly/residual.hpp"
 #include "assembly/scatter.hpp"
 #include "elements/bushing_element.hpp"
+#include "elements/carried_bushing_element.hpp"
 #include "elements/element.hpp"
 #include "elements/rigid_body.hpp"
 #include "elements/rod/rod_element.hpp"
@@ -107,7 +108,9 @@ using ElementBlocks = std::tuple<ElementBlock<RigidBody>,
                                  ElementBlock<SpringElement<1>>,
                                  ElementBlock<SpringElement<2>>,
                                  ElementBlock<BushingElement<1>>,
-                                 ElementBlock<BushingElement<2>>>;
+                                 ElementBlock<BushingElement<2>>,
+                                 ElementBlock<CarriedBushingElement<1>>,
+                                 ElementBlock<CarriedBushingElement<2>>>;
 
 // Calls visit(block) for each kind.
 template <class Blocks, class Visitor>

@@ -27,15 +27,19 @@ NodalVector<E::node_count> compute_gravity_force(const E& element,
 
 // Whether the element's internal forces act on the model from outside.
 template <class E>
-inline constexpr bool is_grounded =
-    std::is_same_v<E, SpringElement<1>> || std::is_same_v<E, BushingElement<1>>;
+bool leans_on_ground(const E& element) {
+    if constexpr (std::is_same_v<E, CarriedBushingElement<2>>) return element.leans_on_ground();
+    return std::is_same_v<E, SpringElement<1>> || std::is_same_v<E, BushingElement<1>> ||
+           std::is_same_v<E, CarriedBushingElement<1>>;
+}
 
 // Whether the element takes the logarithm of how its nodes are turned against each other, or against the
 // ground.
 template <class E>
 inline constexpr bool sees_relative_rotation =
     (E::has_section && E::history_count == 0) || std::is_same_v<E, BushingElement<1>> ||
-    std::is_same_v<E, BushingElement<2>>;
+    std::is_same_v<E, BushingElement<2>> || std::is_same_v<E, CarriedBushingElement<1>> ||
+    std::is_same_v<E, CarriedBushingElement<2>>;
 
 // Adds to `total` what add(e, sum) adds for each element of a block, in an order that no number of threads
 // changes.
@@ -266,7 +270,7 @@ Resultant System::compute_outer_resultant(const State& state,
                 const auto& element = block.elements[e];
                 const auto motions = block.motions(state.trial, e);
                 NodalVector<node_count> force = -compute_gravity_force(element, motions, gravity);
-                if constexpr (is_grounded<std::remove_cvref_t<decltype(element)>>)
+                if (leans_on_ground(element))
                     element.add_internal_force(motions, block.histories(state, e, now), force);
                 add_to_nodes<node_count>(force, element.nodes, asked);
             }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "check/bushing_findings.hpp"
 #include "check/free_parts.hpp"
 #include "check/function_examination.hpp"
 #include "check/mechanism/mechanism.hpp"
@@ -369,6 +370,10 @@ std::vector<Finding> examine_model(const Model& model,
         findings.push_back({Severity::warning, sentence});
     }
     find_odd_bodies(model, findings);
+    if (is_timed(analysis)) {
+        for (const std::string& sentence : find_turning_bushings(model))
+            findings.push_back({Severity::warning, sentence});
+    }
     if (const auto* dynamic = std::get_if<DynamicSettings>(&analysis)) {
         for (const Finding& finding : examine_functions(model, *dynamic)) findings.push_back(finding);
     }

@@ -69,10 +69,13 @@ std::string describe_diagonal(const Mat6& matrix) {
 }
 
 std::string describe_bushing(const Model& model, const Bushing& bushing) {
-    return fmt::format("bushing {}: between {} and {}, stiffness {}, damping {}\n",
+    static constexpr std::array<const char*, 4> carriers{
+        "", ", axes that turn with A", ", axes that turn with B", ", axes fixed in space"};
+    return fmt::format("bushing {}: between {} and {}{}, stiffness {}, damping {}\n",
                        bushing.name,
                        describe_anchor(model, bushing.ends[0]),
                        describe_anchor(model, bushing.ends[1]),
+                       carriers[static_cast<std::size_t>(bushing.carrier)],
                        describe_diagonal(bushing.stiffness),
                        describe_diagonal(bushing.damping));
 }

@@ -106,6 +106,8 @@ std::string find_unsteady_load(const Model& model, const TurningFrame& frame) {
     }
     for (const Bushing& bushing : model.bushings) {
         if (bushing.has_ground()) return describe_tie("bushing." + bushing.name, "");
+        if (bushing.carrier == BushingAxes::ground)
+            return describe_tie("bushing." + bushing.name, " by its axes");
     }
     for (const Joint& joint : model.joints) {
         if (joint.has_ground()) return describe_tie("joint." + joint.name, "");

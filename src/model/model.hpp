@@ -138,17 +138,29 @@ struct Spring {
     bool has_ground() const { return ends[0].is_ground() || ends[1].is_ground(); }
 };
 
+// What the axes of a bushing turn with.
+enum class BushingAxes {
+    between,  // half way between A and B
+    a,
+    b,
+    ground  // nothing
+};
+
 // Resists displacements and rotations of B against A, its two ends, in every direction. Components of the
-// displacement and of the rotation vector, and of the force and the moment that B exerts on it, are in axes
-// half way between those that A and B carry, in the order (x y z | rx ry rz).
+// displacement and of the rotation, and of the force and the moment that B exerts on it, are in its axes, in
+// the order (x y z | rx ry rz).
 struct Bushing {
     std::string name;
-    std::array<Anchor, 2> ends{};   // at most one is the ground
-    Quat axes = Quat::Identity();   // at t = 0, carried by A and by B: columns are x, y, z
-    Mat6 stiffness = Mat6::Zero();  // symmetric; forces are zero at t = 0
-    Mat6 damping = Mat6::Zero();    // symmetric
+    std::array<Anchor, 2> ends{};                // at most one is the ground
+    BushingAxes carrier = BushingAxes::between;  // of its axes
+    Quat axes = Quat::Identity();                // at t = 0: columns are x, y, z
+    Mat6 stiffness = Mat6::Zero();               // symmetric; forces are zero at t = 0
+    Mat6 damping = Mat6::Zero();                 // symmetric
 
     bool has_ground() const { return ends[0].is_ground() || ends[1].is_ground(); }
+    bool has_axes_between() const { return carrier == BushingAxes::between; }
+    // Whether rotations about this axis of it, 0 to 2, are free of moment and change no force.
+    bool leaves_turn_free(int axis) const { return stiffness.col(3 + axis).isZero(0.0); }
 };
 
 // How the components of a load follow the rotation of its node.

@@ -1,7 +1,9 @@
 // What is special to bushings: large rotations, the ground, which end is A.
 
 #include "elements/bushing_element.hpp"
+#include "elements/carried_bushing_element.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "elements/element_samples.hpp"
@@ -138,4 +140,122 @@ TEST_CASE("a torsion spring turns back by stiffness times angle, about any axis"
     NodeMotion further = node;
     further.Lambda = exp_quaternion(2.6 * axis);
     CHECK(spring.damping_action(Motions<1>{&node}, Motions<1>{&further}, {}) == Approx(0.5 * 0.01));
+}
+
+namespace {
+
+// The sample's bushing with axes that turn with `carrier`, and without stiffness about the first `free` of
+// them.
+Bushing carry(Bushing bushing, BushingAxes carrier, int free) {
+    bushing.carrier = carrier;
+    for (int axis = 0; axis < std::min(free, 3); ++axis) {
+        bushing.stiffness.col(3 + axis).setZero();
+        bushing.stiffness.row(3 + axis).setZero();
+    }
+    if (free == 3) {
+        bushing.damping.col(4).setZero();
+        bushing.damping.row(4).setZero();
+    }
+    return bushing;
+}
+
+// Both nodes where they are after a time, at their velocities.
+std::array<NodeMotion, 2> advance(std::array<NodeMotion, 2> motions, double time) {
+    for (NodeMotion& motion : motions) {
+        motion.r += time * motion.v;
+        motion.Lambda = exp_quaternion(time * motion.omega) * motion.Lambda;
+    }
+    return motions;
+}
+
+}  // namespace
+
+TEST_CASE("axes of a bushing that one end or the ground carries: gradients, powers, derivatives",
+          "[elements]") {
+    for (const BushingAxes carrier : {BushingAxes::a, BushingAxes::b, BushingAxes::ground}) {
+        for (const int free : {0, 1, 2, 3, 4}) {
+            INFO("carrier " << static_cast<int>(carrier) << ", free axes " << free);
+            Sample sample(9, 0.7);
+            const Bushing bushing = carry(sample.bushing, carrier, free);
+            // A shaft that has turned by 5 rad more.
+            if (free == 1) {
+                sample.motions[1].Lambda =
+                    sample.motions[1].Lambda * exp_quaternion(5.0 * (bushing.axes * Vec3::UnitX()));
+            }
+            const CarriedBushingElement<2> element(bushing);
+            const auto force_of = [&](const std::array<NodeMotion, 2>& motions) {
+                return compute_force(element, Motions<2>{&motions[0], &motions[1]});
+            };
+            NodalVector<2> elastic = NodalVector<2>::Zero();
+            element.add_internal_force(sample.point(), {}, elastic);
+            RandomValues random(3);
+            const NodeLinearization linear{1.0, 1.7, 2.3, random.matrix<3>(), random.matrix<3>()};
+            NodalVector<2> gradient;
+            NodalMatrix<2> tangent;
+            for (int unknown = 0; unknown < 12; ++unknown) {
+                const auto move = [&](double amount) {
+                    auto moved = sample.motions;
+                    NodeMotion& node = moved[unknown / 6];
+                    const Vec6 step = amount * Vec6::Unit(unknown % 6);
+                    node.r += step.head<3>();
+                    node.v += linear.rate * step.head<3>();
+                    node.omega += linear.d_omega * step.tail<3>();
+                    node.Lambda = exp_quaternion(step.tail<3>()) * node.Lambda;
+                    return moved;
+                };
+                gradient[unknown] = differentiate([&](double amount) {
+                    const auto moved = move(amount);
+                    return element.strain_energy(Motions<2>{&moved[0], &moved[1]}, {});
+                });
+                tangent.col(unknown) = differentiate([&](double amount) { return force_of(move(amount)); });
+            }
+            CHECK(relative_difference(elastic, gradient) < 1e-8);
+            CHECK(relative_difference(compute_tangent(element, sample.point()), tangent) < 1e-8);
+            // The power of the damper is its rates' quadratic form, and its action that of a short step.
+            const CarriedBushingMotion motion =
+                compute_carried_motion(bushing, &sample.motions[0], &sample.motions[1]);
+            NodalVector<2> damper = NodalVector<2>::Zero();
+            element.add_damping_force(sample.point(), {}, damper);
+            double power = 0.0;
+            for (int i = 0; i < 2; ++i) {
+                power += damper.segment<3>(6 * i).dot(sample.motions[i].v) +
+                         damper.segment<3>(6 * i + 3).dot(sample.motions[i].omega);
+            }
+            CHECK(power == Approx(motion.rate.dot(bushing.damping * motion.rate)));
+            constexpr double half = 1e-4;
+            const auto before = advance(sample.motions, -half), after = advance(sample.motions, half);
+            const double action = element.damping_action(
+                Motions<2>{&before[0], &before[1]}, Motions<2>{&after[0], &after[1]}, {});
+            CHECK(action == Approx(4.0 * half * half * power).epsilon(1e-6));
+            // Forces balance, unless the ground leans on them.
+            const auto force = force_of(sample.motions);
+            Vec3 moment = Vec3::Zero();
+            for (int i = 0; i < 2; ++i) {
+                const Vec3 f = force.segment<3>(6 * i);
+                moment += sample.motions[i].r.cross(f) + force.segment<3>(6 * i + 3);
+            }
+            CHECK((moment.norm() < 1e-12 * force.norm()) == (carrier != BushingAxes::ground));
+        }
+    }
+}
+
+TEST_CASE("a bearing sees the tilt of a shaft and its drag, not how the shaft spins", "[elements]") {
+    Bushing bushing;
+    bushing.ends = {Anchor{}, Anchor{0}};
+    bushing.carrier = BushingAxes::ground;
+    bushing.stiffness.diagonal() << 0.0, 0.0, 0.0, 0.0, 8.0, 8.0;
+    bushing.damping.diagonal() << 0.0, 0.0, 0.0, 0.5, 3.0, 3.0;
+    const CarriedBushingElement<1> bearing(bushing);
+    const Quat tilt = exp_quaternion(Vec3(0.0, 1.2, 0.0));
+    for (const double turned : {0.0, 2.0, 100.0}) {
+        NodeMotion node;
+        node.Lambda = tilt * exp_quaternion(Vec3(turned, 0.0, 0.0));
+        const Vec3 along = tilt * Vec3::UnitX();
+        node.omega = 7.0 * along;
+        const Vec6 force = compute_force(bearing, Motions<1>{&node});
+        // 8 × 1.2 about y; the drag acts about the direction half way between the shaft and the bearing.
+        const Vec3 half = (along + Vec3::UnitX()) / (1.0 + along.x());
+        CHECK((force.tail<3>() - Vec3(0.0, 8.0 * 1.2, 0.0) - 0.5 * 7.0 * half).norm() < 1e-12);
+        CHECK(bearing.strain_energy(Motions<1>{&node}, {}) == Approx(0.5 * 8.0 * 1.2 * 1.2));
+    }
 }

@@ -210,6 +210,18 @@ Bushing make_bushing(RandomValues& random, const std::array<Vec3, 2>& positions)
     return bushing;
 }
 
+Bushing carry_by_A(Bushing bushing) {
+    bushing.carrier = BushingAxes::a;
+    return bushing;
+}
+
+Bushing make_bearing(Bushing bushing) {
+    bushing.carrier = BushingAxes::b;
+    bushing.stiffness.col(4).setZero();
+    bushing.stiffness.row(4).setZero();
+    return bushing;
+}
+
 namespace {
 
 // To all sections at force points.
@@ -255,7 +267,10 @@ ElementSamples make_samples(unsigned seed, const Isometry& isometry) {
     const SpringElement<2> spring(carry(isometry, plain));
     const SpringElement<2> with_law(carry(isometry, add_law(plain)));
     RandomValues random_of_bushing(seed + 200);
-    const BushingElement<2> bushing(carry(isometry, make_bushing(random_of_bushing, ends)));
+    const Bushing between = make_bushing(random_of_bushing, ends);
+    const BushingElement<2> bushing(carry(isometry, between));
+    const CarriedBushingElement<2> carried(carry(isometry, carry_by_A(between)));
+    const CarriedBushingElement<2> bearing(carry(isometry, make_bearing(between)));
     // In braces, evaluated in this order.
     return ElementSamples{make_sample(random, "rigid body", central, {place_of_body}, isometry),
                           make_sample(random, "rigid body with offset", offset, {place_of_body}, isometry),
@@ -269,7 +284,9 @@ ElementSamples make_samples(unsigned seed, const Isometry& isometry) {
                           make_rod_sample<ObjectiveElement, 5>(random, "objective", has_law, isometry),
                           make_sample(random_of_spring, "spring", spring, ends, isometry),
                           make_sample(random_of_spring, "spring with a law", with_law, ends, isometry),
-                          make_sample(random_of_bushing, "bushing", bushing, ends, isometry)};
+                          make_sample(random_of_bushing, "bushing", bushing, ends, isometry),
+                          make_sample(random_of_bushing, "bushing carried by A", carried, ends, isometry),
+                          make_sample(random_of_bushing, "bearing carried by B", bearing, ends, isometry)};
 }
 
 }  // namespace gxrod::tools

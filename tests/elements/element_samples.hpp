@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "elements/bushing_element.hpp"
+#include "elements/carried_bushing_element.hpp"
 #include "elements/rigid_body.hpp"
 #include "elements/rod/rod_element.hpp"
 #include "elements/spring_element.hpp"
@@ -114,6 +115,11 @@ Spring add_law(Spring spring);
 // A damped bushing with full matrices, at some distance from nodes 0 and 1 at these places.
 Bushing make_bushing(RandomValues& random, const std::array<Vec3, 2>& positions);
 
+// The same with axes that A carries, and with axes that B carries and rotations that are free about one of
+// them.
+Bushing carry_by_A(Bushing bushing);
+Bushing make_bearing(Bushing bushing);
+
 using ElementSamples = std::tuple<ElementSample<RigidBody>,
                                   ElementSample<RigidBody>,
                                   ElementSample<SimoElement<2>>,
@@ -126,7 +132,9 @@ using ElementSamples = std::tuple<ElementSample<RigidBody>,
                                   ElementSample<ObjectiveElement<5>>,
                                   ElementSample<SpringElement<2>>,
                                   ElementSample<SpringElement<2>>,
-                                  ElementSample<BushingElement<2>>>;
+                                  ElementSample<BushingElement<2>>,
+                                  ElementSample<CarriedBushingElement<2>>,
+                                  ElementSample<CarriedBushingElement<2>>>;
 // The isometry carries the elements, their material axes, motions and histories to another place or into a
 // mirror.
 ElementSamples make_samples(unsigned seed, const Isometry& isometry = {});

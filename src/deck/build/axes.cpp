@@ -33,15 +33,13 @@ std::string explain_axes(const Mat3& rows) {
 
 }  // namespace
 
-Quat find_axes(const CheckedTable& table, const BuildContext& context) {
-    if (!table.gives("axes")) return Quat::Identity();
-    const Mat3& rows = table.get<Mat3>("axes");
+Quat find_axes(const CheckedTable& table, const BuildContext& context, const std::string& key) {
+    if (!table.gives(key)) return Quat::Identity();
+    const Mat3& rows = table.get<Mat3>(key);
     const std::string reason = explain_axes(rows);
     if (reason.empty()) return Quat(Mat3(rows.transpose())).normalized();
     context.add_fault(
-        table,
-        "axes",
-        "expected three rows of length 1 at right angles to each other, right-handed; " + reason);
+        table, key, "expected three rows of length 1 at right angles to each other, right-handed; " + reason);
     return Quat::Identity();
 }
 

@@ -5,6 +5,7 @@
 #include "deck/build/axes.hpp"
 #include "deck/build/build_springs.hpp"
 #include "deck/joints/ends.hpp"
+#include "deck/schema/choices.hpp"
 #include "deck/sections/section_matrices.hpp"
 
 namespace gxrod {
@@ -58,13 +59,26 @@ Mat6 find_matrix(const CheckedTable& table, const std::string& key, const BuildC
     return matrix;
 }
 
+std::pair<Quat, BushingAxes> find_bushing_axes(const CheckedTable& table, const BuildContext& context) {
+    const bool is_word =
+        table.gives("axes") && std::holds_alternative<std::string>(table.find("axes")->value);
+    if (!is_word && table.gives("directions")) {
+        context.add_fault(table, "directions", "goes with a word as axes, and axes has directions itself");
+        return {Quat::Identity(), BushingAxes::between};
+    }
+    if (!is_word) return {find_axes(table, context), BushingAxes::between};
+    return {find_axes(table, context, "directions"),
+            value_of(bushing_axes_choices, table.get<std::string>("axes"))};
+}
+
 void build_bushing(const CheckedTable& table, BuildContext& context) {
-    const Quat axes = find_axes(table, context);
+    const auto [axes, carrier] = find_bushing_axes(table, context);
     const Mat6 stiffness = find_matrix(table, "stiffness", context);
     const Mat6 damping = find_matrix(table, "damping", context);
     const std::optional<std::array<int, 2>> nodes = find_nodes(table, context);
     if (!nodes) return;
-    Bushing bushing{.name = table.name, .axes = axes, .stiffness = stiffness, .damping = damping};
+    Bushing bushing{
+        .name = table.name, .carrier = carrier, .axes = axes, .stiffness = stiffness, .damping = damping};
     for (std::size_t i = 0; i < 2; ++i) bushing.ends[i].node = (*nodes)[i];
     if (!are_apart(table, bushing.ends, context)) return;
     const std::optional<Vec3> place = find_bushing_place(table, *nodes, context);

@@ -75,6 +75,9 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
         case ValueType::placement:
             if (node.text() != nullptr) return wrap(read_text(node, path, key, context));
             return wrap(reader.vector(node, path));
+        case ValueType::axes:
+            if (node.text() != nullptr) return wrap(read_word(node, path, key, context));
+            return wrap(reader.square_matrix(node, path));
         case ValueType::mesh_group:
             return read_mesh_group(node, path, key, context);
         case ValueType::time_expression:

@@ -45,6 +45,11 @@ inline constexpr std::array<Choice<bool>, 2> tendon_end_choices{{{"from", true},
 inline constexpr std::array<Choice<Frame>, 3> frame_choices{
     {{"spatial", Frame::spatial}, {"follower", Frame::follower}, {"body", Frame::body}}};
 
+inline constexpr std::array<Choice<BushingAxes>, 4> bushing_axes_choices{{{"between", BushingAxes::between},
+                                                                          {"a", BushingAxes::a},
+                                                                          {"b", BushingAxes::b},
+                                                                          {"ground", BushingAxes::ground}}};
+
 // Axes of a history that is relative to a point of a rod.
 inline constexpr const char* section_axes_word = "section";
 inline constexpr const char* untwisted_axes_word = "untwisted";

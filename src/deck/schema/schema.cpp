@@ -241,6 +241,8 @@ std::string describe_expected(const KeySpec& key) {
             return "an array of 3 numbers or expressions, or of 3 such arrays";
         case ValueType::placement:
             return "an array of 3 numbers or expressions, or a point such as \"rod.end\"";
+        case ValueType::axes:
+            return "an array of 3 rows of 3 numbers or expressions, or one of " + quoted_list(key.choices);
         case ValueType::mesh_group:
             return "the name or the number of a physical group";
         case ValueType::time_expression:

@@ -44,6 +44,7 @@ enum class ValueType {
     section_matrix,        // 6 rows of 6 numbers
     inertia,               // 3 numbers, or 3 rows of 3 that make a symmetric matrix
     placement,             // a vector or a point
+    axes,                  // 3 rows of 3 numbers, or one of the key's words
     mesh_group,            // the name or number of a physical group
     time_expression,       // f(t)
     stage_functions,       // f(t), or a table of one for each stage that it names

@@ -114,6 +114,8 @@ std::string describe_type(const KeySpec& key) {
             return "vector or 3×3";
         case ValueType::placement:
             return "vector or point";
+        case ValueType::axes:
+            return "3×3, or " + code_list(key.choices);
         case ValueType::mesh_group:
             return "name or number";
         case ValueType::time_expression:

@@ -125,6 +125,8 @@ Json make_type(const KeySpec& key) {
             return any_of({array_of(reference("number"), 3), array_of(array_of(reference("number"), 3), 3)});
         case ValueType::placement:
             return any_of({array_of(reference("number"), 3), {{"type", "string"}}});
+        case ValueType::axes:
+            return any_of({array_of(array_of(reference("number"), 3), 3), {{"enum", key.choices}}});
         case ValueType::mesh_group:
             return {{"type", {"string", "integer"}}};
         case ValueType::time_expression:

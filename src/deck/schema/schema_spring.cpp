@@ -1,5 +1,6 @@
 #include <map>
 
+#include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "model/model.hpp"
 
@@ -118,11 +119,22 @@ const TableSpec& bushing_table() {
                   .default_text = "where the nodes are, which must be at one place",
                   .sentence = "Where it is at t = 0, global. Rigid arms join it to the nodes."},
                  {.name = "axes",
+                  .type = ValueType::axes,
+                  .dimension = "1",
+                  .default_text = "the global axes, `between`",
+                  .sentence =
+                      "Its x, y and z directions at t = 0, a row each: of length 1, at right angles, "
+                      "right-handed (to 1e-6). They turn with A and B, half way between. Or what they "
+                      "turn with: A, B, nothing (`ground`) or both. A bearing's axes do not turn with "
+                      "the shaft: take the word of what carries the bearing. Then a rotation that is "
+                      "free of stiffness can be of any size.",
+                  .choices = words_of(bushing_axes_choices)},
+                 {.name = "directions",
                   .type = ValueType::matrix,
                   .dimension = "1",
                   .default_text = "the global axes",
-                  .sentence = "Its x, y and z directions at t = 0, a row each: of length 1, at right angles, "
-                              "right-handed (to 1e-6). They turn with A and B, half way between."},
+                  .sentence = "Its x, y and z directions at t = 0, likewise, where `axes` is a word.",
+                  .only_with = "axes"},
                  components_key("stiffness",
                                 components_table("stiffness", "force/length", "force·length/angle"),
                                 "Force per displacement and moment per rotation."),
@@ -141,7 +153,13 @@ const TableSpec& bushing_table() {
             "between   = [\"ground\", \"gyroscope\"]\n"
             "at        = [0, 0, 0]\n"
             "stiffness = { x = 1e3, y = 1e3, z = 4e3, rx = 20, ry = 20 }\n"
-            "damping   = { z = 30 }\n"};
+            "damping   = { z = 30 }\n"
+            "\n"
+            "[bushing.bearing]\n"
+            "between   = [\"ground\", \"gyroscope\"]\n"
+            "at        = [0, 0, 0]\n"
+            "axes      = \"ground\"\n"
+            "stiffness = { x = 1e4, y = 1e4, z = 1e4, rx = 50, ry = 50 }\n"};
     return table;
 }
 

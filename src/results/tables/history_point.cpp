@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "rotation/rotation_map.hpp"
-#include "state/bushing_motion.hpp"
+#include "state/bushing_values.hpp"
 #include "state/spring_line.hpp"
 
 namespace gxrod {
@@ -98,9 +98,11 @@ HistoryPoint::HistoryPoint(const Model& model, const std::vector<HistoryRequest>
     joint_ = is_of_gear_ ? static_cast<int>(model.joints.size()) + request.gear : request.joint;
     if (is_of_gear_) drives_slide_ = !model.gears[static_cast<std::size_t>(request.gear)].sides[1].is_turn;
     if (request.joint >= 0) {
-        const JointCoordinate& slide = find_slide(model, static_cast<std::size_t>(request.joint));
-        drives_slide_ = slide.motion.has_value();
-        rubs_slide_ = slide.friction.acts();
+        const auto joint = static_cast<std::size_t>(request.joint);
+        const JointCoordinate& slide = find_slide(model, joint);
+        const bool has_turn = joint < model.joints.size() && model.joints[joint].has_turn();
+        drives_slide_ = slide.motion || !slide.drive.is_zero() || !has_turn;
+        rubs_slide_ = slide.friction.acts() || !has_turn;
     }
     if (request.body >= 0) {
         body_index_ = static_cast<std::size_t>(request.body);
@@ -239,7 +241,7 @@ HistoryPoint::Row HistoryPoint::joint_value(Quantity quantity, const JointValues
         case Quantity::moment_a:
             return row(joint.moment_in_joint);
         case Quantity::drive:
-            return {joint.motor_turn + joint.motor_slide};  // a joint has this with one motor only
+            return {joint.drive_turn + joint.drive_slide};  // one at most is not 0
         case Quantity::friction:
             return {joint.friction};
         default:
@@ -257,22 +259,21 @@ double HistoryPoint::spring_value(Quantity quantity, const Snapshot& snapshot) c
 
 Vec3 HistoryPoint::bushing_value(Quantity quantity, const Snapshot& snapshot) const {
     const auto [a, b] = find_motions(bushing_->ends, snapshot);
-    const BushingMotion motion = compute_bushing_motion(*bushing_, a, b);
-    const Vec6 own = compute_bushing_force(*bushing_, motion);
+    const BushingValues values = compute_bushing_values(*bushing_, a, b);
     switch (quantity) {
         case Quantity::displacement:
-            return motion.strain.head<3>();
+            return values.displacement;
         case Quantity::rotation_vector:
-            return motion.strain.tail<3>();
+            return values.turn;
         case Quantity::force:
-            return own.head<3>();
+            return values.force;
         case Quantity::moment:
-            return take_to_rotation_vector(motion.turn, own.tail<3>());
+            return values.moment;
         case Quantity::force_spatial:
-            return motion.axes * own.head<3>();
+            return values.axes * values.force;
         default:
             assert(quantity == Quantity::moment_spatial);
-            return motion.axes * take_to_rotation_vector(motion.turn, own.tail<3>());
+            return values.axes * values.moment;
     }
 }
 

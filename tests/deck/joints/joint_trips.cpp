@@ -121,6 +121,13 @@ std::vector<RoundTrip> bushing_trips() {
         {"bushing.NAME.axes",
          with(between + "axes = [[0, 1, 0], [0, 0, 1], [1, 0, 0]]\nstiffness = { x = 1 }\n"),
          [=](const Problem& p) { return (bushing(p).axes * Vec3::UnitX() - Vec3::UnitY()).norm() < 1e-15; }},
+        {"bushing.NAME.directions",
+         with(between +
+              "axes = \"ground\"\ndirections = [[0, 1, 0], [0, 0, 1], [1, 0, 0]]\nstiffness = { x = 1 }\n"),
+         [=](const Problem& p) {
+             return (bushing(p).axes * Vec3::UnitX() - Vec3::UnitY()).norm() < 1e-15 &&
+                    bushing(p).carrier == BushingAxes::ground;
+         }},
         {"bushing.NAME.stiffness_matrix",
          with(between + "stiffness" + matrix),
          [=](const Problem& p) {

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/model.hpp"
+
+namespace gxrod {
+
+// A sentence for each bushing whose axes turn half way with a part that spins about a direction that the
+// bushing leaves free: as a bearing it needs axes of its own.
+std::vector<std::string> find_turning_bushings(const Model& model);
+
+}  // namespace gxrod
