@@ -289,16 +289,17 @@ TEST_CASE("A bearing resists the tilt of a shaft that has turned many times", "[
 }
 
 TEST_CASE("gxrod check says that a bushing turns half way with a spinning shaft", "[issues][springs]") {
-    CHECK(any_has(
-        list_warnings(make_shaft("", "3")),
-        "bushing bearing lets disc turn against the ground about its rx, and its axes turn half way"));
+    CHECK(any_has(list_warnings(make_shaft("", "3")),
+                  "bushing bearing lets disc turn against the ground at (0, 0, 0) about its x, and its axes "
+                  "turn half way"));
     CHECK_FALSE(any_has(list_warnings(make_shaft("axes = \"ground\"", "3")), "half way"));
     CHECK_FALSE(any_has(list_warnings(make_shaft("", "0")), "half way"));
     // A mount resists the rotation.
     CHECK_FALSE(any_has(list_warnings(replaced(make_shaft("", "3"), "ry = 10, rz = 10", "rx = 1, ry = 10")),
                         "half way"));
     CHECK(faults_of(make_shaft("axes = \"c\"", "3"))
-              .find("or one of \"between\", \"a\", \"b\" and \"ground\"") != std::string::npos);
+              .find("expected one of \"between\", \"a\", \"b\", \"ground\", found the text \"c\"") !=
+          std::string::npos);
     CHECK(
         faults_of(make_shaft("axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
                              "directions = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]",
@@ -326,7 +327,9 @@ TEST_CASE("A parallelogram keeps its form through positions where its bars are i
             largest_drive = std::max(largest_drive, std::abs(run.value("m", "drive")[0]));
         });
         CHECK(run.time() == Approx(1.3));
-        CHECK(largest_error < 1e-7);
+        // In line, positions that meet the joints to 1e-12 are determined to the root of that; the other form
+        // is 0.2 away.
+        CHECK(largest_error < 2e-6);
         CHECK(largest_drive < 2.0);  // N m; 1.4 away from the positions in line
     }
 }
@@ -418,7 +421,7 @@ quantities = ["friction", "drive"]
     DeckRun driven("x.toml", replaced(deck, "LAW", "drive = \"2*t\""), {});
     driven.run([] {});
     CHECK(driven.value("h", "drive")[0] == Approx(0.2));
-    CHECK(faults_of(replaced(replaced(deck, "LAW", ""), "\"hinge\"", "\"ball\""))
+    CHECK(faults_of(replaced(replaced(deck, "axis = [0, 1, 0]\nLAW", ""), "\"hinge\"", "\"ball\""))
               .find("no slide that could rub") != std::string::npos);
     for (const std::string name : {"stage", "limit_load_factor", "time"}) {
         CHECK(faults_of(replaced(replaced(deck, "LAW", ""), "name = \"h\"", "name = \"" + name + "\"")) ==
@@ -441,7 +444,7 @@ TEST_CASE("Radii, limits and twists in another unit are noted", "[issues][joints
         notes("limits = { upper = 90, stiffness = 1 }\n"),
         "joint.h.limits.upper: 90 rad are 14.3 turns; angles are in rad: 90 degrees are \"90*pi/180\""));
     CHECK_FALSE(any_has(notes("limits = { upper = \"2*pi\", stiffness = 1 }\n"), "turns"));
-    CHECK(any_has(read(static_rod_deck, {"rod.r.twist=45"}).notes, "rod.r.twist: 45 rad are 7.16 turns"));
+    CHECK(any_has(read(static_rod_deck, {"rod.r.twist=12"}).notes, "rod.r.twist: 12 rad are 1.91 turns"));
 }
 
 // Before: "turned in space by 2.68 rad: differs by 1.9", exit 5.
