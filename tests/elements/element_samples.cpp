@@ -215,13 +215,6 @@ Bushing carry_by_A(Bushing bushing) {
     return bushing;
 }
 
-Bushing make_bearing(Bushing bushing) {
-    bushing.carrier = BushingAxes::b;
-    bushing.stiffness.col(4).setZero();
-    bushing.stiffness.row(4).setZero();
-    return bushing;
-}
-
 namespace {
 
 // To all sections at force points.
@@ -270,7 +263,6 @@ ElementSamples make_samples(unsigned seed, const Isometry& isometry) {
     const Bushing between = make_bushing(random_of_bushing, ends);
     const BushingElement<2> bushing(carry(isometry, between));
     const CarriedBushingElement<2> carried(carry(isometry, carry_by_A(between)));
-    const CarriedBushingElement<2> bearing(carry(isometry, make_bearing(between)));
     // In braces, evaluated in this order.
     return ElementSamples{make_sample(random, "rigid body", central, {place_of_body}, isometry),
                           make_sample(random, "rigid body with offset", offset, {place_of_body}, isometry),
@@ -285,8 +277,7 @@ ElementSamples make_samples(unsigned seed, const Isometry& isometry) {
                           make_sample(random_of_spring, "spring", spring, ends, isometry),
                           make_sample(random_of_spring, "spring with a law", with_law, ends, isometry),
                           make_sample(random_of_bushing, "bushing", bushing, ends, isometry),
-                          make_sample(random_of_bushing, "bushing carried by A", carried, ends, isometry),
-                          make_sample(random_of_bushing, "bearing carried by B", bearing, ends, isometry)};
+                          make_sample(random_of_bushing, "bushing carried by A", carried, ends, isometry)};
 }
 
 }  // namespace gxrod::tools

@@ -115,10 +115,8 @@ Spring add_law(Spring spring);
 // A damped bushing with full matrices, at some distance from nodes 0 and 1 at these places.
 Bushing make_bushing(RandomValues& random, const std::array<Vec3, 2>& positions);
 
-// The same with axes that A carries, and with axes that B carries and rotations that are free about one of
-// them.
+// The same with axes that A carries.
 Bushing carry_by_A(Bushing bushing);
-Bushing make_bearing(Bushing bushing);
 
 using ElementSamples = std::tuple<ElementSample<RigidBody>,
                                   ElementSample<RigidBody>,
@@ -133,7 +131,6 @@ using ElementSamples = std::tuple<ElementSample<RigidBody>,
                                   ElementSample<SpringElement<2>>,
                                   ElementSample<SpringElement<2>>,
                                   ElementSample<BushingElement<2>>,
-                                  ElementSample<CarriedBushingElement<2>>,
                                   ElementSample<CarriedBushingElement<2>>>;
 // The isometry carries the elements, their material axes, motions and histories to another place or into a
 // mirror.
