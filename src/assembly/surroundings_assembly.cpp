@@ -63,8 +63,10 @@ SurroundingsAssembly::SurroundingsAssembly(const Model& model, const ThreadTeam&
     }
     if (has_fluid_) {
         for (std::size_t body = 0; body < model.bodies.size(); ++body) {
-            if (model.bodies[body].fluid)
-                bodies_.push_back({static_cast<int>(body), model.bodies[body].node, {}});
+            if (!model.bodies[body].fluid) continue;
+            WetBody wet{static_cast<int>(body), model.bodies[body].node, *model.bodies[body].fluid};
+            if (!model.has_inertia) wet.fluid.added_mass.setZero();
+            bodies_.push_back(std::move(wet));
         }
     }
     rubs_ = around.seabed && around.seabed->friction_stiffness > 0.0;
@@ -292,10 +294,10 @@ void SurroundingsAssembly::subtract_forces(const State& state,
             const Body& body = model_->bodies[static_cast<std::size_t>(wet.body)];
             const NodeMotion& motion = state.trial[static_cast<std::size_t>(wet.node)];
             const Around around = around_body(wet, state);
-            subtract(wet.node,
-                     compute_body_fluid_force(
-                         *body.fluid, axes_of(motion, body.attitude), fluids_at(around), motion)
-                         .force);
+            subtract(
+                wet.node,
+                compute_body_fluid_force(wet.fluid, axes_of(motion, body.attitude), fluids_at(around), motion)
+                    .force);
         }
     }
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
@@ -327,7 +329,7 @@ void SurroundingsAssembly::add_tangents(const State& state,
             const NodeMotion& motion = state.trial[static_cast<std::size_t>(wet.node)];
             const Around around = around_body(wet, state);
             const BodyFluidDerivative derivative = compute_body_fluid_derivative(
-                *body.fluid, axes_of(motion, body.attitude), fluids_at(around), motion);
+                wet.fluid, axes_of(motion, body.attitude), fluids_at(around), motion);
             add_own(wet, -compose(linearizations[static_cast<std::size_t>(wet.node)], derivative));
         }
     }
@@ -412,10 +414,8 @@ PointSurroundings SurroundingsAssembly::compute_body_value(const State& state,
         move_to(time);
         const NodeMotion& motion = state.trial[static_cast<std::size_t>(wet.node)];
         const Around around = around_body(wet, state);
-        const BodyFluidForce force = compute_body_fluid_force(*model_->bodies[body].fluid,
-                                                              axes_of(motion, model_->bodies[body].attitude),
-                                                              fluids_at(around),
-                                                              motion);
+        const BodyFluidForce force = compute_body_fluid_force(
+            wet.fluid, axes_of(motion, model_->bodies[body].attitude), fluids_at(around), motion);
         values.water_velocity = around.water.velocity;
         values.wet_fraction = force.wet_fraction;
         values.fluid_force = force.force.head<3>();

@@ -73,6 +73,7 @@ class SurroundingsAssembly {
     struct WetBody {
         int body = 0;
         int node = 0;
+        BodyInFluid fluid{};  // without added mass where nothing resists acceleration
         std::vector<std::int64_t> slots{};
     };
     // A node of a rod that can touch the ground, with the tangent of the rod at t = 0.

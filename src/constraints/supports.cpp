@@ -118,16 +118,17 @@ void Supports::set_rates(double time, const TimeSpan& step, std::vector<NodeMoti
         NodeMotion& motion = motions[support.node];
         const Derivatives of_position = differentiate(support, 0, differences);
         replace_held(support, Q, of_position.first, motion.v);
-        replace_held(support, Q, of_position.second, motion.a);
         const Derivatives of_rotation = differentiate(support, 3, differences);
         if (moves(support, 3)) {
             const Vec3 phi = Q * motion_at(support, 3, time);
             motion.omega = angular_velocity(phi, Q * of_rotation.first);
-            motion.alpha = angular_acceleration(phi, Q * of_rotation.first, Q * of_rotation.second);
+            if (model_->has_inertia)
+                motion.alpha = angular_acceleration(phi, Q * of_rotation.first, Q * of_rotation.second);
         } else if (support.holds_all(3)) {
             motion.omega.setZero();
             motion.alpha.setZero();
         }
+        if (model_->has_inertia) replace_held(support, Q, of_position.second, motion.a);
     }
 }
 

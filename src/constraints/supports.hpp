@@ -35,7 +35,8 @@ class Supports {
     void place(double time, State& state) const;
     // Velocities and accelerations of held components at a time within a step: zero where fixed, where they
     // move the derivatives of f, by differences within the step. Those of a node that can still turn about
-    // some axis stay what they are: the spins of its held axes depend on how it turns.
+    // some axis stay what they are: the spins of its held axes depend on how it turns. Without inertia
+    // accelerations are 0, as integrators leave them.
     void set_rates(double time, const TimeSpan& step, std::vector<NodeMotion>& motions) const;
 
   private:
