@@ -21,9 +21,10 @@ std::string advise_on_motion(const Model& model, const DynamicSettings& settings
     const std::string steps = settings.adaptive ? "a smaller max_step" : "a smaller time_step";
     if (settings.scheme == Scheme::runge_kutta_4) return ". Try " + steps + ".";
     std::string remedy = ". Try " + steps;
-    if (choose_tangent(model, settings).tangent != TangentKind::mixed && !model.rods.empty()) {
+    if (choose_tangent(model, settings).tangent == TangentKind::consistent && !model.rods.empty()) {
         remedy = ". Try newton.tangent = \"mixed\", which converges in longer steps, or " + steps;
     }
+    if (!settings.has_inertia) return describe_ratio(model) + remedy + ".";
     const bool is_newmark =
         settings.scheme == Scheme::newmark_simplified || settings.scheme == Scheme::newmark_ibrahimbegovic;
     if (!model.contact.is_empty()) {

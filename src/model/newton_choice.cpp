@@ -21,7 +21,9 @@ TangentChoice choose_tangent(const Model& model, const AnalysisSettings& analysi
     if (newton.tangent != TangentKind::automatic) return {newton.tangent};
     if (!is_timed(analysis)) return {TangentKind::mixed};
     const std::optional<StiffnessRatio> ratio = find_stiffness_ratio(model);
-    if (!ratio || ratio->ratio < mixed_from_ratio) return {TangentKind::consistent};
+    const bool has_inertia = std::get<DynamicSettings>(analysis).has_inertia;
+    if (!ratio || ratio->ratio < mixed_from_ratio)
+        return {has_inertia ? TangentKind::consistent : TangentKind::automatic};
     return {TangentKind::mixed, ratio};
 }
 

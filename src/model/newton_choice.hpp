@@ -15,7 +15,9 @@ const NewtonSettings& newton_of(const AnalysisSettings& analysis);
 // one, or faster, and cuts fewer steps (docs/theory/rods.md).
 inline constexpr double mixed_from_ratio = 300.0;
 
-// The tangent that is taken, and the ratio that it is taken for, if one is.
+// The tangent that is taken, and the ratio that it is taken for, if one is. Without inertia and below that
+// ratio it is `automatic`: the consistent one, and the mixed one where that fails, since nothing keeps
+// increments small where a rod bends far more easily than it stretches.
 struct TangentChoice {
     TangentKind tangent = TangentKind::consistent;
     std::optional<StiffnessRatio> reason = {};
@@ -27,6 +29,9 @@ TangentChoice choose_tangent(const Model& model, const AnalysisSettings& analysi
 // (docs/guide/solving.md).
 inline constexpr double newton_part = 0.01;
 inline constexpr double tolerable_newton_part = 0.3;
+
+// Round-off of the forces, relative to the largest, is hardly ever smaller.
+inline constexpr double least_newton_tolerance = 1e-14;
 
 // The tolerance that keeps what Newton's method leaves small compared with the errors of the steps.
 double derive_newton_tolerance(const AnalysisSettings& analysis);

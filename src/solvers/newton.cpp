@@ -145,6 +145,8 @@ class Newton {
     void compute_residual() {
         const PhaseTimer timer(workspace_.seconds.assembly);
         system_.compute_residual(state_, time_, workspace_.residual, request_);
+        for (std::size_t i = 0; i < workspace_.held_back.size(); ++i)
+            workspace_.residual.nodal[i] -= workspace_.held_back[i];
         convergence_.measure(workspace_.residual, report_);
         if (!system_.joints().empty())
             report_.joint_gap = system_.joints().measure_gap(workspace_.residual.rows, state_);
@@ -297,18 +299,17 @@ EquilibriumReport solve_equilibrium(const System& system,
                                     std::optional<ConstraintLevel> level) {
     ConstraintRequest request = find_request(system, integrator, stage);
     if (level) request.level = *level;
-    if (settings.tangent != TangentKind::mixed) {
-        return Newton(system, integrator, settings, stage, request, workspace, state).solve();
-    }
-    const EquilibriumReport mixed =
+    const EquilibriumReport first =
         Newton(system, integrator, settings, stage, request, workspace, state).solve();
-    if (mixed.converged()) return mixed;
-    // Past a limit point the consistent tangent's wilder increments may find a way. The prediction does not
-    // depend on where the first attempt has left the trial motions.
+    const bool is_mixed = settings.tangent == TangentKind::mixed;
+    if (first.converged() || (!is_mixed && settings.tangent != TangentKind::automatic)) return first;
+    // Past a limit point the consistent tangent's wilder increments may find a way; where a rod hardly
+    // stretches, the mixed one does. The prediction does not depend on where the first attempt has left the
+    // trial motions.
     NewtonSettings other = settings;
-    other.tangent = TangentKind::consistent;
+    other.tangent = is_mixed ? TangentKind::consistent : TangentKind::mixed;
     EquilibriumReport report = Newton(system, integrator, other, stage, request, workspace, state).solve();
-    if (report.converged()) report.iterations += mixed.iterations;
+    if (report.converged()) report.iterations += first.iterations;
     return report;
 }
 

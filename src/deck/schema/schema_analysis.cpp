@@ -73,7 +73,8 @@ const TableSpec& newton_table() {
                   .default_value = word_of(tangent_choices, NewtonSettings{}.tangent),
                   .sentence = "automatic: mixed in statics and on paths, and in dynamics where a rod is 300 "
                               "times as stiff "
-                              "in bending or twist about one axis as about another, else consistent. "
+                              "in bending or twist about one axis as about another, else consistent; in "
+                              "quasi-statics mixed where consistent fails. "
                               "mixed: the resultants in its geometric part are iterated along with the "
                               "motion, which converges in much larger steps. "
                               "consistent: the exact derivative. paper: Rubin (2007), (5.6), for decks of "
