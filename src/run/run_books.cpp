@@ -53,6 +53,7 @@ void RunBooks::reopen() {
     summary_.reason_nodes.clear();
     summary_.failure.reset();
     summary_.deck_fault = summary_.out_of_memory = false;
+    summed_up_.reset();
 }
 
 void RunBooks::fail(const std::string& reason) {
@@ -60,8 +61,8 @@ void RunBooks::fail(const std::string& reason) {
     summary_.reason = reason;
 }
 
-void RunBooks::fail(const Failure& failure) {
-    fail(describe_failure(failure));
+void RunBooks::fail(const Failure& failure, const std::string& prefix) {
+    fail(prefix + describe_failure(failure));
     summary_.reason_nodes = failure.nodes;
     summary_.failure = failure;
 }
@@ -90,7 +91,9 @@ void RunBooks::watch_energy(const StageSequence& stages, const LedgerRow& ledger
 }
 
 void RunBooks::sum_up_stage(const StageSequence& stages, std::int64_t stage_count) {
-    const std::string prefix = name_stage(stages, stage_count);
+    if (summed_up_ == stages.moving_index()) return;  // where the next stage could not start
+    summed_up_ = stages.moving_index();
+    const std::string prefix = stage_count > 1 ? "stage " + stages.name_of(stages.moving_index()) + ": " : "";
     note_pivots(stages, prefix);
     sum_up_cuts(stages, prefix);
     compare_errors(stages, prefix);
@@ -114,19 +117,21 @@ void RunBooks::sum_up_cuts(const StageSequence& stages, const std::string& prefi
     const CutTally& tally = stages.analysis().cuts();
     const StepCuts cuts = tally.count(stages.analysis().steps().steps_done() - first_step_);
     if (!are_worth_telling(cuts)) return;
-    add_sentence(count_cuts(cuts) + ": " + tally.describe_reasons(model_) +
-                     advise_on_cuts(stages.model(), stages.settings(), stages.analysis().is_unstable()),
-                 prefix,
-                 summary_.cuts);
+    add_sentence(
+        count_cuts(cuts) + ": " + tally.describe_reasons(model_) +
+            advise_on_cuts(stages.model(), stages.moving_settings(), stages.analysis().is_unstable()),
+        prefix,
+        summary_.cuts);
 }
 
 // Equal steps that are so short that the scheme's error is below what Newton's method leaves.
 void RunBooks::compare_errors(const StageSequence& stages, const std::string& prefix) {
-    const auto* dynamic = std::get_if<DynamicSettings>(&stages.settings());
+    const auto* dynamic = std::get_if<DynamicSettings>(&stages.moving_settings());
     const double error = stages.analysis().largest_error();
     const double tolerance = stages.analysis().newton().tolerance.value_or(usual_newton_tolerance);
-    if (dynamic == nullptr || dynamic->adaptive || error <= 0.0 || tolerance <= tolerable_newton_part * error)
-        return;
+    if (dynamic == nullptr || dynamic->adaptive || tolerance <= tolerable_newton_part * error) return;
+    // Errors of a model at rest are round-off, which no tolerance makes smaller.
+    if (newton_part * error < least_newton_tolerance) return;
     add_sentence(
         fmt::format(
             "the estimated errors of the steps, at most {:.2g}, are near what newton.tolerance, {:.2g}, "

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,14 +25,14 @@ class RunBooks {
     // Back at an earlier state: what ended the run is no longer so.
     void reopen();
     void fail(const std::string& reason);
-    void fail(const Failure& failure);
+    void fail(const Failure& failure, const std::string& prefix = "");
     // At the start of a stage after the first, or where the run was resumed.
     void begin(const StageSequence& stages);
     void begin_branch(const StageSequence& stages);
     // Of an accepted state; in statics work that parts from the strain energy counts as a jump.
     void watch_energy(const StageSequence& stages, const LedgerRow& ledger, bool is_first);
-    // At the end of the stage at hand, or of the run: often cut steps, steps shorter than Newton's method
-    // bears.
+    // Sums up the stage whose steps led to the state, once, at its end or the end of the run: often cut
+    // steps, steps shorter than Newton's method bears.
     void sum_up_stage(const StageSequence& stages, std::int64_t stage_count);
     void add_paths(const PathRecord& paths);
     void add_warning(std::string warning) { warnings_.push_back(std::move(warning)); }
@@ -47,10 +48,11 @@ class RunBooks {
 
     const Model& model_;
     RunSummary summary_;
-    std::vector<std::string> examined_;  // warnings of the model
-    std::vector<std::string> warnings_;  // of shapes and paths
-    long first_step_ = 0;                // steps done where the stage was begun or resumed
-    EnergyPoint last_point_;             // in statics, of the last step
+    std::vector<std::string> examined_;     // warnings of the model
+    std::vector<std::string> warnings_;     // of shapes and paths
+    long first_step_ = 0;                   // steps done where the stage was begun or resumed
+    EnergyPoint last_point_;                // in statics, of the last step
+    std::optional<std::size_t> summed_up_;  // the last stage that was
 };
 
 // Before a sentence about the stage at hand.

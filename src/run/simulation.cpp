@@ -64,7 +64,7 @@ bool Simulation::guard(const Action& action) {
         if (action()) return true;
         books_.complete();
     } catch (const EvaluationError& error) {
-        books_.fail(error.what());
+        books_.fail(entering_ + error.what());
         summary.deck_fault = true;
     } catch (const FileError&) {
         phase_ = Phase::ended;
@@ -75,7 +75,7 @@ bool Simulation::guard(const Action& action) {
         books_.fail("out of memory");
         summary.out_of_memory = true;
     } catch (const std::exception& error) {
-        books_.fail(error.what());
+        books_.fail(entering_ + error.what());
     }
     phase_ = Phase::ended;
     return false;
@@ -190,11 +190,12 @@ bool Simulation::enter_next_stage() {
         return true;
     }
     books_.sum_up_stage(*stages_, stage_count());
-    const EquilibriumReport report = stages_->enter_next();
-    if (!report.converged()) {
-        books_.fail(stages_->analysis().explain(report));
+    entering_ = "stage " + stages_->name_of(stages_->index() + 1) + ": ";
+    if (const std::optional<Failure> failure = stages_->enter_next()) {
+        books_.fail(*failure, entering_);
         return false;
     }
+    entering_.clear();
     const std::string& note = analysis().start_note();
     if (!note.empty()) books_.summary().notes.push_back("stage " + stages_->name() + ": " + note);
     books_.begin(*stages_);

@@ -112,6 +112,7 @@ class Simulation {
     Phase phase_ = Phase::new_run;
     bool is_closed_ = false;
     std::string cause_;              // why a branch of a path was given up
+    std::string entering_;           // "stage NAME: " while that stage starts
     std::size_t written_paths_ = 0;  // number of the last stage whose paths were written, from 1
     std::int64_t rows_ = 0;          // of the histories
     RunTotals accepted_totals_;      // without what a step that failed has cost

@@ -27,7 +27,7 @@ ComplexVectors sum_up(const std::vector<Excitation>& excitation, std::size_t nod
 }  // namespace
 
 StageSequence::StageSequence(Plan plan)
-    : plan_(std::move(plan)), axis_start_(find_axis_start(plan_.stages)), current_(build()) {
+    : plan_(std::move(plan)), axis_start_(find_axis_start(plan_.stages)), current_(build(0)) {
     prepare_path();
 }
 
@@ -36,7 +36,7 @@ StageSequence::StageSequence(Plan plan, const RestartRecord& record)
       index_(static_cast<std::size_t>(record.stage)),
       moving_index_(index_),
       axis_start_(record.axis_start),
-      current_(build()) {
+      current_(build(index_)) {
     prepare_path();
 }
 
@@ -104,8 +104,10 @@ void StageSequence::leave_branches() {
     axis_end_ = here;
 }
 
-const AnalysisSettings& StageSequence::settings() const {
-    return index_ == 0 ? plan_.analysis : plan_.stages[index_].analysis;
+const AnalysisSettings& StageSequence::settings() const { return settings_of(index_); }
+
+const AnalysisSettings& StageSequence::settings_of(std::size_t stage) const {
+    return stage == 0 ? plan_.analysis : plan_.stages[stage].analysis;
 }
 
 FoundShapes StageSequence::find_shapes() const {
@@ -150,13 +152,14 @@ SweepRecord StageSequence::find_sweep(const EigenvalueSettings& settings) const 
     return record;
 }
 
-StageSequence::Current StageSequence::build() const {
+StageSequence::Current StageSequence::build(std::size_t stage) const {
     Current current;
-    if (index_ > 0) {
+    if (stage > 0) {
         current.model = std::make_unique<Model>(plan_.model);
-        set_actions(plan_.stages[index_].actions, *current.model);
+        set_actions(plan_.stages[stage].actions, *current.model);
     }
-    current.analysis = make_analysis(current.model ? *current.model : plan_.model, settings(), plan_.threads);
+    current.analysis =
+        make_analysis(current.model ? *current.model : plan_.model, settings_of(stage), plan_.threads);
     current.analysis->watch(plan_.watched, plan_.watched_contacts);
     return current;
 }
@@ -167,24 +170,27 @@ double StageSequence::part_done() const {
     return (static_cast<double>(index_) + part) / count;
 }
 
-EquilibriumReport StageSequence::enter_next() {
-    if (!has_steps(plan_.stages[index_ + 1].analysis)) {
-        ++index_;
-        return {};
+std::optional<Failure> StageSequence::enter_next() {
+    const std::size_t next = index_ + 1;
+    if (!has_steps(plan_.stages[next].analysis)) {
+        index_ = next;
+        return std::nullopt;
     }
+    // What acted on a path keeps the size that it had at its end.
+    const StagePlan& ended = plan_.stages[moving_index_];
+    if (is_path(ended.analysis) && ended.end) *ended.end = analysis().state().time;
+    Current current = build(next);
+    const EquilibriumReport report = current.analysis->start_after(*current_.analysis);
+    if (!report.converged()) return current.analysis->explain(report);
     warnings_ = list_warnings();
     seconds_ = seconds();
     was_unstable_ = is_unstable();
     axis_start_ = axis();
-    // What acted on a path keeps the size that it had at its end.
-    const StagePlan& ended = plan_.stages[moving_index_];
-    if (is_path(ended.analysis) && ended.end) *ended.end = analysis().state().time;
     branch_start_.reset();
-    moving_index_ = ++index_;
-    Current before = std::move(current_);
-    current_ = build();
+    moving_index_ = index_ = next;
+    std::swap(current_, current);
     prepare_path();
-    return current_.analysis->start_after(*before.analysis);
+    return std::nullopt;
 }
 
 PhaseSeconds StageSequence::seconds() const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analyses/static.hpp"
+#include "check/failure_advice.hpp"
 #include "model/stage.hpp"
 #include "run/path_follower.hpp"
 #include "state/shapes_record.hpp"
@@ -43,7 +44,12 @@ class StageSequence {
     const Model& model() const { return current_.model ? *current_.model : plan_.model; }
     const AnalysisSettings& settings() const;
     std::size_t index() const { return index_; }
-    std::string name() const { return plan_.stages.empty() ? "" : plan_.stages[index_].name; }
+    std::string name() const { return name_of(index_); }
+    std::string name_of(std::size_t stage) const {
+        return plan_.stages.empty() ? "" : plan_.stages[stage].name;
+    }
+    // Settings of the stage whose steps led to the state.
+    const AnalysisSettings& moving_settings() const { return settings_of(moving_index_); }
     // 0 … 1: of all stages, as if each took as long.
     double part_done() const;
     bool is_last() const { return index_ + 1 >= plan_.stages.size(); }
@@ -72,9 +78,10 @@ class StageSequence {
     // Where t of each stage ended, to resume from.
     std::vector<double> ends() const;
 
-    // Continues with the next stage, from where this one ended. As SteppedAnalysis::start_after; a stage that
-    // finds shapes keeps analysis and model of the one before it.
-    EquilibriumReport enter_next();
+    // Continues with the next stage, from where this one ended, as SteppedAnalysis::start_after does; a stage
+    // that finds shapes keeps analysis and model of the one before it. Returns why the stage cannot start, if
+    // so; then, and if it throws, the stage at hand stays what it was.
+    std::optional<Failure> enter_next();
     // What the stage at hand, which takes no steps, finds about the last accepted state. Loads are those that
     // act there; buckling about the reference shape multiplies what acts at t = 1.
     FoundShapes find_shapes() const;
@@ -91,11 +98,15 @@ class StageSequence {
     };
 
     static Plan restore_ends(Plan plan, const RestartRecord& record);
-    Current build() const;
+    const AnalysisSettings& settings_of(std::size_t stage) const;
+    Current build(std::size_t stage) const;
     SweepRecord find_sweep(const EigenvalueSettings& settings) const;
     void end_path(const std::string& cause);
     void prepare_path();
-    std::string prefix() const { return plan_.stages.size() > 1 ? "stage " + name() + ": " : ""; }
+    // Names the stage whose steps led to the state.
+    std::string prefix() const {
+        return plan_.stages.size() > 1 ? "stage " + name_of(moving_index_) + ": " : "";
+    }
 
     Plan plan_;
     std::size_t index_ = 0;

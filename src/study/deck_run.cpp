@@ -40,7 +40,8 @@ void DeckRun::run(const std::function<void()>& visit) {
         else
             find_shapes();
         if (stages_->is_last()) return;
-        check(stages_->enter_next());
+        if (const std::optional<Failure> failure = stages_->enter_next())
+            throw std::runtime_error(name_ + ": " + describe_failure(*failure));
     }
 }
 
