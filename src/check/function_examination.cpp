@@ -33,8 +33,8 @@ double longest_step(const DynamicSettings& settings) {
 
 class FunctionExamination {
   public:
-    FunctionExamination(const Model& model, const DynamicSettings& settings)
-        : model_(model), settings_(settings), integrator_(make_integrator(settings)) {}
+    FunctionExamination(const Model& model, const DynamicSettings& settings, bool is_moving)
+        : model_(model), settings_(settings), is_moving_(is_moving), integrator_(make_integrator(settings)) {}
 
     std::vector<Finding> run() {
         const std::array<TimeFunction, 3>& gravity = model_.gravity.components();
@@ -214,7 +214,9 @@ class FunctionExamination {
         const auto is_at_rest = [](const Node& one) {
             return one.velocity.isZero(0.0) && one.angular_velocity.isZero(0.0);
         };
-        if (model_.rods.empty() || !std::all_of(model_.nodes.begin(), model_.nodes.end(), is_at_rest)) return;
+        if (is_moving_ || model_.rods.empty() ||
+            !std::all_of(model_.nodes.begin(), model_.nodes.end(), is_at_rest))
+            return;
         const double step = start_step * settings_.time_step();
         const double rate = (4.0 * motion(step) - motion(2.0 * step) - 3.0 * motion(0.0)) / (2.0 * step);
         double size = 0.0;
@@ -235,14 +237,15 @@ class FunctionExamination {
 
     const Model& model_;
     const DynamicSettings& settings_;
+    bool is_moving_;
     std::unique_ptr<Integrator> integrator_;
     std::vector<Finding> findings_;
 };
 
 }  // namespace
 
-std::vector<Finding> examine_functions(const Model& model, const DynamicSettings& settings) {
-    return FunctionExamination(model, settings).run();
+std::vector<Finding> examine_functions(const Model& model, const DynamicSettings& settings, bool is_moving) {
+    return FunctionExamination(model, settings, is_moving).run();
 }
 
 }  // namespace gxrod

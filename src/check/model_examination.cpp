@@ -345,7 +345,8 @@ void examine_buckling(const Model& model,
 
 std::vector<Finding> examine_model(const Model& model,
                                    const AnalysisSettings& analysis,
-                                   bool begins_at_rest) {
+                                   AnalysisStart start) {
+    const bool begins_at_rest = start == AnalysisStart::deck;
     const std::vector<ModelPart> parts = find_parts(model);
     std::vector<Finding> findings;
     if (has_steps(analysis) && !needs_inertia(analysis)) {
@@ -375,7 +376,8 @@ std::vector<Finding> examine_model(const Model& model,
             findings.push_back({Severity::warning, sentence});
     }
     if (const auto* dynamic = std::get_if<DynamicSettings>(&analysis)) {
-        for (const Finding& finding : examine_functions(model, *dynamic)) findings.push_back(finding);
+        for (const Finding& finding : examine_functions(model, *dynamic, start == AnalysisStart::motion))
+            findings.push_back(finding);
     }
     find_idle_loads(model, findings);
     if (const std::string push = find_push_out_of_plane(model); !push.empty())
@@ -398,11 +400,18 @@ std::vector<Finding> examine_stages(const Model& model, const std::vector<StageP
             return other.message == finding.message;
         });
     };
-    for (std::size_t i = 1; i < stages.size(); ++i) {
+    const auto leaves_motion = [](const AnalysisSettings& analysis) {
+        return is_timed(analysis) || std::holds_alternative<SteadySettings>(analysis);
+    };
+    AnalysisStart start = AnalysisStart::equilibrium;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
         if (!has_steps(stages[i].analysis)) continue;
+        const AnalysisStart own_start = start;
+        start = leaves_motion(stages[i].analysis) ? AnalysisStart::motion : AnalysisStart::equilibrium;
+        if (i == 0) continue;
         Model own = model;
         set_actions(stages[i].actions, own);
-        for (Finding& finding : examine_model(own, stages[i].analysis, false)) {
+        for (Finding& finding : examine_model(own, stages[i].analysis, own_start)) {
             if (!is_new(finding)) continue;
             finding.message = "stage " + stages[i].name + ": " + finding.message;
             findings.push_back(std::move(finding));

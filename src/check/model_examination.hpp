@@ -10,11 +10,15 @@
 
 namespace gxrod {
 
-// What a reader of a deck cannot see in single keys: errors first. A later stage does not begin at rest,
-// and moves without a cause of its own.
+// Where an analysis begins: from the deck's shape and velocities, from an equilibrium of a stage before, or
+// with the motion of a stage before.
+enum class AnalysisStart { deck, equilibrium, motion };
+
+// What a reader of a deck cannot see in single keys: errors first. A later stage can move without a cause of
+// its own.
 std::vector<Finding> examine_model(const Model& model,
                                    const AnalysisSettings& analysis,
-                                   bool begins_at_rest = true);
+                                   AnalysisStart start = AnalysisStart::deck);
 
 // The same of each stage; `model` has what acts in the first one. What several stages share is said once.
 std::vector<Finding> examine_stages(const Model& model, const std::vector<StagePlan>& stages);
