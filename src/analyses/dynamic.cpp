@@ -1,10 +1,24 @@
 #include "analyses/dynamic.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "analyses/start_velocities.hpp"
 #include "integrators/quasi_static.hpp"
+#include "model/jumps.hpp"
 #include "model/newton_choice.hpp"
 
 namespace gxrod {
+
+namespace {
+
+// Of a step: for so long what is damped creeps while the model settles.
+constexpr double settling_part = 1e-4;
+// Of the time, to look for jumps of functions.
+constexpr long fewest_samples = 64;
+constexpr long most_samples = 1000;
+
+}  // namespace
 
 std::unique_ptr<Integrator> make_scheme(const DynamicSettings& settings) {
     return settings.has_inertia ? make_integrator(settings) : std::make_unique<QuasiStatic>();
@@ -17,16 +31,52 @@ DynamicAnalysis::DynamicAnalysis(const Model& model, const DynamicSettings& sett
                       choose_newton(model, settings),
                       settings.linear_solver,
                       make_step_sequence(settings)),
-      projects_start_(settings.projects_start) {}
+      projects_start_(settings.projects_start),
+      times_{0.0, settings.end_time},
+      samples_(static_cast<int>(std::clamp(settings.steps, fewest_samples, most_samples))) {}
 
 EquilibriumReport DynamicAnalysis::start() {
-    if (!system_.model().has_inertia) return start_at_rest();  // what creeps at once has no rate yet
+    if (!system_.model().has_inertia) {
+        start_at_rest();
+        find_jumps();
+        return settle();
+    }
     refuse_overlaps(0.0);
     const TimeSpan first_step{0.0, steps_->time_step()};
-    fit_start_velocities(system_, 0.0, first_step, projects_start_, workspace_, state_);
+    fit_start_velocities(system_, 0.0, first_step, projects_start_ || takes_over_rates(), workspace_, state_);
     const EquilibriumReport report = solve_accelerations(system_, 0.0, first_step, workspace_, state_);
     if (report.converged()) accept_start();
     return report;
+}
+
+void DynamicAnalysis::find_jumps() {
+    if (system_.model().has_inertia) return;
+    set_jumps(gxrod::find_jumps(system_.model(), times_, samples_));
+}
+
+Stage DynamicAnalysis::settling_stage() const {
+    const double time = steps_->time();
+    return {0, time, settling_part * steps_->time_step(), time + 4.0 * sides_of_jump(0.0, times_).after};
+}
+
+// Inputs can have been set here.
+bool DynamicAnalysis::settles_here() const {
+    if (system_.model().has_inertia) return false;
+    return !system_.model().inputs.empty() || find_jump_at(steps_->time());
+}
+
+double DynamicAnalysis::trial_time() const {
+    const double end = steps_->next_time();
+    const std::optional<double> jump = find_jump_at(end);
+    return jump ? sides_of_jump(std::min(*jump, end), times_).before : end;
+}
+
+std::optional<double> DynamicAnalysis::find_jump_at(double time) const {
+    const double close = 1e-9 * steps_->time_step();
+    for (const double jump : jumps()) {
+        if (std::abs(jump - time) <= close) return jump;
+    }
+    return std::nullopt;
 }
 
 }  // namespace gxrod

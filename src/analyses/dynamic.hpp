@@ -1,6 +1,10 @@
 #pragma once
 
+#include <optional>
+
 #include "analyses/stepped_analysis.hpp"
+#include "integrators/instant_step.hpp"
+#include "model/breaks.hpp"
 #include "model/settings.hpp"
 
 namespace gxrod {
@@ -14,13 +18,28 @@ class DynamicAnalysis : public SteppedAnalysis {
     // The model must outlive the analysis.
     DynamicAnalysis(const Model& model, const DynamicSettings& settings, int threads = 1);
 
-    // Solves for the initial accelerations.
+    // Solves for the initial accelerations; without inertia, for the equilibrium under what acts at once.
     // Throws EvaluationError if the initial velocities do not fit the joints, unless they are to be
     // projected.
     EquilibriumReport start() override;
 
+    Stage settling_stage() const override;
+    const Integrator& settling_integrator() const override { return instant_step_; }
+
+  protected:
+    bool settles_here() const override;
+    double trial_time() const override;
+    void recall(const RestartRecord&) override { find_jumps(); }
+
   private:
+    // Where something that acts without inertia jumps.
+    void find_jumps();
+    std::optional<double> find_jump_at(double time) const;
+
     bool projects_start_;
+    Interval times_;
+    int samples_;  // of functions, to find jumps
+    InstantStep instant_step_;
 };
 
 }  // namespace gxrod

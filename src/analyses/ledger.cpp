@@ -195,6 +195,29 @@ void Ledger::replace_work(const StepWork& work) {
     measure_largest_energy();
 }
 
+void Ledger::begin_settling(const State& state, double time, const Residual& residual) {
+    forces_before_settling_ = compute_forces(state, time, residual);
+    error_before_settling_ = row(state).energy_error;
+}
+
+void Ledger::end_settling(const State& state, double time, const Residual& residual) {
+    std::vector<Vec6> forces = compute_forces(state, time, residual);
+    work_ += compute_mean_work(forces_before_settling_, forces, find_movement(*system_, state, time)) +
+             system_->compute_drive_work(state, time);
+    dissipated_ +=
+        system_->compute_law_dissipation(state, time) + system_->joints().compute_slip_dissipation(state);
+    add_fluid_work(state, time);
+    add_contact_work(state, time);
+    if (!weighs_powers()) forces_ = std::move(forces);
+    load_step_ = {};
+    const Balance balance = system_->compute_balance(state, time);
+    strain_energy_ = balance.strain_energy;
+    if (integrator_->is_static()) balance_ = balance;
+    dissipated_ += std::max(error_before_settling_ - row(state).energy_error, 0.0);
+    largest_energy_before_ = largest_energy_;
+    measure_largest_energy();
+}
+
 void Ledger::add_powers(const Step& step) {
     double work = power_weights_[0] * power_.driving;
     double dissipated = power_weights_[0] * power_.damping;

@@ -51,6 +51,12 @@ class Ledger {
     };
     void add_step(const State& state, const Step& step);
 
+    // The state settles at an instant (solvers/settling.hpp): with the last accepted motions as the trial,
+    // and then with those of the equilibrium before they are committed. `residual` is that of either. What
+    // loads and supports do on the way and the model does not store is dissipated.
+    void begin_settling(const State& state, double time, const Residual& residual);
+    void end_settling(const State& state, double time, const Residual& residual);
+
     // Whether the work of the last load step parts so far from the strain energy, before the step is
     // committed, that only equilibria in between show whether the structure jumped; and the ends of the
     // step, to look for these, and the work that they make of it.
@@ -126,6 +132,9 @@ class Ledger {
     double initial_contact_energy_ = 0.0;
     std::vector<Vec6> fluid_forces_;  // at the last accepted step; empty where nothing is around
     bool has_drive_ = false;
+    // Where the state begins to settle.
+    std::vector<Vec6> forces_before_settling_;
+    double error_before_settling_ = 0.0;
 };
 
 }  // namespace gxrod

@@ -21,6 +21,7 @@ class StaticAnalysis : public SteppedAnalysis {
     // branch: shorter steps seek a stable one first.
     void judge_equilibrium(EquilibriumReport& report) override;
     void note_equilibrium() override;
+    bool settles_after_stage() const override { return true; }
     std::int64_t accepted_pivots() const override { return accepted_; }
     std::int64_t counted_pivots() const override { return has_potential_ && is_counted_ ? accepted_ : -1; }
     void resume_pivots(std::int64_t pivots) override { accepted_ = pivots; }

@@ -10,13 +10,13 @@ StepInterior::StepInterior(const System& system, const Integrator& integrator)
     fractions_.push_back(1.0);
 }
 
-void StepInterior::keep(const State& state, double end_time) {
+void StepInterior::keep(const State& state, double end_time, bool is_settled) {
     state_ = state;
     state_.resultants.clear();
     end_time_ = end_time;
     places_.assign(fractions_.size(), Place{});
     has_contacts_ = has_frame_contacts_ = false;
-    starts_at_rest_ = !system_.model().has_inertia && state.time == 0.0;
+    starts_at_rest_ = !system_.model().has_inertia && (state.time == 0.0 || is_settled);
     if (starts_at_rest_) find_first_rates();
 }
 

@@ -18,8 +18,9 @@ class StepInterior {
     // These must outlive it.
     StepInterior(const System& system, const Integrator& integrator);
 
-    // Of the trial that is accepted, at `end_time`.
-    void keep(const State& state, double end_time);
+    // Of the trial that is accepted, at `end_time`; whether the state has settled at the step's start, so
+    // that it has no rates there.
+    void keep(const State& state, double end_time, bool is_settled = false);
     // At a time between; valid until the next call. With the sections of all elements only if asked for.
     Snapshot snapshot(double time,
                       bool with_elements,

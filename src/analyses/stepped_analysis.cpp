@@ -4,11 +4,15 @@
 
 #include <stdexcept>
 
+#include "analyses/start_velocities.hpp"
 #include "assembly/contact/contact_assembly.hpp"
 #include "assembly/frame_columns.hpp"
 #include "check/direction_words.hpp"
 #include "check/stiffness_contrast.hpp"
+#include "model/evaluation_error.hpp"
 #include "solvers/coupled/coupled_step.hpp"
+#include "solvers/newton_steps.hpp"
+#include "solvers/settling.hpp"
 #include "solvers/worst_nodes.hpp"
 #include "state/energy_jump.hpp"
 #include "state/spring_line.hpp"
@@ -60,6 +64,8 @@ std::string find_shrunk_spring(const System& system, const State& state) {
 
 // Of the model's length, or in rad: how near a support's move is to where its node was left.
 constexpr double same_place = 1e-6;
+// Of the largest velocity: a rate that goes on.
+constexpr double same_rate = 1e-6;
 // Of the largest force: what an equilibrium leaves.
 constexpr double balanced = 1e-5;
 
@@ -132,9 +138,84 @@ EquilibriumReport SteppedAnalysis::start_after(const SteppedAnalysis& before) {
     if (!integrator_->is_static()) {
         check_moved_supports();
         check_motors();
-        if (system_.model().has_inertia) start_note_ = describe_imbalance();
+        if (system_.model().has_inertia) {
+            start_note_ = describe_imbalance();
+            takes_over_rates_ =
+                measure_rate_jump(before.system_, before.state_, system_, state_, steps_->time_step()) <=
+                same_rate;
+        }
     }
-    return start();
+    const EquilibriumReport report = start();
+    if (report.converged() && settles_after_stage()) {
+        settle();  // as far as it can: the first load step takes what is left
+        is_settling_ = false;
+    }
+    return report;
+}
+
+EquilibriumReport SteppedAnalysis::settle() {
+    settled_.reset();
+    const Stage stage = settling_stage();
+    EquilibriumReport report;
+    undo_trial(state_);
+    state_.trial_time = stage.end_time;
+    system_.compute_residual(state_, stage.end_time, workspace_.residual);
+    measure_residual(system_, workspace_.residual, report);
+    if (report.outcome == Outcome::not_finite) return report;
+    const auto are_joints_moved = [&] {
+        return !system_.joints().empty() &&
+               system_.joints().measure_gap(workspace_.residual.rows, state_).size > same_place;
+    };
+    const bool is_moved = !integrator_->is_static() &&
+                          (find_support_jump(stage.end_time).support != nullptr || are_joints_moved());
+    state_.trial_time = state_.time;
+    if (report.residual <= *newton_.tolerance && !is_moved) return {};
+    is_settling_ = true;
+    NewtonSettings newton = newton_;  // what comes at once is as large as a load step
+    if (newton.tangent == TangentKind::automatic) newton.tangent = TangentKind::mixed;
+    report =
+        gxrod::settle(system_,
+                      settling_integrator(),
+                      newton,
+                      stage,
+                      workspace_,
+                      state_,
+                      {.begin = [&] { ledger_->begin_settling(state_, stage.end_time, workspace_.residual); },
+                       .end =
+                           [&] {
+                               reactions_ = system_.compute_reactions(workspace_.residual);
+                               point_values_ = system_.compute_point_values(state_, stage.end_time, watched_);
+                               body_values_ = system_.compute_body_surroundings(state_, stage.end_time);
+                               ledger_->end_settling(state_, stage.end_time, workspace_.residual);
+                           }});
+    if (!report.converged()) return report;
+    is_settling_ = false;
+    settled_ = state_;
+    settled_stage_ = stage;
+    lead_ = stage.time_step;
+    return report;
+}
+
+void SteppedAnalysis::set_jumps(std::vector<double> jumps) {
+    jumps_ = std::move(jumps);
+    aim();
+}
+
+std::optional<double> SteppedAnalysis::land_on(double time) {
+    landing_ = steps_->land_on(time);
+    aim();
+    return landing_;
+}
+
+void SteppedAnalysis::aim() {
+    if (jumps_.empty()) return;
+    const double now = steps_->time();
+    const double close = 1e-9 * steps_->time_step();
+    const auto next = std::ranges::find_if(jumps_, [&](double jump) { return jump > now + close; });
+    std::optional<double> goal;
+    if (next != jumps_.end()) goal = *next;
+    if (landing_ && *landing_ > now && (!goal || *landing_ < *goal)) goal = landing_;
+    if (goal) steps_->land_on(*goal);
 }
 
 EquilibriumReport SteppedAnalysis::settle_after(const SteppedAnalysis& before, double time) {
@@ -152,22 +233,29 @@ EquilibriumReport SteppedAnalysis::settle_after(const SteppedAnalysis& before, d
 
 // No force moves a support at once.
 void SteppedAnalysis::check_moved_supports() const {
+    const SupportJump jump = find_support_jump(0.0);
+    if (jump.support == nullptr) return;
+    throw EvaluationError(fmt::format(
+        "the support at {} begins with a jump, by {:.4g} and {:.4g} rad: its move at t = 0 of this stage "
+        "is not where the stage before leaves it",
+        system_.model().nodes[jump.support->node].name,
+        jump.distance,
+        jump.angle));
+}
+
+SteppedAnalysis::SupportJump SteppedAnalysis::find_support_jump(double time) const {
+    if (!system_.supports().move()) return {};
     State moved = state_;
-    system_.supports().place(0.0, moved);
+    system_.supports().place(time, moved);
     for (const Support* support : system_.supports().moving()) {
         const NodeMotion& from = state_.trial[support->node];
         const NodeMotion& to = moved.trial[support->node];
         const double distance = (to.r - from.r).norm();
         const double angle = from.Lambda.angularDistance(to.Lambda);
         const double length = system_.length_scale_at(support->node);
-        if (distance <= same_place * length && angle <= same_place) continue;
-        throw std::runtime_error(fmt::format(
-            "the support at {} begins with a jump, by {:.4g} and {:.4g} rad: its move at t = 0 of this stage "
-            "is not where the stage before leaves it",
-            system_.model().nodes[support->node].name,
-            distance,
-            angle));
+        if (distance > same_place * length || angle > same_place) return {support, distance, angle};
     }
+    return {};
 }
 
 // Nor a motor.
@@ -184,15 +272,10 @@ void SteppedAnalysis::check_motors() const {
                     gap.size));
 }
 
-// At the trial motions, without accelerations.
+// At the trial motions, with the velocities and accelerations that the stage before leaves.
 std::string SteppedAnalysis::describe_imbalance() const {
-    State resting = state_;
-    for (NodeMotion& motion : resting.trial) {
-        motion.a.setZero();
-        motion.alpha.setZero();
-    }
     Residual residual;
-    system_.compute_residual(resting, 0.0, residual);
+    system_.compute_residual(state_, 0.0, residual);
     const std::vector<WorstNode> worst = find_worst_nodes(system_, residual, 1);
     if (worst.empty() || worst[0].residual <= balanced) return "";
     return fmt::format(
@@ -213,6 +296,7 @@ RestartRecord SteppedAnalysis::restart_record() const {
     record.carried = state_.carried_previous;
     record.ledger = ledger_->memory();
     record.steps = steps_->memory();
+    record.steps.lead = lead_;
     record.negative_pivots = accepted_pivots();
     remember(record);
     return record;
@@ -237,6 +321,7 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
         throw std::invalid_argument("the state to resume from belongs to another model");
     }
     if (!steps_->resume(record.steps)) return false;
+    lead_ = record.steps.lead;
     state_.previous = state_.trial = record.nodes;
     state_.sections = record.sections;
     state_.law_memory = record.law_memory;
@@ -252,12 +337,19 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
     ledger_->resume(record.ledger);
     if (frame() != nullptr) ledger_->add_drive();
     recall(record);
+    aim();
     return true;
 }
 
+Stage SteppedAnalysis::next_stage() const {
+    constexpr double most = 0.1;  // of a step
+    const double length = steps_->time_step();
+    const double lead = std::min(lead_, most * length);
+    return {0, steps_->time() + lead, length - lead, trial_time()};
+}
+
 EquilibriumReport SteppedAnalysis::solve_trial() {
-    const Stage first_stage{0, steps_->time(), steps_->time_step(), steps_->next_time()};
-    return solve_step(system_, *integrator_, newton_, first_stage, workspace_, state_);
+    return solve_step(system_, *integrator_, newton_, next_stage(), workspace_, state_);
 }
 
 bool SteppedAnalysis::take_step(EquilibriumReport& report) {
@@ -287,7 +379,7 @@ void SteppedAnalysis::check_error(EquilibriumReport& report) {
         workspace_.coupled
             ? measure_step_error(
                   workspace_.coupled->placement_errors, workspace_.coupled->rate_errors, length_at)
-            : integrator_->estimate_error(state_, steps_->time_step(), length_at);
+            : integrator_->estimate_error(state_, next_stage().time_step, length_at);
     largest_error_ = std::max(largest_error_, error.size);
     if (!steps_->needs_error() || steps_->admits(error.size)) return;
     report.outcome = Outcome::error_too_large;
@@ -309,6 +401,13 @@ EquilibriumReport SteppedAnalysis::advance() {
     EquilibriumReport report;
     solver_row_ = SolverRow{};
     section_values_ = std::vector<SectionValues>();  // large compared with what a step needs
+    settled_.reset();
+    int iterations = 0;  // of settling
+    if (settles_here()) {
+        report = settle();
+        if (!report.converged()) return report;
+        iterations = report.iterations;
+    }
     while (!take_step(report)) {
         ++solver_row_.rejected_steps;
         if (report.outcome != Outcome::lost_stability) cuts_.add(report, steps_->steps_done());
@@ -322,10 +421,10 @@ EquilibriumReport SteppedAnalysis::advance() {
     point_values_ = system_.compute_point_values(state_, time, watched_);
     body_values_ = system_.compute_body_surroundings(state_, time);
     keep_step(time);
-    ledger_->add_step(state_, {time, steps_->time_step(), workspace_.residual, workspace_.stage_powers});
+    ledger_->add_step(state_, {time, next_stage().time_step, workspace_.residual, workspace_.stage_powers});
     look_into_load_step(report.iterations);
     solver_row_.time_step = steps_->time_step();
-    solver_row_.newton_iterations = report.iterations;
+    solver_row_.newton_iterations = report.iterations + iterations;
     solver_row_.residual = report.residual;
     if (system_.contact()) {
         const ContactCount touching = system_.contact()->count(state_, time);
@@ -336,15 +435,19 @@ EquilibriumReport SteppedAnalysis::advance() {
     note_equilibrium();
     solver_row_.negative_pivots = counted_pivots();
     step_start_ = state_.time;
+    last_stage_ = next_stage();
+    lead_ = 0.0;
     system_.commit(state_, time);
+    if (!jumps_.empty()) state_.time = state_.trial_time = steps_->next_time();
     steps_->accept();
+    aim();
     return report;
 }
 
 void SteppedAnalysis::keep_step(double time) {
     if (!is_wanted_ || !is_wanted_(state_.time, time)) return;
     if (!interior_) interior_ = std::make_unique<StepInterior>(system_, *integrator_);
-    interior_->keep(state_, time);
+    interior_->keep(state_, time, settled_.has_value());
 }
 
 std::optional<PathPoint> SteppedAnalysis::find_equilibrium(const PathPoint& from, double load_factor) {
@@ -396,6 +499,7 @@ void SteppedAnalysis::look_into_load_step(int iterations) {
 }
 
 Failure::Phase SteppedAnalysis::failure_phase() const {
+    if (is_settling_) return Failure::Phase::instant;
     if (!ledger_) return Failure::Phase::initial_accelerations;
     if (integrator_->is_static()) return Failure::Phase::load_step;
     return integrator_->is_explicit() ? Failure::Phase::explicit_step : Failure::Phase::implicit_step;

@@ -37,7 +37,7 @@ class SteppedAnalysis {
     EquilibriumReport advance();
     bool finished() const { return steps_->finished(); }
     // As StepSequence::land_on.
-    std::optional<double> land_on(double time) { return steps_->land_on(time); }
+    std::optional<double> land_on(double time);
 
     // The last accepted step, to resume from later; totals are left to the caller.
     RestartRecord restart_record() const;
@@ -88,6 +88,14 @@ class SteppedAnalysis {
     Snapshot snapshot_within(double time, bool with_elements = true) {
         return interior_->snapshot(time, with_elements, watched_, watched_contacts_);
     }
+    // The state that the start or the last step settled in before anything else; nullptr if it did not.
+    const State* settled() const { return settled_ ? &*settled_ : nullptr; }
+    // The last accepted step as the scheme took it.
+    const Stage& last_stage() const { return last_stage_; }
+    const Stage& settled_stage() const { return settled_stage_; }
+    // How it settles.
+    virtual Stage settling_stage() const { return {0, steps_->time(), 0.0, steps_->time()}; }
+    virtual const Integrator& settling_integrator() const { return *integrator_; }
     // Where the last accepted step began.
     double step_start() const { return step_start_; }
     // Of what acts from outside on the last accepted state; in dynamics it is the rate of the momenta.
@@ -111,9 +119,24 @@ class SteppedAnalysis {
     EquilibriumReport start_at_rest();
     // Throws std::runtime_error where rods are in what they touch; before any force is asked for.
     void refuse_overlaps(double time);
+    // The first stage of the next step.
+    Stage next_stage() const;
+    // Goes to the equilibrium at the accepted time, if the last accepted state is not one: a load has come at
+    // once, or a stage begins with what a motion leaves.
+    EquilibriumReport settle();
+    // Whether a static stage that follows another one, or a step that begins here, is to settle first.
+    virtual bool settles_after_stage() const { return false; }
+    virtual bool settles_here() const { return false; }
+    // Whether the stage follows another one, and what moves joints and supports begins with the rates at
+    // which that ended: then what velocities do not fit is round-off, or what a scheme leaves.
+    bool takes_over_rates() const { return takes_over_rates_; }
+    // Times at which something that acts jumps: steps end there, with what acts before.
+    void set_jumps(std::vector<double> jumps);
+    const std::vector<double>& jumps() const { return jumps_; }
     // Finds the trial motions at the end of the next step.
     virtual EquilibriumReport solve_trial();
-    // Of the loads that act on them. On a path it is not the end of the step.
+    // Of the loads that act on them. On a path it is not the end of the step, and where something jumps it is
+    // just before.
     virtual double trial_time() const { return steps_->next_time(); }
     // Whether a load step whose work parts from its strain energy is looked into at load factors in between.
     virtual bool looks_into_load_steps() const { return integrator_->is_static() && !system_.is_driven(); }
@@ -159,6 +182,15 @@ class SteppedAnalysis {
     // Fails the report if the step's estimated error is too large for steps that are chosen by it.
     void check_error(EquilibriumReport& report);
 
+    // Has the next step end at the next jump, or where it was told to, whichever comes first.
+    void aim();
+
+    // A support whose move at this time is not where its node is in the trial; nullptr without any.
+    struct SupportJump {
+        const Support* support = nullptr;
+        double distance = 0.0, angle = 0.0;
+    };
+    SupportJump find_support_jump(double time) const;
     void check_moved_supports() const;
     void check_motors() const;
     std::string describe_imbalance() const;
@@ -166,6 +198,13 @@ class SteppedAnalysis {
     std::unique_ptr<Ledger> ledger_;             // none before the start
     std::optional<LedgerTotals> totals_before_;  // of an earlier stage
     std::string start_note_;
+    bool takes_over_rates_ = false;
+    std::vector<double> jumps_;
+    std::optional<double> landing_;  // asked for by land_on
+    std::optional<State> settled_;
+    double lead_ = 0.0;  // as StepMemory has it
+    Stage last_stage_{}, settled_stage_{};
+    bool is_settling_ = false;  // or has failed to
     long rejecting_step_ = -1;  // of the nominal steps
     int rejections_ = 0;        // within it; of a model with a contrast, in statics
     SolverRow solver_row_;

@@ -14,6 +14,7 @@ std::string join(const std::vector<std::string>& words, const char* separator) {
 }
 
 std::string shorter_steps(const Failure& failure) {
+    if (failure.phase == Phase::instant) return "a load that grows over a time, not at once";
     return failure.phase == Phase::load_step ? "more steps" : "a smaller time_step";
 }
 
@@ -30,7 +31,7 @@ void advise_on_iterations(const Failure& failure, Advice& advice) {
     advice.push_back(shorter_steps(failure));
     advice.push_back("a finer mesh (elements, order) there");
     advice.push_back("a larger newton.max_iterations");
-    if (failure.phase == Phase::load_step) {
+    if (failure.phase == Phase::load_step || failure.phase == Phase::instant) {
         advice.push_back(
             "a dynamic analysis, if this is a load that the structure cannot carry without a jump to another "
             "shape");
@@ -38,7 +39,7 @@ void advise_on_iterations(const Failure& failure, Advice& advice) {
 }
 
 void advise_on_singularity(const Failure& failure, Advice& advice) {
-    if (failure.phase == Phase::load_step) {
+    if (failure.phase == Phase::load_step || failure.phase == Phase::instant) {
         advice.push_back("a support that holds this motion, or stiffness against it");
         advice.push_back("a small load sideways, if the structure buckles here");
         return;
@@ -62,6 +63,11 @@ std::string describe_start(const Failure& failure) {
             return fmt::format("the step from load factor {:.10g} failed, even with one of {:.3g}: ",
                                failure.time,
                                failure.time_step);
+        case Phase::instant:
+            return fmt::format(
+                "there is no equilibrium under what acts at once at t = {:.10g}, not even where it grows in "
+                "parts: ",
+                failure.time);
         case Phase::implicit_step:
         case Phase::explicit_step:
             break;

@@ -10,7 +10,7 @@ namespace gxrod {
 
 // What is known of an equilibrium that was not found, for a reader.
 struct Failure {
-    enum class Phase { initial_accelerations, implicit_step, explicit_step, load_step };
+    enum class Phase { initial_accelerations, implicit_step, explicit_step, load_step, instant };
 
     Phase phase = Phase::implicit_step;
     Outcome outcome = Outcome::out_of_iterations;

@@ -55,18 +55,45 @@ void Sensitivities::start() {
     const TimeSpan first_step{0.0, analysis_->steps().time_step()};
     for (ForwardSensitivity& one : all_)
         one.start(*integrator_, first_step, step_->linear_solver(), projects_start_);
+    if (analysis_->settled() == nullptr) return;
+    State before = analysis_->system().initial_state();
+    for (NodeMotion& motion : before.previous) {
+        motion.v.setZero();
+        motion.omega.setZero();
+    }
+    settle(before);
+}
+
+void Sensitivities::settle(const State& before) {
+    const State& after = *analysis_->settled();
+    const Stage& stage = analysis_->settled_stage();
+    TangentLinearStep settling(
+        analysis_->system(), analysis_->settling_integrator(), analysis_->newton(), linear_solver_);
+    carry(before,
+          [&](std::span<VariedSystem* const> sides) { settling.settle(stage, before, after, sides); });
+}
+
+template <class Take>
+void Sensitivities::carry(const State& before, const Take& take) {
+    std::vector<VariedSystem*> sides;
+    for (ForwardSensitivity& one : all_) {
+        one.place_sides(before);
+        for (VariedSystem* side : one.sides()) sides.push_back(side);
+    }
+    take(sides);
+    for (ForwardSensitivity& one : all_) one.take_sides();
 }
 
 void Sensitivities::advance() {
     const State& after = analysis_->state();
-    std::vector<VariedSystem*> sides;
-    for (ForwardSensitivity& one : all_) {
-        one.take_inputs(analysis_->system().model());
-        one.place_sides(before_);
-        for (VariedSystem* side : one.sides()) sides.push_back(side);
+    for (ForwardSensitivity& one : all_) one.take_inputs(analysis_->system().model());
+    if (analysis_->settled() != nullptr) {
+        settle(before_);
+        before_ = *analysis_->settled();
     }
-    step_->advance({0, before_.time, analysis_->solver_row().time_step, after.time}, before_, after, sides);
-    for (ForwardSensitivity& one : all_) one.take_sides();
+    const Stage& stage = analysis_->last_stage();
+    carry(before_,
+          [&](std::span<VariedSystem* const> sides) { step_->advance(stage, before_, after, sides); });
 }
 
 std::vector<StateDirection> Sensitivities::directions() const {

@@ -34,6 +34,13 @@ class Sensitivities {
     void set_directions(const std::vector<StateDirection>& directions);
 
   private:
+    // Carries them through the analysis' settling from this accepted state.
+    void settle(const State& before);
+    // Gives the varied systems the states next to this one, lets `take` carry them on, and takes what these
+    // become.
+    template <class Take>
+    void carry(const State& before, const Take& take);
+
     const SteppedAnalysis* analysis_;
     std::unique_ptr<Integrator> integrator_;
     std::unique_ptr<TangentLinearStep> step_;

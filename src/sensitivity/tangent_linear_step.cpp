@@ -53,6 +53,7 @@ void TangentLinearStep::advance(const Stage& first_stage,
                 base_.carried_trial = after.carried_previous;
                 for (std::size_t i = 0; i < base_.trial.size(); ++i)
                     base_.trial[i].theta = log(base_.trial[i].Lambda * base_.previous[i].Lambda.conjugate());
+                if (is_settling_) update_trial_rates(base_system_, integrator_, stage, base_);
             } else {
                 check(solve_equilibrium(base_system_, integrator_, newton_, stage, workspace_, base_),
                       "its equilibrium");
@@ -68,6 +69,23 @@ void TangentLinearStep::advance(const Stage& first_stage,
         find_accelerations(stage.end_time, step, varied);
     }
     for (VariedSystem* one : varied) one->system.commit(one->state, after.time);
+}
+
+void TangentLinearStep::settle(const Stage& stage,
+                               const State& before,
+                               const State& after,
+                               std::span<VariedSystem* const> varied) {
+    is_settling_ = true;
+    advance(stage, before, after, varied);
+    is_settling_ = false;
+    for (VariedSystem* one : varied) {
+        for (std::vector<NodeMotion>* motions : {&one->state.previous, &one->state.trial}) {
+            for (NodeMotion& motion : *motions) {
+                motion.v.setZero();
+                motion.omega.setZero();
+            }
+        }
+    }
 }
 
 // (G2)

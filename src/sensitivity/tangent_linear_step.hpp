@@ -42,6 +42,12 @@ class TangentLinearStep {
                  const State& after,
                  std::span<VariedSystem* const> varied);
 
+    // The same where the analysis settles at an instant, after which nothing has a rate.
+    void settle(const Stage& stage,
+                const State& before,
+                const State& after,
+                std::span<VariedSystem* const> varied);
+
     LinearSolverKind linear_solver() const { return workspace_.linear_solver->kind(); }
 
   private:
@@ -76,6 +82,7 @@ class TangentLinearStep {
     const NewtonSettings& newton_;
     SolverWorkspace workspace_;
     bool has_hidden_constraints_;
+    bool is_settling_ = false;
     State base_;
 };
 

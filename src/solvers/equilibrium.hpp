@@ -79,6 +79,9 @@ struct SolverWorkspace {
     const FrameColumns* frame =
         nullptr;  // what a frame that turns adds to the tangent, if the model is in one
 
+    // Spatial forces and moments on nodes that Newton's method takes from the residual; empty without any.
+    std::vector<Vec6> held_back;
+
     std::unique_ptr<CoupledWorkspace> coupled;  // of stages that are found together, from the first step on
 
     SolverWorkspace(const System& system, LinearSolverKind kind);
@@ -87,7 +90,8 @@ struct SolverWorkspace {
 };
 
 // Newton's method for the equilibrium of one stage of an implicit scheme, from the integrator's prediction.
-// Where the mixed tangent fails, the consistent one is tried from the same prediction.
+// Where the mixed tangent fails, the consistent one is tried from the same prediction; with `automatic` the
+// other way round.
 //
 // Converged when the largest residual force and moment are below tolerance times the largest force and moment
 // that an element, joint or load puts on a node, and joints are closed to 1e-12 of the length of their part;

@@ -42,7 +42,13 @@ class ErrorControl : public StepSequence {
   private:
     // Sets the next step to this length, or to what fits before the end.
     void plan(double step);
-    void remember() { memory_ = {false, time_, false, wanted_, error_before_, just_rejected_, accepted_}; }
+    void remember() {
+        memory_ = {.time = time_,
+                   .step = wanted_,
+                   .error_before = error_before_,
+                   .just_rejected = just_rejected_,
+                   .accepted = accepted_};
+    }
 
     double end_time_;
     double order_;

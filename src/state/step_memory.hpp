@@ -9,6 +9,7 @@ struct StepMemory {
     bool has_failed = false;   // even with the shortest step after `time`
     double time = 0.0;         // of the last accepted step's end
     bool is_off_grid = false;  // whether that is between the times of equal steps: a step was to land there
+    double lead = 0.0;         // the part of the next step for which a state that settled has crept already
     // Of steps chosen by their error:
     double step = 0.0;           // to try next, before it is fitted to what is left; 0: not known
     double error_before = -1.0;  // of the last accepted step relative to its tolerance; negative: not known

@@ -103,6 +103,7 @@ void visit_numbers(Place& place, Visitor&& visit) {
     visit("time", record.steps.time);
     visit("has_failed", record.steps.has_failed);
     visit("is_off_grid", record.steps.is_off_grid);
+    visit("lead", record.steps.lead);
     visit("next_step", record.steps.step);
     visit("error_before", record.steps.error_before);
     visit("just_rejected", record.steps.just_rejected);
