@@ -391,6 +391,35 @@ integrator = "sdirk-4"
     CHECK(is_blow);
 }
 
+TEST_CASE("A static stage lets go in parts of what a motion that yields leaves", "[issues]") {
+    const std::string deck = R"(gravity = [0, 0, -120]
+[section.s]
+shape = { rectangle = { width_y = 0.05, height_z = 0.05 } }
+material = { E = 2e5, nu = 0.3, density = 1, yield_stress = 3000 }
+[rod.b]
+section = "s"
+line = { from = [0, 0, 0], to = [1, 0, 0] }
+elements = 8
+order = 2
+[[support]]
+at = "b.start"
+fix = "all"
+[[stage]]
+name = "swing"
+kind = "dynamic"
+end_time = 0.2
+time_step = 0.002
+[[stage]]
+name = "rest"
+kind = "static"
+steps = 4
+)";
+    const std::string gravity = GENERATE("-120", "-300");
+    const RunSummary summary = run_problem(read(replaced(deck, "-120", gravity)));
+    CHECK(summary.reason == "");
+    CHECK(summary.status == RunStatus::complete);
+}
+
 TEST_CASE("The energy of a spring counts a kink close to its length", "[issues]") {
     // ½ k s² of a stop at 1.05, touched by s, from 1.1 on.
     const SpringLaw stop(
