@@ -169,7 +169,7 @@ RestartRecord make_restart(double t) {
     record.ledger.load_step = 0.875;
     record.ledger.strain_energy = 6.75 + t;
     record.ledger.largest_energy = 7.25;
-    record.steps = {true, t, true, 0.0625, 0.3, true, 17};
+    record.steps = {true, t, true, 0.01, 0.0625, 0.3, true, 17};
     record.inputs = {{1.0, 0.5, 1.5, 2.5, 3.5 + t, 4.5}, {0.0, -1.0, 0.0, 0.0, 0.0, 0.0}};
     record.path.load_factor = 1.125 + t;
     record.path.load_scale = 2.125;
