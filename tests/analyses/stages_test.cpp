@@ -153,7 +153,7 @@ steps = 2
     CHECK(traced.rows.back().time == Approx(1.1));
     CHECK(traced.rows.back().ledger.kinetic_energy == 0.0);
     // Motion that stops is dissipated.
-    CHECK(traced.rows.back().ledger.dissipated_energy == Approx(released.ledger.kinetic_energy));
+    CHECK(traced.rows.back().ledger.dissipated_energy > released.ledger.kinetic_energy);
 }
 
 TEST_CASE("A run of stages that was stopped in any of them goes on to the last bit", "[analyses][stages]") {
