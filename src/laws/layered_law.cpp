@@ -21,10 +21,10 @@ double find_limit(const Layer& layer, double tension) {
     return layer.limit + layer.limit_per_tension * std::max(tension, 0.0);
 }
 
-Limit find_limit(const Layer& layer, const SectionResponse& response) {
-    const double tension = response.resultants[0];
-    if (layer.limit_per_tension == 0.0 || !(tension > 0.0)) return {layer.limit};
-    return {find_limit(layer, tension), layer.limit_per_tension * response.tangent.row(0).transpose()};
+Limit find_limit(const Layer& layer, bool is_pulled, const SectionResponse& response) {
+    if (!is_pulled) return {layer.limit};
+    return {layer.limit + layer.limit_per_tension * response.resultants[0],
+            layer.limit_per_tension * response.tangent.row(0).transpose()};
 }
 
 }  // namespace
@@ -40,18 +40,20 @@ LayeredLaw::LayeredLaw(const Mat6& C, std::vector<Layer> layers) : stiffness_(C)
 }
 
 // The layers on tension come first, so that the axial resultant is complete where limits ask for it.
-SectionResponse LayeredLaw::respond(const Vec6& strain,
-                                    std::span<const double> memory,
-                                    double,
-                                    std::span<double> after) const {
+template <class Choose>
+SectionResponse LayeredLaw::respond_by(const Vec6& strain,
+                                       std::span<const double> memory,
+                                       std::span<double> after,
+                                       Choose&& choose) const {
     SectionResponse response;
     response.resultants = stiffness_ * strain;
     response.tangent = stiffness_;
     response.stored = 0.5 * strain.dot(response.resultants);
     std::size_t at = 0;
-    for (const Layer& layer : layers_) {
-        add(layer, strain, &memory[at], after.empty() ? nullptr : &after[at], response);
-        at += static_cast<std::size_t>(entries_of(layer.on).count);
+    for (std::size_t i = 0; i < layers_.size(); ++i) {
+        const auto choose_own = [&](unsigned found, double use) { return choose(i, found, use); };
+        add(layers_[i], strain, &memory[at], after.empty() ? nullptr : &after[at], response, choose_own);
+        at += static_cast<std::size_t>(entries_of(layers_[i].on).count);
     }
     return response;
 }
@@ -80,12 +82,41 @@ bool LayeredLaw::is_at_limit(const Vec6& strain, std::span<const double> memory)
     return false;
 }
 
+SectionResponse LayeredLaw::respond(const Vec6& strain,
+                                    std::span<const double> memory,
+                                    double,
+                                    std::span<double> after) const {
+    return respond_by(strain, memory, after, [](std::size_t, unsigned found, double) { return found; });
+}
+
+void LayeredLaw::find_pieces(const Vec6& strain,
+                             std::span<const double> memory,
+                             std::span<int> pieces) const {
+    respond_by(strain, memory, {}, [&](std::size_t i, unsigned found, double use) {
+        const unsigned piece = use >= 1.0 - at_its_limit ? found | slips : found;
+        pieces[i] = static_cast<int>(piece);
+        return piece;
+    });
+}
+
+SectionResponse LayeredLaw::respond_on(std::span<const int> pieces,
+                                       const Vec6& strain,
+                                       std::span<const double> memory,
+                                       double,
+                                       std::span<double> after) const {
+    return respond_by(strain, memory, after, [&](std::size_t i, unsigned, double) {
+        return static_cast<unsigned>(pieces[i]);
+    });
+}
+
 // (L2), (L3), (L5), (L6).
+template <class Choose>
 void LayeredLaw::add(const Layer& layer,
                      const Vec6& strain,
                      const double* slip,
                      double* slip_after,
-                     SectionResponse& response) const {
+                     SectionResponse& response,
+                     Choose&& choose) const {
     const StrainEntries entries = entries_of(layer.on);
     const double k = layer.stiffness;
     std::array<double, 2> trial{};
@@ -94,8 +125,12 @@ void LayeredLaw::add(const Layer& layer,
         trial[a] = k * (strain[entries.index[a]] - slip[a]);
         size = std::hypot(size, trial[a]);
     }
-    const Limit limit = find_limit(layer, response);
-    const bool sticks = size <= limit.value && limit.value > 0.0;
+    const bool is_found_pulled = layer.limit_per_tension != 0.0 && response.resultants[0] > 0.0;
+    const double most = find_limit(layer, is_found_pulled, response).value;
+    const unsigned found = (is_found_pulled ? is_pulled : 0U) | (size <= most && most > 0.0 ? 0U : slips);
+    const unsigned piece = choose(found, most > 0.0 ? size / most : 1.0);
+    const Limit limit = find_limit(layer, (piece & is_pulled) != 0, response);
+    const bool sticks = (piece & slips) == 0;
     const double share = sticks ? 1.0 : (size > 0.0 ? limit.value / size : 0.0);
     for (int a = 0; a < entries.count; ++a) {
         const int i = entries.index[a];
@@ -109,7 +144,7 @@ void LayeredLaw::add(const Layer& layer,
                 share * k * direction * (size > 0.0 ? trial[b] / size : 0.0);
         response.tangent.row(i) += direction * limit.gradient.transpose();
     }
-    const double held = std::min(size, limit.value);
+    const double held = sticks ? size : limit.value;
     response.stored += 0.5 * held * held / k;
     if (!sticks) response.dissipated += limit.value * (size - held) / k;
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "laws/strain_part.hpp"
+#include "model/kinked_law.hpp"
 #include "model/small_motion_law.hpp"
 
 namespace gxrod {
@@ -17,7 +18,7 @@ struct Layer {
 
 // S = C E + Σ S_i, each layer's S_i elastic up to its limit, at which it slips; docs/theory/laws.md,
 // (L1)–(L6). What it remembers is the slip of each layer, a strain for each of its entries.
-class LayeredLaw final : public SmallMotionLaw {
+class LayeredLaw final : public SmallMotionLaw, public KinkedLaw {
   public:
     // `C` acts next to all layers; it can be semidefinite. Layers on tension have no limit_per_tension.
     LayeredLaw(const Mat6& C, std::vector<Layer> layers);
@@ -32,16 +33,36 @@ class LayeredLaw final : public SmallMotionLaw {
                             std::span<double> after) const override;
     Mat6 elastic_tangent(const Vec6& strain, std::span<const double> memory) const override;
     bool is_at_limit(const Vec6& strain, std::span<const double> memory) const override;
+    int piece_count() const override { return static_cast<int>(layers_.size()); }
+    void find_pieces(const Vec6& strain,
+                     std::span<const double> memory,
+                     std::span<int> pieces) const override;
+    SectionResponse respond_on(std::span<const int> pieces,
+                               const Vec6& strain,
+                               std::span<const double> memory,
+                               double elapsed,
+                               std::span<double> after) const override;
 
     const Mat6& stiffness() const { return stiffness_; }
     const std::vector<Layer>& layers() const { return layers_; }
 
   private:
+    // Whether a layer slips, and whether tension raises its limit.
+    enum Piece : unsigned { slips = 1, is_pulled = 2 };
+
+    // Calls choose(index, piece found, part of its limit that a layer takes) for the piece of each layer.
+    template <class Choose>
+    SectionResponse respond_by(const Vec6& strain,
+                               std::span<const double> memory,
+                               std::span<double> after,
+                               Choose&& choose) const;
+    template <class Choose>
     void add(const Layer& layer,
              const Vec6& strain,
              const double* slip,
              double* slip_after,
-             SectionResponse& response) const;
+             SectionResponse& response,
+             Choose&& choose) const;
 
     Mat6 stiffness_;
     std::vector<Layer> layers_;  // those on tension first

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "laws/layered_law.hpp"
+#include "laws/line_piece.hpp"
 
 // Numbers of equations: docs/theory/laws.md.
 namespace gxrod {
@@ -20,12 +21,17 @@ Mat6 remove_entries(Mat6 C, const std::vector<MomentCurve>& curves) {
     return C;
 }
 
-// (L8).
-void add_curve(const MomentCurve& curve, const Vec6& strain, SectionResponse& response) {
-    const StrainEntries entries = entries_of(curve.on);
+double size_of(const MomentCurve& curve, const Vec6& strain) {
     double size = 0.0;
-    for (const int i : entries.list()) size = std::hypot(size, strain[i]);
-    const auto [moment, slope, energy] = curve.curve.at(size);
+    for (const int i : entries_of(curve.on).list()) size = std::hypot(size, strain[i]);
+    return size;
+}
+
+// (L8), on a piece of the curve.
+void add_curve(const MomentCurve& curve, std::size_t piece, const Vec6& strain, SectionResponse& response) {
+    const StrainEntries entries = entries_of(curve.on);
+    const double size = size_of(curve, strain);
+    const auto [moment, slope, energy] = value_on_piece(curve.curve, size, piece);
     const double secant = size > 0.0 ? moment / size : slope;
     response.stored += energy;
     for (const int i : entries.list()) {
@@ -48,11 +54,35 @@ SectionResponse MomentCurvatureLaw::respond(const Vec6& strain,
                                             std::span<const double>,
                                             double,
                                             std::span<double>) const {
+    SectionResponse response = respond_without_curves(strain);
+    for (const MomentCurve& curve : curves_)
+        add_curve(curve, find_line_piece(curve.curve, size_of(curve, strain)), strain, response);
+    return response;
+}
+
+void MomentCurvatureLaw::find_pieces(const Vec6& strain,
+                                     std::span<const double>,
+                                     std::span<int> pieces) const {
+    for (std::size_t i = 0; i < curves_.size(); ++i)
+        pieces[i] = static_cast<int>(find_line_piece(curves_[i].curve, size_of(curves_[i], strain)));
+}
+
+SectionResponse MomentCurvatureLaw::respond_on(std::span<const int> pieces,
+                                               const Vec6& strain,
+                                               std::span<const double>,
+                                               double,
+                                               std::span<double>) const {
+    SectionResponse response = respond_without_curves(strain);
+    for (std::size_t i = 0; i < curves_.size(); ++i)
+        add_curve(curves_[i], static_cast<std::size_t>(pieces[i]), strain, response);
+    return response;
+}
+
+SectionResponse MomentCurvatureLaw::respond_without_curves(const Vec6& strain) const {
     SectionResponse response;
     response.resultants = others_ * strain;
     response.tangent = others_;
     response.stored = 0.5 * strain.dot(response.resultants);
-    for (const MomentCurve& curve : curves_) add_curve(curve, strain, response);
     return response;
 }
 

@@ -6,7 +6,7 @@
 
 #include "laws/piecewise_line.hpp"
 #include "laws/strain_part.hpp"
-#include "model/section_law.hpp"
+#include "model/kinked_law.hpp"
 
 namespace gxrod {
 
@@ -17,7 +17,7 @@ struct MomentCurve {
 };
 
 // Bends elastically along curves, and has what C says of all else; docs/theory/laws.md, (L7) and (L8).
-class MomentCurvatureLaw final : public SectionLaw {
+class MomentCurvatureLaw final : public SectionLaw, public KinkedLaw {
   public:
     // C couples no entry that has a curve with any other one.
     MomentCurvatureLaw(const Mat6& C, std::vector<MomentCurve> curves);
@@ -28,10 +28,22 @@ class MomentCurvatureLaw final : public SectionLaw {
                             std::span<const double> memory,
                             double elapsed,
                             std::span<double> after) const override;
+    int piece_count() const override { return static_cast<int>(curves_.size()); }
+    void find_pieces(const Vec6& strain,
+                     std::span<const double> memory,
+                     std::span<int> pieces) const override;
+    SectionResponse respond_on(std::span<const int> pieces,
+                               const Vec6& strain,
+                               std::span<const double> memory,
+                               double elapsed,
+                               std::span<double> after) const override;
 
     const std::vector<MomentCurve>& curves() const { return curves_; }
 
   private:
+    // The response to all strains that have no curves.
+    SectionResponse respond_without_curves(const Vec6& strain) const;
+
     Mat6 others_;  // C without what curves replace
     std::vector<MomentCurve> curves_;
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "laws/line_piece.hpp"
 #include "numerics/eigenvalues.hpp"
 
 // Numbers of equations: docs/theory/laws.md.
@@ -88,25 +89,40 @@ double PlasticLaw::factor(double gone) const {
     return yield_.isotropic ? yield_.isotropic->at(gone).value : 1.0;
 }
 
-// 1/q − 1/r of (L22) grows with β, nearly linearly: Newton's method, kept within a bracket.
-PlasticLaw::Return PlasticLaw::find_return(const Surface& surface, const Entries& trial, double gone) const {
+auto PlasticLaw::harden(double gone, const int* piece) const -> Hardening {
+    if (!yield_.isotropic) return {1.0, 0.0, gone};
+    const PiecewiseLine& line = *yield_.isotropic;
+    const auto [value, slope, integral] =
+        piece == nullptr ? line.at(gone) : value_on_piece(line, gone, static_cast<std::size_t>(*piece));
+    return {value, slope, integral};
+}
+
+// 1/q − 1/r of (L22) grows with β, nearly linearly: Newton's method, kept within a bracket. On a piece that
+// is given β is near zero if it is negative, where the surface is continued inwards.
+PlasticLaw::Return PlasticLaw::find_return(const Surface& surface,
+                                           const Entries& trial,
+                                           double gone,
+                                           const int* piece) const {
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
     const Entries& rate = surface.rate;
-    double low = 0.0;
-    double high = (trial.norm() / factor(gone) - 1.0) / rate[0];
+    const double span = (trial.norm() / factor(gone) - 1.0) / rate[0];
+    double low = piece == nullptr ? 0.0 : -0.5 / rate[rate.size() - 1];
+    double high = piece == nullptr ? span : 2.0 * std::abs(span) + 0.5 / rate[rate.size() - 1];
     double beta = 0.0;
     double stiffening = 0.0;  // ρ of (L23)
     Scaled scaled = scale(trial, rate, beta);
     for (int i = 0; i < most_iterations; ++i) {
-        const double now = gone + beta * scaled.size / surface.energy;
-        const double limit = factor(now);
-        stiffening = yield_.isotropic ? yield_.isotropic->at(now).slope / surface.energy : 0.0;
+        const Hardening hardening = harden(gone + beta * scaled.size / surface.energy, piece);
+        const double limit = hardening.factor;
+        stiffening = hardening.slope / surface.energy;
         const double value = 1.0 / scaled.size - 1.0 / limit;
         (value < 0.0 ? low : high) = beta;
         const double slope = -scaled.slope / (scaled.size * scaled.size) +
                              stiffening * (scaled.size + beta * scaled.slope) / (limit * limit);
         double next = beta - value / slope;
         if (!(next >= low && next <= high)) next = 0.5 * (low + high);
-        const bool is_found = std::abs(next - beta) <= 2.0 * std::numeric_limits<double>::epsilon() * next;
+        const double slack = piece == nullptr ? 0.0 : epsilon / rate[0];
+        const bool is_found = std::abs(next - beta) <= 2.0 * epsilon * std::abs(next) + slack;
         beta = next;
         scaled = scale(trial, rate, beta);
         if (is_found) break;
@@ -156,18 +172,24 @@ bool PlasticLaw::is_at_limit(const Vec6& strain, std::span<const double> memory)
 }
 
 // (L20) to (L26).
+template <class Choose>
 void PlasticLaw::add(const Surface& surface,
                      const Vec6& elastic_trial,
                      const double* memory,
                      double* after,
                      Vec6& elastic,
-                     SectionResponse& response) const {
+                     SectionResponse& response,
+                     Choose&& choose) const {
     const auto count = static_cast<Eigen::Index>(surface.index.size());
     const double gone = memory[count];
     const Entries scaled = scale_resultants(surface, elastic_trial, memory);
+    const double size = scaled.norm();
+    const double limit = factor(gone);
+    const int* piece = choose(size / limit);
     Return found;
-    const bool yields = scaled.norm() > factor(gone);
-    if (yields) found = find_return(surface, surface.axes.transpose() * scaled, gone);
+    const bool yields = piece == nullptr ? size > limit : *piece != elastic_piece;
+    if (!yields) piece = nullptr;
+    if (yields) found = find_return(surface, surface.axes.transpose() * scaled, gone, piece);
     Entries flow = Entries::Zero(count);
     if (yields) flow = found.beta * (surface.axes * found.shrunk).cwiseQuotient(surface.limits);
     for (Eigen::Index a = 0; a < count; ++a) {
@@ -179,7 +201,7 @@ void PlasticLaw::add(const Surface& surface,
     const double gone_after = gone + found.flow / surface.energy;
     if (after != nullptr) after[count] = gone_after;
     if (yield_.isotropic)
-        response.stored += surface.energy * (yield_.isotropic->at(gone_after).integral - gone_after);
+        response.stored += surface.energy * (harden(gone_after, piece).integral - gone_after);
     response.dissipated += found.flow;
     if (!yields) return;
     Eigen::Matrix<double, Eigen::Dynamic, 6, 0, 6, 6> rows(count, 6);
@@ -189,22 +211,61 @@ void PlasticLaw::add(const Surface& surface,
     response.tangent -= turned.transpose() * found.compliance * turned;
 }
 
-SectionResponse PlasticLaw::respond(const Vec6& strain,
-                                    std::span<const double> memory,
-                                    double,
-                                    std::span<double> after) const {
+template <class Choose>
+SectionResponse PlasticLaw::respond_by(const Vec6& strain,
+                                       std::span<const double> memory,
+                                       std::span<double> after,
+                                       Choose&& choose) const {
     SectionResponse response;
     response.tangent = stiffness_;
     const Vec6 trial = subtract_plastic(strain, memory);
     Vec6 elastic = trial;
     std::size_t at = 0;
-    for (const Surface& surface : surfaces_) {
-        add(surface, trial, &memory[at], after.empty() ? nullptr : &after[at], elastic, response);
-        at += surface.index.size() + 1;
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        add(surfaces_[i],
+            trial,
+            &memory[at],
+            after.empty() ? nullptr : &after[at],
+            elastic,
+            response,
+            [&](double use) { return choose(i, use); });
+        at += surfaces_[i].index.size() + 1;
     }
     response.resultants = stiffness_ * elastic;
     response.stored += 0.5 * elastic.dot(response.resultants);
     return response;
+}
+
+SectionResponse PlasticLaw::respond(const Vec6& strain,
+                                    std::span<const double> memory,
+                                    double,
+                                    std::span<double> after) const {
+    return respond_by(strain, memory, after, [](std::size_t, double) -> const int* { return nullptr; });
+}
+
+void PlasticLaw::find_pieces(const Vec6& strain,
+                             std::span<const double> memory,
+                             std::span<int> pieces) const {
+    std::vector<double> after(memory.size());
+    respond_by(strain, memory, after, [&](std::size_t i, double use) -> const int* {
+        pieces[i] = use > 1.0 - at_its_limit ? 0 : elastic_piece;
+        return nullptr;
+    });
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        at += surfaces_[i].index.size();
+        if (pieces[i] != elastic_piece && yield_.isotropic)
+            pieces[i] = static_cast<int>(find_line_piece(*yield_.isotropic, after[at]));
+        ++at;
+    }
+}
+
+SectionResponse PlasticLaw::respond_on(std::span<const int> pieces,
+                                       const Vec6& strain,
+                                       std::span<const double> memory,
+                                       double,
+                                       std::span<double> after) const {
+    return respond_by(strain, memory, after, [&](std::size_t i, double) -> const int* { return &pieces[i]; });
 }
 
 }  // namespace gxrod

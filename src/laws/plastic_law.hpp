@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "laws/piecewise_line.hpp"
+#include "model/kinked_law.hpp"
 #include "model/small_motion_law.hpp"
 
 namespace gxrod {
@@ -27,7 +28,7 @@ struct YieldLimits {
 // Elastic by C up to a yield surface, then S returns to its closest point in the energy norm;
 // docs/theory/laws.md, (L18)–(L26). It remembers, of each surface, plastic strains and how much it has
 // yielded.
-class PlasticLaw final : public SmallMotionLaw {
+class PlasticLaw final : public SmallMotionLaw, public KinkedLaw {
   public:
     // `interaction` none: C couples no two yielding entries.
     PlasticLaw(const Mat6& C, const YieldLimits& yield);
@@ -44,6 +45,15 @@ class PlasticLaw final : public SmallMotionLaw {
         return stiffness_;
     }
     bool is_at_limit(const Vec6& strain, std::span<const double> memory) const override;
+    int piece_count() const override { return static_cast<int>(surfaces_.size()); }
+    void find_pieces(const Vec6& strain,
+                     std::span<const double> memory,
+                     std::span<int> pieces) const override;
+    SectionResponse respond_on(std::span<const int> pieces,
+                               const Vec6& strain,
+                               std::span<const double> memory,
+                               double elapsed,
+                               std::span<double> after) const override;
 
     const YieldLimits& yield() const { return yield_; }
 
@@ -67,17 +77,34 @@ class PlasticLaw final : public SmallMotionLaw {
     static Surface make_surface(const Mat6& C,
                                 const std::vector<std::pair<int, double>>& limits,
                                 double kinematic);
+    // Pieces: −1 where a surface does not yield; where it does, that of the isotropic hardening it ends on.
+    static constexpr int elastic_piece = -1;
+
     double factor(double gone) const;
     Entries scale_resultants(const Surface& surface, const Vec6& elastic, const double* memory) const;
     // Strains without the plastic ones of all surfaces.
     Vec6 subtract_plastic(const Vec6& strain, std::span<const double> memory) const;
-    Return find_return(const Surface& surface, const Entries& trial, double gone) const;
+    // What isotropic hardening multiplies all limits with, on its own piece or on a given one.
+    struct Hardening {
+        double factor, slope, integral;
+    };
+    Hardening harden(double gone, const int* piece) const;
+    Return find_return(const Surface& surface, const Entries& trial, double gone, const int* piece) const;
+    // Calls choose(index, part of its limits that a surface takes) for the piece of each surface, a pointer:
+    // nullptr where that is to be found.
+    template <class Choose>
+    SectionResponse respond_by(const Vec6& strain,
+                               std::span<const double> memory,
+                               std::span<double> after,
+                               Choose&& choose) const;
+    template <class Choose>
     void add(const Surface& surface,
              const Vec6& elastic_trial,
              const double* memory,
              double* after,
              Vec6& elastic,
-             SectionResponse& response) const;
+             SectionResponse& response,
+             Choose&& choose) const;
 
     Mat6 stiffness_;
     YieldLimits yield_;

@@ -6,7 +6,8 @@ namespace gxrod {
 
 TrapezeLaw::TrapezeLaw(const Mat6& C, std::shared_ptr<const SectionLaw> inner)
     : c_(C(4, 4) + C(5, 5)),
-      inner_(inner ? std::move(inner) : std::make_shared<LayeredLaw>(C, std::vector<Layer>{})) {}
+      inner_(inner ? std::move(inner) : std::make_shared<LayeredLaw>(C, std::vector<Layer>{})),
+      kinked_(as_kinked(*inner_)) {}
 
 namespace {
 
@@ -40,13 +41,28 @@ SectionResponse TrapezeLaw::respond(const Vec6& strain,
                                     double elapsed,
                                     std::span<double> after) const {
     SectionResponse response = inner_->respond(strain, memory, elapsed, after);
+    add_shortening(strain, response);
+    return response;
+}
+
+SectionResponse TrapezeLaw::respond_on(std::span<const int> pieces,
+                                       const Vec6& strain,
+                                       std::span<const double> memory,
+                                       double elapsed,
+                                       std::span<double> after) const {
+    if (kinked_ == nullptr) return respond(strain, memory, elapsed, after);
+    SectionResponse response = kinked_->respond_on(pieces, strain, memory, elapsed, after);
+    add_shortening(strain, response);
+    return response;
+}
+
+void TrapezeLaw::add_shortening(const Vec6& strain, SectionResponse& response) const {
     const double extension = strain[0];
     const double twist = strain[3];
     response.resultants[0] += 0.5 * c_ * twist * twist;
     response.resultants[3] += c_ * twist * extension;
     add_coupling(c_, strain, response.tangent);
     response.stored += 0.5 * c_ * twist * twist * extension;
-    return response;
 }
 
 }  // namespace gxrod

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "model/kinked_law.hpp"
 #include "model/small_motion_law.hpp"
 
 namespace gxrod {
@@ -9,7 +10,7 @@ namespace gxrod {
 // Adds to another law how a twisted section shortens, as its outer fibres, helices then, pull: ½ c κ² of
 // axial force and c κ ε of torque, κ the twist, ε the extension, c the sum of both bending stiffnesses:
 // BeamDyn's term; docs/theory/laws.md, (L17).
-class TrapezeLaw final : public SmallMotionLaw {
+class TrapezeLaw final : public SmallMotionLaw, public KinkedLaw {
   public:
     // Next to the stiffness `C` alone, if `inner` is nullptr.
     TrapezeLaw(const Mat6& C, std::shared_ptr<const SectionLaw> inner = nullptr);
@@ -23,13 +24,27 @@ class TrapezeLaw final : public SmallMotionLaw {
     Mat6 elastic_tangent(const Vec6& strain, std::span<const double> memory) const override;
     std::vector<RelaxingStiffness> relaxing_stiffness() const override;
     bool is_at_limit(const Vec6& strain, std::span<const double> memory) const override;
+    int piece_count() const override { return kinked_ ? kinked_->piece_count() : 0; }
+    void find_pieces(const Vec6& strain,
+                     std::span<const double> memory,
+                     std::span<int> pieces) const override {
+        if (kinked_ != nullptr) kinked_->find_pieces(strain, memory, pieces);
+    }
+    SectionResponse respond_on(std::span<const int> pieces,
+                               const Vec6& strain,
+                               std::span<const double> memory,
+                               double elapsed,
+                               std::span<double> after) const override;
 
     double coefficient() const { return c_; }
     const SectionLaw& inner() const { return *inner_; }
 
   private:
+    void add_shortening(const Vec6& strain, SectionResponse& response) const;
+
     double c_;
     std::shared_ptr<const SectionLaw> inner_;
+    const KinkedLaw* kinked_;  // inner_, if it has kinks
 };
 
 }  // namespace gxrod

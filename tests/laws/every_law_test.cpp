@@ -7,6 +7,7 @@
 #include "laws/layered_law.hpp"
 #include "laws/trapeze_law.hpp"
 #include "laws/viscoelastic_law.hpp"
+#include "model/kinked_law.hpp"
 #include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/random_values.hpp"
@@ -65,6 +66,62 @@ TEST_CASE("The tangent of every law is the derivative of its resultants", "[laws
         }
         CHECK(compared > 15);
     }
+}
+
+TEST_CASE("On the piece where it is a law responds as it does without one", "[laws]") {
+    for (const NamedLaw& named : every_law()) {
+        const KinkedLaw* law = as_kinked(*named.law);
+        if (law == nullptr) continue;
+        INFO(named.name);
+        tools::RandomValues random(5);
+        std::vector<int> pieces(static_cast<std::size_t>(law->piece_count()));
+        for (int i = 0; i < 40; ++i) {
+            const LawPath path = wander(named, random);
+            const Vec6 strain = random_strain(random, named.scale);
+            std::vector<double> after(path.memory().size()), after_on(after);
+            law->find_pieces(strain, path.memory(), pieces);
+            const SectionResponse found = named.law->respond(strain, path.memory(), 0.3, after);
+            const SectionResponse held = law->respond_on(pieces, strain, path.memory(), 0.3, after_on);
+            CHECK(tools::relative_difference(held.resultants, found.resultants) < 1e-12);
+            CHECK(tools::relative_difference(held.tangent, found.tangent) < 1e-10);
+            CHECK(held.stored == Approx(found.stored).epsilon(1e-12));
+            CHECK(held.dissipated == Approx(found.dissipated).epsilon(1e-10).margin(1e-14));
+            for (std::size_t k = 0; k < after.size(); ++k)
+                CHECK(after_on[k] == Approx(after[k]).epsilon(1e-11).margin(1e-14));
+        }
+    }
+}
+
+// A load that is held leaves the strain where the step before has put it, on the surface.
+TEST_CASE("On a piece a law is smooth, at its limits too, and its tangent is the derivative", "[laws]") {
+    int at_limits = 0;
+    for (const NamedLaw& named : every_law()) {
+        const KinkedLaw* law = as_kinked(*named.law);
+        if (law == nullptr) continue;
+        INFO(named.name);
+        tools::RandomValues random(7);
+        std::vector<int> pieces(static_cast<std::size_t>(law->piece_count()));
+        for (int i = 0; i < 20; ++i) {
+            const LawPath path = wander(named, random);
+            const Vec6 strain = path.strain();
+            law->find_pieces(strain, path.memory(), pieces);
+            const auto look = [&](const Vec6& at) {
+                return law->respond_on(pieces, at, path.memory(), 0.3, {});
+            };
+            Mat6 difference;
+            for (int k = 0; k < 6; ++k)
+                difference.col(k) =
+                    tools::differentiate(
+                        [&](double x) -> Vec6 {
+                            return look(strain + x * named.scale[k] * Vec6::Unit(k)).resultants;
+                        },
+                        2e-4) /
+                    named.scale[k];
+            CHECK(tools::relative_difference(look(strain).tangent, difference) < 1e-6);
+            if (!differentiate_law(path, strain, 0.3, named.scale)) ++at_limits;
+        }
+    }
+    CHECK(at_limits > 50);  // kinks where differences without pieces do not exist
 }
 
 TEST_CASE("No law changes its memory, or answers otherwise where nobody asks what it would remember",
