@@ -106,6 +106,12 @@ double EquilibriumAdjoint::differentiate(const VariedModels& models, const Quant
     int side = 0;
     std::array<double, 4> values{};
     varied.place_sides(state_);
+    if (VariedSystem& one = *varied.sides()[0]; one.held.has_kinks()) {
+        one.held.note();
+        one.system.compute_residual(state_, time_, residual);
+        const Pieces pieces = one.held.pieces();
+        for (VariedSystem* side_system : varied.sides()) side_system->held.hold(pieces);
+    }
     for (VariedSystem* one : varied.sides()) {
         undo_trial(one->state);
         one->system.supports().place(time_, one->state);

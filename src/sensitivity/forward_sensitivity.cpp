@@ -1,9 +1,12 @@
 #include "sensitivity/forward_sensitivity.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 
 #include "analyses/start_velocities.hpp"
+#include "rotation/rotation_map.hpp"
 
 namespace gxrod {
 
@@ -43,20 +46,21 @@ ForwardSensitivity::ForwardSensitivity(const System& base, const VariedModels& m
              VariedSystem{models.far.up, models.far.step},
              VariedSystem{models.far.down, -models.far.step}} {
     for (const VariedSystem& side : sides_) {
-        if (!have_equal_forms(base.model(), side.model))
+        if (!have_equal_forms(base.model(), side.system.model()))
             throw std::invalid_argument("it changes which nodes and elements there are");
         if (base.equations().count() != side.system.equations().count())
             throw std::invalid_argument("it changes which motions are held");
     }
 }
 
-State ForwardSensitivity::start_one(const VariedSystem& side,
-                                    const Integrator& integrator,
-                                    const TimeSpan& first_step,
-                                    LinearSolverKind solver,
-                                    bool projects_start) const {
+void ForwardSensitivity::start_one(VariedSystem& side,
+                                   const Integrator& integrator,
+                                   const TimeSpan& first_step,
+                                   LinearSolverKind solver,
+                                   bool projects_start) {
     const System& system = side.system;
-    State state = system.initial_state();
+    State& state = side.state;
+    state = system.initial_state();
     system.supports().place(0.0, state);
     SolverWorkspace workspace(system, solver);
     const bool has_inertia = !integrator.is_static() && system.model().has_inertia;
@@ -72,16 +76,15 @@ State ForwardSensitivity::start_one(const VariedSystem& side,
     }
     integrator.start(state);
     system.joints().start(state);
+    side.ended = state;
     system.commit(state, 0.0);
-    return state;
 }
 
 void ForwardSensitivity::start(const Integrator& integrator,
                                const TimeSpan& first_step,
                                LinearSolverKind solver,
                                bool projects_start) {
-    for (VariedSystem& side : sides_)
-        side.state = start_one(side, integrator, first_step, solver, projects_start);
+    for (VariedSystem& side : sides_) start_one(side, integrator, first_step, solver, projects_start);
     take_sides();
 }
 
@@ -105,15 +108,96 @@ void ForwardSensitivity::take_sides() {
                              gxrod::differentiate(sides_[2].state, sides_[3].state, sides_[2].amount));
 }
 
-std::vector<double> ForwardSensitivity::differentiate(const State& state,
-                                                      const Quantities& quantities) const {
-    std::array<std::vector<double>, 4> values;
-    for (std::size_t i = 0; i < sides_.size(); ++i) {
-        State moved = state;
-        move_along(direction_, sides_[i].amount, moved);
-        undo_trial(moved);
-        values[i] = quantities(sides_[i].system, moved, i);
+namespace {
+
+// The trial motions in place of the accepted ones, and nothing else.
+State take_trial(const State& state) {
+    State taken;
+    taken.previous = state.trial;
+    taken.joints_previous = state.joints_trial;
+    taken.carried_previous = state.carried_trial;
+    return taken;
+}
+
+}  // namespace
+
+void ForwardSensitivity::straighten_ends(const State& centre) {
+    std::array<State, 4> ends;
+    for (std::size_t i = 0; i < sides_.size(); ++i) ends[i] = take_trial(sides_[i].ended);
+    const StateDirection direction = extrapolate(gxrod::differentiate(ends[0], ends[1], sides_[0].amount),
+                                                 gxrod::differentiate(ends[2], ends[3], sides_[2].amount));
+    for (VariedSystem& side : sides_) {
+        State end = take_trial(centre);
+        move_along(direction, side.amount, end);
+        for (std::size_t i = 0; i < end.previous.size(); ++i)
+            end.previous[i].theta = log(end.previous[i].Lambda * side.ended.previous[i].Lambda.conjugate());
+        side.ended.trial = std::move(end.previous);
+        side.ended.joints_trial = std::move(end.joints_previous);
+        side.ended.carried_trial = std::move(end.carried_previous);
     }
+}
+
+// Of a smooth function f(h) − 2 f(0) + f(−h) grows with h², but for what is of order h⁴; of one that has a
+// kink next to 0, with h.
+void ForwardSensitivity::check_smoothness(const State& centre, double time_step) {
+    if (!kink_.empty()) return;
+    constexpr double tolerable = 1e-4;  // of the largest derivative
+    constexpr double round_off = 1e-10;
+    const double length = sides_[0].system.length_scale();
+    const auto bend = [&](const VariedSystem& up, const VariedSystem& down, std::size_t i) {
+        const NodeMotion &a = up.state.previous[i], &b = down.state.previous[i], &c = centre.previous[i];
+        const auto turn = [&](const NodeMotion& to) { return log(to.Lambda * c.Lambda.conjugate()); };
+        return std::array<Vec3, 4>{a.r + b.r - 2.0 * c.r,
+                                   turn(a) + turn(b),
+                                   a.v + b.v - 2.0 * c.v,
+                                   a.omega + b.omega - 2.0 * c.omega};
+    };
+    std::array<double, 4> kink{}, largest{};
+    for (std::size_t i = 0; i < centre.previous.size(); ++i) {
+        const StateDirection::OfNode& by = direction_.nodes[i];
+        const std::array<Vec3, 4> derivatives{by.r, by.phi, by.v, by.omega};
+        const auto near = bend(sides_[0], sides_[1], i), far = bend(sides_[2], sides_[3], i);
+        for (std::size_t k = 0; k < 4; ++k) {
+            kink[k] = std::max(kink[k], (far[k] - 4.0 * near[k]).norm());
+            largest[k] = std::max(largest[k], derivatives[k].norm());
+        }
+    }
+    // Lengths, turns and their rates in a step are comparable by these.
+    const std::array<double, 4> sizes{length, 1.0, length / time_step, 1.0 / time_step};
+    const double step = 2.0 * sides_[2].amount;
+    for (std::size_t k = 0; k < 4; ++k) {
+        double size = largest[k];
+        for (std::size_t other = 0; other < 2; ++other)
+            size = std::max(size, largest[other] * sizes[k] / sizes[other]);
+        if (kink[k] > tolerable * step * size && kink[k] > round_off * sizes[k])
+            kink_ = fmt::format(
+                "there is none from t = {:.6g} on, where something opens, closes or reaches a limit: a kink; "
+                "take another value of the number, or a difference of whole runs",
+                centre.time);
+    }
+}
+
+ForwardSensitivity::Record ForwardSensitivity::record() const {
+    Record record{direction_, {}, kink_};
+    for (std::size_t i = 0; i < sides_.size(); ++i) record.ended[i] = sides_[i].ended;
+    return record;
+}
+
+void ForwardSensitivity::recall(const Record& record, const Pieces& pieces) {
+    direction_ = record.direction;
+    kink_ = record.kink;
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+        sides_[i].ended = record.ended[i];
+        sides_[i].held.release();
+        sides_[i].held.hold(pieces);
+    }
+}
+
+std::vector<double> ForwardSensitivity::differentiate(const Quantities& quantities) const {
+    if (!kink_.empty()) throw std::runtime_error(kink_);
+    std::array<std::vector<double>, 4> values;
+    for (std::size_t i = 0; i < sides_.size(); ++i)
+        values[i] = quantities(sides_[i].system, sides_[i].ended, i);
     std::vector<double> derivative(values[0].size());
     for (std::size_t k = 0; k < derivative.size(); ++k) {
         const double near = (values[0][k] - values[1][k]) / (2.0 * sides_[0].amount);

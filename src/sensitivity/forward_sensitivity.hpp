@@ -49,22 +49,38 @@ class ForwardSensitivity {
     void place_sides(const State& before);
     std::array<VariedSystem*, 4> sides();
     void take_sides();
+    // Finds out whether their states are next to this one of the analysis as they are if it depends smoothly
+    // on the number. Otherwise there is no derivative from then on. `time_step`: of the step they have taken.
+    void check_smoothness(const State& centre, double time_step);
+    // Places the ends of the step next to that of the analysis along their derivative: a single iteration
+    // leaves small strains, which stiff sections multiply.
+    void straighten_ends(const State& centre);
 
     const StateDirection& direction() const { return direction_; }
-    void set_direction(StateDirection direction) { direction_ = std::move(direction); }
 
-    // The derivative of quantities of a system and an accepted state of it; sides as of sides().
-    std::vector<double> differentiate(const State& state, const Quantities& quantities) const;
+    // What is known of an accepted state, to return to with it.
+    struct Record {
+        StateDirection direction;
+        std::array<State, 4> ended;
+        std::string kink;
+    };
+    Record record() const;
+    void recall(const Record& record, const Pieces& pieces);
+
+    // The derivative of quantities of a system and the end of the last step as its trial motions; sides as of
+    // sides(). Throws std::runtime_error where there is none.
+    std::vector<double> differentiate(const Quantities& quantities) const;
 
   private:
-    State start_one(const VariedSystem& side,
-                    const Integrator& integrator,
-                    const TimeSpan& first_step,
-                    LinearSolverKind solver,
-                    bool projects_start) const;
+    static void start_one(VariedSystem& side,
+                          const Integrator& integrator,
+                          const TimeSpan& first_step,
+                          LinearSolverKind solver,
+                          bool projects_start);
 
     std::array<VariedSystem, 4> sides_;
     StateDirection direction_;
+    std::string kink_;  // why there is no derivative any more; "" where there is
 };
 
 }  // namespace gxrod

@@ -94,16 +94,22 @@ void Sensitivities::advance() {
     const Stage& stage = analysis_->last_stage();
     carry(before_,
           [&](std::span<VariedSystem* const> sides) { step_->advance(stage, before_, after, sides); });
+    pieces_ = step_->pieces();
+    for (ForwardSensitivity& one : all_) {
+        one.straighten_ends(step_->centre().ended);
+        one.check_smoothness(step_->centre().state, stage.time_step);
+    }
 }
 
-std::vector<StateDirection> Sensitivities::directions() const {
-    std::vector<StateDirection> directions;
-    for (const ForwardSensitivity& one : all_) directions.push_back(one.direction());
-    return directions;
+Sensitivities::Record Sensitivities::record() const {
+    Record record{{}, pieces_};
+    for (const ForwardSensitivity& one : all_) record.all.push_back(one.record());
+    return record;
 }
 
-void Sensitivities::set_directions(const std::vector<StateDirection>& directions) {
-    for (std::size_t i = 0; i < all_.size(); ++i) all_[i].set_direction(directions.at(i));
+void Sensitivities::recall(const Record& record) {
+    pieces_ = record.pieces;
+    for (std::size_t i = 0; i < all_.size(); ++i) all_[i].recall(record.all.at(i), pieces_);
 }
 
 }  // namespace gxrod

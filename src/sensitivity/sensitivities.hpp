@@ -29,9 +29,13 @@ class Sensitivities {
 
     const ForwardSensitivity& by(std::size_t number) const { return all_[number]; }
 
-    // Of the accepted state, to return to with it.
-    std::vector<StateDirection> directions() const;
-    void set_directions(const std::vector<StateDirection>& directions);
+    // What is known of the accepted state, to return to with it.
+    struct Record {
+        std::vector<ForwardSensitivity::Record> all;
+        Pieces pieces;
+    };
+    Record record() const;
+    void recall(const Record& record);
 
   private:
     // Carries them through the analysis' settling from this accepted state.
@@ -48,6 +52,7 @@ class Sensitivities {
     bool projects_start_ = false;
     LinearSolverKind linear_solver_ = LinearSolverKind::automatic;
     State before_;
+    Pieces pieces_;  // of the end of the last step
 };
 
 }  // namespace gxrod

@@ -27,22 +27,35 @@ TangentLinearStep::TangentLinearStep(const System& base,
                                      const Integrator& integrator,
                                      const NewtonSettings& newton,
                                      LinearSolverKind linear_solver)
-    : base_system_(base),
+    : centre_(base.model(), 0.0),
+      base_system_(centre_.system),
       integrator_(integrator),
       newton_(newton),
-      workspace_(base, linear_solver),
+      workspace_(base_system_, linear_solver),
       has_hidden_constraints_(gxrod::has_hidden_constraints(base) && !integrator.is_static()) {}
 
 void TangentLinearStep::advance(const Stage& first_stage,
                                 const State& before,
                                 const State& after,
-                                std::span<VariedSystem* const> varied) {
-    base_ = before;
+                                std::span<VariedSystem* const> given) {
+    base_ = centre_.state = before;
     undo_trial(base_);
-    for (VariedSystem* one : varied) undo_trial(one->state);
-    const bool is_known = integrator_.stage_count() == 1 && !has_hidden_constraints_;
+    base_system_.forget_loads();
+    joints_before_ = base_.joints_previous;
+    memory_before_ = base_.law_memory;
+    std::vector<VariedSystem*> varied(given.begin(), given.end());
+    varied.push_back(&centre_);
+    for (VariedSystem* one : varied) {
+        undo_trial(one->state);
+        one->joints_before = one->state.joints_previous;
+        one->memory_before = one->state.law_memory;
+    }
+    // A step that is committed turns the multipliers of sleeves into the axes of its end.
+    const bool is_known =
+        integrator_.stage_count() == 1 && !has_hidden_constraints_ && base_system_.joints().empty();
     Stage stage = first_stage;
     for (stage.index = 0; stage.index < integrator_.stage_count(); ++stage.index) {
+        release();
         if (integrator_.is_explicit()) {
             solve_stage_explicitly(stage, varied);
         } else {
@@ -58,6 +71,7 @@ void TangentLinearStep::advance(const Stage& first_stage,
                 check(solve_equilibrium(base_system_, integrator_, newton_, stage, workspace_, base_),
                       "its equilibrium");
             }
+            hold(integrator_.stage_time(stage), varied);
             solve_stage(stage, varied);
         }
         integrator_.end_stage(base_, stage);
@@ -68,7 +82,32 @@ void TangentLinearStep::advance(const Stage& first_stage,
         meet_velocities(stage.end_time, step, varied);
         find_accelerations(stage.end_time, step, varied);
     }
-    for (VariedSystem* one : varied) one->system.commit(one->state, after.time);
+    for (VariedSystem* one : varied) {
+        one->ended = one->state;
+        one->system.commit(one->state, after.time);
+    }
+}
+
+void TangentLinearStep::release() {
+    centre_.held.release();
+    base_.joints_previous = joints_before_;
+    base_.law_memory = memory_before_;
+}
+
+void TangentLinearStep::hold(double time, std::span<VariedSystem* const> varied) {
+    if (centre_.held.has_kinks()) {
+        centre_.held.note();
+        base_system_.compute_residual(base_, time, workspace_.residual);
+        pieces_ = centre_.held.pieces();
+    }
+    const HeldFriction friction(base_system_, base_, time);
+    friction.move(base_);
+    for (VariedSystem* one : varied) {
+        one->state.joints_previous = one->joints_before;
+        one->state.law_memory = one->memory_before;
+        friction.move(one->state);
+        one->held.hold(pieces_);
+    }
 }
 
 void TangentLinearStep::settle(const Stage& stage,
@@ -112,20 +151,62 @@ void TangentLinearStep::compute_matrix(const Stage& stage,
     system.compute_tangent(state, integrator_.stage_time(stage), workspace_.linearizations, values, request);
 }
 
-void TangentLinearStep::follow_equilibrium(const Stage& stage, VariedSystem& varied) {
+// Where the base is, but for what supports hold, which is where the varied model has it. All else is moved by
+// the mean of what that changes, so that a model that is moved as a whole is not strained.
+void TangentLinearStep::place_next_to_base(double time, VariedSystem& varied) const {
     State& state = varied.state;
-    const System& system = varied.system;
-    integrator_.begin_stage(state, stage);
+    const Supports& supports = varied.system.supports();
     for (std::size_t i = 0; i < state.trial.size(); ++i) {
         NodeMotion& trial = state.trial[i];
         trial.r = base_.trial[i].r;
         trial.Lambda = base_.trial[i].Lambda;
         trial.theta = log(trial.Lambda * state.previous[i].Lambda.conjugate());
     }
+    const std::vector<Support>& all = varied.system.model().supports;
+    for (const Support& support : all) {
+        const auto node = static_cast<std::size_t>(support.node);
+        const NodeMotion& from = state.previous[node];
+        const auto still = [&](const Vec3& change, int first) {
+            Vec3 own = supports.axes(support.node).transpose() * change;
+            for (int i = 0; i < 3; ++i) {
+                if (supports.held(support.node)[static_cast<std::size_t>(first + i)]) own[i] = 0.0;
+            }
+            return Vec3(supports.axes(support.node) * own);
+        };
+        const HeldComponents& held = supports.held(support.node);
+        const Vec3 r = from.r + still(state.trial[node].r - from.r, 0);
+        // The axis about which a node can turn is held, where a single one is left.
+        const bool is_hinged = held[3] + held[4] + held[5] >= 2;
+        place(from,
+              r,
+              is_hinged ? still(state.trial[node].theta, 3) : state.trial[node].theta,
+              state.trial[node]);
+    }
+    supports.place(time, state);
+    Vec3 shift = Vec3::Zero();
+    for (const Support& support : all) {
+        const auto node = static_cast<std::size_t>(support.node);
+        shift += (state.trial[node].r - base_.trial[node].r) / static_cast<double>(all.size());
+    }
+    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+        const auto node = static_cast<int>(i);
+        const HeldComponents& held = supports.held(node);
+        Vec3 own = supports.axes(node).transpose() * shift;
+        for (int k = 0; k < 3; ++k) {
+            if (held[static_cast<std::size_t>(k)]) own[k] = 0.0;
+        }
+        state.trial[i].r += supports.axes(node) * own;
+    }
+}
+
+void TangentLinearStep::follow_equilibrium(const Stage& stage, VariedSystem& varied) {
+    State& state = varied.state;
+    const System& system = varied.system;
+    integrator_.begin_stage(state, stage);
+    const double time = integrator_.stage_time(stage);
+    place_next_to_base(time, varied);
     for (std::size_t i = 0; i < state.joints_trial.size(); ++i)
         state.joints_trial[i].multipliers = base_.joints_trial[i].multipliers;
-    const double time = integrator_.stage_time(stage);
-    system.supports().place(time, state);
     update_trial_rates(system, integrator_, stage, state);
 
     ConstraintRequest request = find_request(base_system_, integrator_, stage);
@@ -139,8 +220,8 @@ void TangentLinearStep::follow_equilibrium(const Stage& stage, VariedSystem& var
 }
 
 int TangentLinearStep::count_iterations(const ConstraintRequest& request) const {
-    if (base_system_.joints().empty()) return 1;
-    return request.level == ConstraintLevel::position ? 2 : 3;
+    if (base_system_.joints().empty() && !centre_.held.has_kinks()) return 1;
+    return request.level == ConstraintLevel::position && !centre_.held.has_kinks() ? 2 : 3;
 }
 
 // Of the residual in the workspace.
@@ -177,7 +258,9 @@ void TangentLinearStep::solve_stage_explicitly(const Stage& stage, std::span<Var
 void TangentLinearStep::find_accelerations(double time,
                                            const TimeSpan& step,
                                            std::span<VariedSystem* const> varied) {
+    release();
     check(solve_accelerations(base_system_, time, step, workspace_, base_), "its accelerations");
+    hold(time, varied);
     const ConstraintRequest request{ConstraintLevel::acceleration, step};
     for (VariedSystem* one : varied) {
         follow_accelerations(time, step, *one);

@@ -65,7 +65,7 @@ std::vector<double> Driven::differentiate_history(std::size_t number,
             "derivatives are not known after a return to a state that was saved without "
             "them, as pickles are");
     return sensitivities_->by(number).differentiate(
-        simulation_->analysis().state(), [&](const System& system, const State& state, std::size_t side) {
+        [&](const System& system, const State& state, std::size_t side) {
             return compute_at(*varied_.at(4 * number + side), system, state, history, quantity);
         });
 }
@@ -75,7 +75,7 @@ std::vector<double> Driven::compute_at(const Problem& problem,
                                        const State& state,
                                        std::size_t history,
                                        std::size_t quantity) const {
-    const double load_factor = state.time;
+    const double load_factor = state.trial_time;
     const std::vector<HistoryRequest>& requests = problem_.output.histories;
     const std::vector<PointValues> points =
         system.compute_point_values(state, load_factor, list_rod_places(requests));
@@ -90,6 +90,8 @@ std::vector<double> Driven::compute_at(const Problem& problem,
     Snapshot snapshot{load_factor, state.trial, {}, reactions, points};
     snapshot.load_factor = snapshot.limit_load_factor = load_factor;
     snapshot.joints = joints;
+    const std::vector<PointSurroundings> bodies = system.compute_body_surroundings(state, load_factor);
+    snapshot.bodies = bodies;
     std::vector<TendonValues> tendons;
     if (requests.at(history).tendon >= 0) tendons = system.compute_tendon_values(state, load_factor);
     snapshot.tendons = tendons;
@@ -206,7 +208,7 @@ void Driven::note(const Snapshot& snapshot, const LedgerRow& ledger) {
 SavedState Driven::save() const {
     SavedState saved{simulation_->save()};
     if (!sensitivities_ || !has_derivatives_) return saved;
-    saved.directions = std::make_shared<const std::vector<StateDirection>>(sensitivities_->directions());
+    saved.derivatives = std::make_shared<const Sensitivities::Record>(sensitivities_->record());
     saved.owner = this;
     return saved;
 }
@@ -216,7 +218,7 @@ void Driven::restore(const SavedState& checkpoint) {
     has_derivatives_ = checkpoint.owner == this;
     if (has_derivatives_) {
         sensitivities_->follow(simulation_->analysis());
-        sensitivities_->set_directions(*checkpoint.directions);
+        sensitivities_->recall(*checkpoint.derivatives);
     }
     const auto rows = static_cast<std::size_t>(checkpoint.rows);
     // Of another simulation's checkpoint there may be more rows than here.

@@ -18,7 +18,7 @@ class Driven;
 
 // A checkpoint with the derivatives there, for the simulation that has them.
 struct SavedState : Checkpoint {
-    std::shared_ptr<const std::vector<StateDirection>> directions = {};
+    std::shared_ptr<const Sensitivities::Record> derivatives = {};
     const Driven* owner = nullptr;
 };
 

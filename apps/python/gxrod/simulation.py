@@ -238,7 +238,7 @@ class Simulation(Shown):
             try:
                 return as_value(self._core.derivative(number, index, quantity))
             except RuntimeError as error:
-                raise Error(str(error)) from error
+                raise Error(f"the derivative of history {name} by {parameter}: {error}") from error
 
         return Values(f"derivative of history {name} by {parameter}", self._core.quantities(index), read)
 

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "model/kinked_law.hpp"
+#include "model/model.hpp"
+
+namespace gxrod {
+
+class HeldLaw;
+
+// On which piece of its law each force point is whose law has kinks: KinkedLaw::find_pieces.
+using Pieces = std::vector<std::vector<int>>;
+
+// A model whose sections can be held on pieces of their laws. If any has kinks, it is a copy of the given
+// one, in which each force point has a law of its own.
+class HeldModel {
+  public:
+    // The model must outlive this.
+    explicit HeldModel(const Model& given);
+    HeldModel(const HeldModel&) = delete;
+    HeldModel& operator=(const HeldModel&) = delete;
+
+    const Model& model() const { return copy_ ? *copy_ : *given_; }
+    bool has_kinks() const { return !laws_.empty(); }
+    // From now on laws find their pieces; note which they find; or are held on these.
+    void release();
+    void note();
+    void hold(const Pieces& pieces);
+    // What they noted last, or are held on.
+    Pieces pieces() const;
+
+  private:
+    std::shared_ptr<HeldLaw> make_law(const std::shared_ptr<const SectionLaw>& law);
+
+    const Model* given_;
+    std::optional<Model> copy_;
+    std::vector<std::shared_ptr<HeldLaw>> laws_;
+};
+
+}  // namespace gxrod
