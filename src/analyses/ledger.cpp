@@ -218,6 +218,14 @@ void Ledger::end_settling(const State& state, double time, const Residual& resid
     measure_largest_energy();
 }
 
+void Ledger::settle_load_step() {
+    const double stored = strain_energy_ - strain_energy_before_;
+    const double work = std::max(step_work_.work, stored + law_dissipation_);
+    dissipated_ += work - stored - law_dissipation_;
+    replace_work({work, step_work_.uncertainty});
+    load_step_.length = 0.0;
+}
+
 void Ledger::add_powers(const Step& step) {
     double work = power_weights_[0] * power_.driving;
     double dissipated = power_weights_[0] * power_.damping;

@@ -78,6 +78,9 @@ class Ledger {
                 largest_energy_};
     }
     void replace_work(const StepWork& work);
+    // Books what the work of the last load step exceeds the change of the strain energy by as dissipated: by
+    // relaxation, which knows no path of equilibria. The next load step follows none either.
+    void settle_load_step();
 
     // What turns the model with a frame does the work that the balance leaves, which is then its own.
     void add_drive() { has_drive_ = true; }

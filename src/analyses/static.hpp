@@ -14,9 +14,13 @@ class StaticAnalysis : public SteppedAnalysis {
 
     EquilibriumReport start() override;
     std::vector<std::string> list_warnings() const override;
+    std::vector<std::string> list_findings() const override { return findings_; }
     bool is_unstable() const override;
 
   protected:
+    EquilibriumReport solve_trial() override;
+    bool tries_otherwise(const EquilibriumReport& report, bool is_shortest) override;
+    bool has_relaxed() const override { return relaxes_; }
     // An equilibrium with more negative pivots than the last one lies beyond a bifurcation or on another
     // branch: shorter steps seek a stable one first.
     void judge_equilibrium(EquilibriumReport& report) override;
@@ -28,7 +32,21 @@ class StaticAnalysis : public SteppedAnalysis {
 
   private:
     Stage current_stage() const;
+    // Whether the next step may relax: the first one of a stage, whose start no stable branch has reached
+    // yet.
+    bool may_relax() const;
+    // Whether the model leaves the trial equilibrium in pseudo-time.
+    bool diverges();
+    // Whether the loads of the next step are large compared with what holds the model before: then no stable
+    // branch leads there through shorter steps.
+    bool starts_loose();
 
+    bool relaxes_ = false;         // the step at hand
+    bool wants_to_relax_ = false;  // since the equilibrium that Newton's method found is not stable
+    bool gave_up_ = false;         // after a relaxation that found no equilibrium
+    int pseudo_steps_ = 0;
+    std::string leaving_shape_;  // of the end, where pivots do not show it
+    std::vector<std::string> findings_;
     double nominal_step_;
     PivotCounter counter_;
     bool has_potential_;

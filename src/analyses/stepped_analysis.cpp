@@ -411,7 +411,8 @@ EquilibriumReport SteppedAnalysis::advance() {
     while (!take_step(report)) {
         ++solver_row_.rejected_steps;
         if (report.outcome != Outcome::lost_stability) cuts_.add(report, steps_->steps_done());
-        if (!shorten_step()) return report;
+        if (tries_otherwise(report, false)) continue;
+        if (!shorten_step() && !tries_otherwise(report, true)) return report;
     }
     const PhaseTimer timer(workspace_.seconds.update);
     // All allocations come before anything that changes the state to resume from. And before the step becomes
@@ -422,7 +423,11 @@ EquilibriumReport SteppedAnalysis::advance() {
     body_values_ = system_.compute_body_surroundings(state_, time);
     keep_step(time);
     ledger_->add_step(state_, {time, next_stage().time_step, workspace_.residual, workspace_.stage_powers});
-    look_into_load_step(report.iterations);
+    if (has_relaxed()) {
+        ledger_->settle_load_step();
+    } else {
+        look_into_load_step(report.iterations);
+    }
     solver_row_.time_step = steps_->time_step();
     solver_row_.newton_iterations = report.iterations + iterations;
     solver_row_.residual = report.residual;

@@ -145,6 +145,10 @@ class SteppedAnalysis {
     virtual void recall(const RestartRecord&) {}
     // Lets a kind of analysis reject a step that converged, as an outcome of the report …
     virtual void judge_equilibrium(EquilibriumReport&) {}
+    // … try the same step in another way, before a shorter one, or after the shortest one has failed …
+    virtual bool tries_otherwise(const EquilibriumReport&, bool /*is_shortest*/) { return false; }
+    // … say that the trial was found by relaxation, which takes the energy that is over …
+    virtual bool has_relaxed() const { return false; }
     // … and note what it needs of an accepted one, before it is committed.
     virtual void note_equilibrium() {}
     // Negative pivots of the tangent at the last accepted equilibrium; −1 where none are counted.

@@ -59,10 +59,11 @@ struct RunSummary {
     std::string newton_limit;                // that Newton's tolerance bounds the accuracy, or ""
     bool deck_fault = false;                 // whether the deck is to blame: a load without a finite value
     bool out_of_memory = false;
-    std::vector<std::string> notes;     // what a user may want to know of how stages begin, a sentence each
-    std::vector<FoundShapes> shapes;    // in the order of the stages
-    std::vector<PathRecord> paths;      // of stages that go along one, in their order
-    std::vector<std::string> findings;  // critical points of paths, a sentence each
+    std::vector<std::string> notes;   // what a user may want to know of how stages begin, a sentence each
+    std::vector<FoundShapes> shapes;  // in the order of the stages
+    std::vector<PathRecord> paths;    // of stages that go along one, in their order
+    // Critical points of paths, and what statics relaxed to, a sentence each.
+    std::vector<std::string> findings;
     // All that is to be known before the results are trusted, a sentence each: of the model, of equilibria,
     // shapes and paths, `cuts`, `newton_limit` and what energies say.
     std::vector<std::string> warnings;

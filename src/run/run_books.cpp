@@ -95,6 +95,10 @@ void RunBooks::sum_up_stage(const StageSequence& stages, std::int64_t stage_coun
     summed_up_ = stages.moving_index();
     const std::string prefix = stage_count > 1 ? "stage " + stages.name_of(stages.moving_index()) + ": " : "";
     note_pivots(stages, prefix);
+    if (!is_path(stages.settings())) {
+        for (const std::string& finding : stages.analysis().list_findings())
+            summary_.findings.push_back(prefix + finding);
+    }
     sum_up_cuts(stages, prefix);
     compare_errors(stages, prefix);
 }

@@ -6,6 +6,7 @@
 #include "solvers/difference_tangent.hpp"
 #include "solvers/newton_steps.hpp"
 #include "solvers/paired_matrix.hpp"
+#include "solvers/pseudo_step.hpp"
 #include "solvers/rotation_guard.hpp"
 #include "solvers/trial_moves.hpp"
 #include "solvers/trial_rates.hpp"
@@ -27,7 +28,8 @@ class Newton {
            const Stage& stage,
            const ConstraintRequest& request,
            SolverWorkspace& workspace,
-           State& state)
+           State& state,
+           const PseudoStep* pseudo_step = nullptr)
         : system_(system),
           team_(system.team()),
           integrator_(integrator),
@@ -40,6 +42,7 @@ class Newton {
           limits_rotation_(!integrator.is_static() || system.uses_step_rotations()),
           workspace_(workspace),
           state_(state),
+          pseudo_step_(pseudo_step),
           convergence_(system, settings, request_.level),
           guard_(system) {}
 
@@ -53,8 +56,7 @@ class Newton {
     EquilibriumReport iterate() {
         predict();
         start_resultants();
-        const auto predicted = [&](std::size_t node) { return state_.trial[node].theta; };
-        if (!guard_.admits(state_.previous, predicted, report_) || !check_rotations()) return report_;
+        if (!admit_prediction() || !check_rotations()) return report_;
         compute_residual();
         while (!is_done()) {
             compute_tangent();
@@ -81,6 +83,10 @@ class Newton {
 
     void predict() {
         const PhaseTimer timer(workspace_.seconds.update);
+        if (pseudo_step_ != nullptr) {
+            state_.trial_time = time_;
+            return;
+        }
         integrator_.begin_stage(state_, stage_, team_);
         if (integrator_.is_static()) {
             if (contact_) limit_prediction();
@@ -94,6 +100,15 @@ class Newton {
         // Of accelerations, equations are as large as those of positions.
         integrator_.linearize(state_, stage_, workspace_.linearizations, team_);
         request_.factor = 1.0 / workspace_.linearizations.front().acceleration;
+    }
+
+    // False, and so reported, if it turns nodes too far.
+    bool admit_prediction() {
+        if (pseudo_step_ != nullptr)
+            return guard_.admits(
+                state_.trial, [](std::size_t) { return Vec3(Vec3::Zero()); }, report_);
+        const auto predicted = [&](std::size_t node) { return state_.trial[node].theta; };
+        return guard_.admits(state_.previous, predicted, report_);
     }
 
     // What contact holds chatters between impulses: where its accelerations go on it comes to touch where it
@@ -139,7 +154,11 @@ class Newton {
     void start_resultants() {
         const PhaseTimer timer(workspace_.seconds.assembly);
         state_.resultants.clear();
-        if (settings_.tangent == TangentKind::mixed) system_.start_resultants(state_);
+        if (settings_.tangent != TangentKind::mixed) return;
+        system_.start_resultants(state_);
+        if (pseudo_step_ == nullptr) return;
+        const std::vector<Vec6> none(state_.trial.size(), Vec6::Zero());
+        system_.advance_resultants(none, state_);
     }
 
     void compute_residual() {
@@ -147,6 +166,7 @@ class Newton {
         system_.compute_residual(state_, time_, workspace_.residual, request_);
         for (std::size_t i = 0; i < workspace_.held_back.size(); ++i)
             workspace_.residual.nodal[i] -= workspace_.held_back[i];
+        if (pseudo_step_ != nullptr) pseudo_step_->add_forces(state_, workspace_.residual);
         convergence_.measure(workspace_.residual, report_);
         if (!system_.joints().empty())
             report_.joint_gap = system_.joints().measure_gap(workspace_.residual.rows, state_);
@@ -176,6 +196,7 @@ class Newton {
                 system_.compute_tangent(
                     state_, time_, workspace_.linearizations, workspace_.values, request_);
                 if (workspace_.frame) workspace_.frame->add_stiffness(state_, time_, workspace_.values);
+                if (pseudo_step_ != nullptr) pseudo_step_->add_tangent(workspace_.values);
                 if (workspace_.paired) {
                     workspace_.paired->set_values(
                         workspace_.values,
@@ -282,6 +303,7 @@ class Newton {
     bool limits_rotation_;
     SolverWorkspace& workspace_;
     State& state_;
+    const PseudoStep* pseudo_step_;  // nullptr outside of pseudo-time
     EquilibriumReport report_;
     ConvergenceTest convergence_;
     RotationGuard guard_;
@@ -311,6 +333,18 @@ EquilibriumReport solve_equilibrium(const System& system,
     EquilibriumReport report = Newton(system, integrator, other, stage, request, workspace, state).solve();
     if (report.converged()) report.iterations += first.iterations;
     return report;
+}
+
+EquilibriumReport solve_pseudo_step(const System& system,
+                                    const Integrator& integrator,
+                                    const NewtonSettings& settings,
+                                    const Stage& stage,
+                                    const PseudoStep& step,
+                                    SolverWorkspace& workspace,
+                                    State& state) {
+    assert(integrator.is_static() && !system.contact());
+    const ConstraintRequest request = find_request(system, integrator, stage);
+    return Newton(system, integrator, settings, stage, request, workspace, state, &step).solve();
 }
 
 }  // namespace gxrod

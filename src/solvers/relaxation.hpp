@@ -1,0 +1,24 @@
+#pragma once
+
+#include "solvers/equilibrium.hpp"
+
+namespace gxrod {
+
+struct RelaxationReport {
+    EquilibriumReport equilibrium;  // of Newton's method at the end; iterations of all pseudo-steps
+    int pseudo_steps = 0;
+};
+
+// Lets a model fall in pseudo-time from the last accepted motions to a stable equilibrium under the loads at
+// the end of the stage, in statics without contact, and ends with Newton's method there. Pseudo-steps grow as
+// they succeed, and stay so short that the energy is convex about each: they cannot end where the model does
+// not stay. The trial motions hold the result; what sections, joints and the ground remember is that of the
+// last accepted step, as in any other load step.
+RelaxationReport relax(const System& system,
+                       const Integrator& integrator,
+                       const NewtonSettings& settings,
+                       const Stage& stage,
+                       SolverWorkspace& workspace,
+                       State& state);
+
+}  // namespace gxrod
