@@ -24,7 +24,7 @@ constexpr double most_sizes = 100.0;          // between an obstacle and the mod
 constexpr double most_density_ratio = 100.0;  // between a rod or body and water; of gold it is 19
 constexpr double most_friction = 2.0;
 constexpr double most_offset = 10.0;  // of a tendon, in sizes of the section
-constexpr double most_damping = 2.0;  // of critical
+constexpr double largest_damping_ratio = 2.0;  // of critical
 constexpr double least_piece = 0.2;   // of a line of rods; shorter ones buckle with the others
 constexpr double most_speed = 2.0;    // along a rod, compared with waves of stretching
 
@@ -289,7 +289,7 @@ class Questions {
             const double time = section.kelvin_voigt_components ? section.kelvin_voigt_components->minCoeff()
                                                                 : section.kelvin_voigt;
             const double ratio = 0.5 * time * found->lowest;
-            if (ratio <= most_damping) continue;
+            if (ratio <= largest_damping_ratio) continue;
             ask(fmt::format(
                 "kelvin_voigt of section {}, {:.4g}, damps the lowest mode, of {:.4g} cycles per time, "
                 "by {:.3g} of critical; it is a time, of a damping ratio ζ there ζ/(π f): {:.3g} for "
