@@ -23,10 +23,10 @@ using Box = Eigen::AlignedBox3d;
 constexpr double most_sizes = 100.0;          // between an obstacle and the model
 constexpr double most_density_ratio = 100.0;  // between a rod or body and water; of gold it is 19
 constexpr double most_friction = 2.0;
-constexpr double most_offset = 10.0;  // of a tendon, in sizes of the section
+constexpr double most_offset = 10.0;           // of a tendon, in sizes of the section
 constexpr double largest_damping_ratio = 2.0;  // of critical
-constexpr double least_piece = 0.2;   // of a line of rods; shorter ones buckle with the others
-constexpr double most_speed = 2.0;    // along a rod, compared with waves of stretching
+constexpr double least_piece = 0.2;            // of a line of rods; shorter ones buckle with the others
+constexpr double most_speed = 2.0;             // along a rod, compared with waves of stretching
 
 std::string describe(const Box& box) {
     const auto point = [](const Vec3& v) {
