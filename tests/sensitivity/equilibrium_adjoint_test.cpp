@@ -41,7 +41,7 @@ void compare(const std::string& deck, const std::vector<std::string>& names, dou
     for (std::size_t i = 0; i < names.size(); ++i) {
         INFO(names[i]);
         const std::vector<double> forward = sensitivities.by(i).differentiate(
-            state, [](const System&, const State& at, std::size_t) { return std::vector{weigh(at)}; });
+            [](const System&, const State& at, std::size_t) { return std::vector{weigh(at)}; });
         CHECK(std::abs(adjoint.differentiate(models[i], quantity) - forward[0]) <
               tolerance * std::abs(forward[0]));
     }
