@@ -124,7 +124,7 @@ void StaticAnalysis::judge_equilibrium(EquilibriumReport& report) {
     wants_to_relax_ = may_relax() && (!can_seek || starts_loose());
     if (can_seek || wants_to_relax_) {
         report.outcome = Outcome::lost_stability;
-    } else if (leaves && is_last) {
+    } else if (leaves && is_last && trial_ <= 0) {
         leaving_shape_ = counter_.describe_shape(*integrator_, current_stage(), workspace_, state_);
     }
 }

@@ -123,7 +123,7 @@ class VerifyDeck(ProgramTest):
         self.assertIn("is only for a deck", self.gxrod("verify", "bend_45", "--seed", "2", code=2).stderr)
 
     def test_a_model_that_cannot_be_run(self):
-        deck = self.write(SWING.replace('fix = "all"', 'fix = "position"')
+        deck = self.write(SWING.replace('fix = "all"', 'fix = "rotation"')
                           .replace('kind = "dynamic"\nend_time = 2.0\ntime_step = 0.02', 'kind = "static"'))
         self.assertIn("error: ", self.gxrod("verify", deck, code=2).stderr)
 

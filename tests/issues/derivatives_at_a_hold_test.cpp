@@ -100,7 +100,7 @@ Vec3 carry_along(const std::string& deck, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("derivatives of what yields do not drift while the load is held", "[issues][sensitivity]") {
+TEST_CASE("derivatives of what yields do not drift while the load is held", "[issues]") {
     const Vec3 right(-0.00209533, 0.01566234, -0.00162897);
     CHECK((carry_along(yielding_bar, "P") - right).norm() < 2e-8);
     const std::string layers =
@@ -112,7 +112,7 @@ TEST_CASE("derivatives of what yields do not drift while the load is held", "[is
     CHECK((carry_along(slipping, "P") - expected).norm() < 1e-6 * expected.norm());
 }
 
-TEST_CASE("derivatives of what rubs do not drift while the load is held", "[issues][sensitivity]") {
+TEST_CASE("derivatives of what rubs do not drift while the load is held", "[issues]") {
     for (const char* name : {"P", "mu"}) {
         INFO(name);
         const Vec3 expected = difference_of_runs(rubbing_slider, name);

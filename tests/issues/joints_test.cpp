@@ -448,7 +448,7 @@ TEST_CASE("Radii, limits and twists in another unit are noted", "[issues][joints
 }
 
 // Before: "turned in space by 2.68 rad: differs by 1.9", exit 5.
-TEST_CASE("Obstacles of every form and their motions turn with the problem", "[issues][study]") {
+TEST_CASE("Obstacles of every form and their motions turn with the problem", "[issues]") {
     const std::string deck = static_rod_deck + R"deck([[support]]
 at = "r.start"
 fix = "all"

@@ -109,6 +109,8 @@ class Remainder {
         const bool is_touched =
             touched_.contains(join_key(*steps, std::min<std::size_t>(2, steps->size()))) ||
             touched_.contains(*name_at(*steps, 0));
+        // A list that lost its elements here is not missing there.
+        if (steps->size() == 1 && numbers_.contains(*name_at(*steps, 0))) return false;
         const auto is_around = [&](const std::string& key) { return key.starts_with(fault.key); };
         if (std::ranges::any_of(taken_keys_, is_around)) return false;
         // What is missing there can have been meant by a key that was taken out.

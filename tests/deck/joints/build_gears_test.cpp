@@ -113,7 +113,7 @@ TEST_CASE("A history of a gear has its moment and its gap", "[deck][gear]") {
     CHECK(
         faults_of(history("\"moment\"")) ==
         "x.toml:45:14: history[0].quantities: \"moment\": a gear has drive and gap only; its joints have the "
-        "rest");
+        "rest; did you mean \"drive\"?");
 }
 
 }  // namespace gxrod::test

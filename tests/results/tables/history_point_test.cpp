@@ -359,6 +359,7 @@ TEST_CASE("A joint's history is what the snapshot has of it", "[results][joint]"
 TEST_CASE("Motors and frictions of slides have forces, those of turns moments", "[results][joint]") {
     Model model = sample::make_model();
     model.joints.resize(3);
+    for (Joint& joint : model.joints) joint.kind = JointKind::cylinder;
     model.joints[0].slide.motion = TimeFunction(2.0);
     model.joints[1].slide.friction.force = 3.0;
     model.joints[2].turn.motion = TimeFunction(2.0);
