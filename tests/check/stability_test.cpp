@@ -174,7 +174,6 @@ TEST_CASE("with a load that follows only divergence is reported", "[check]") {
     CHECK(find_load_without_potential(model) == "load[0] follows its point");
     const Watched run = watch(model, make_static_settings(10, 1e-10));
     CHECK(run.is_unstable);
-    INFO(fmt::format("{}", fmt::join(run.warnings, "\n")));
     REQUIRE(run.warnings.size() == 1);
     CHECK_THAT(run.warnings[0], Contains("the determinant of the tangent became negative"));
     CHECK(end_of_change(run.warnings[0]) * 6.0 == Approx(4.0).margin(6.0 / 2560.0 + 4e-3));
