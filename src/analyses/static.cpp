@@ -54,7 +54,8 @@ Stage StaticAnalysis::current_stage() const {
 bool StaticAnalysis::may_relax() const {
     const bool is_counted = accepted_ >= 0 && has_potential_;
     const bool is_first = steps_->time() == 0.0 || (!is_counted && steps_->time() < nominal_step_);
-    return !gave_up_ && !system_.contact() && is_first;
+    // Where round-off hides what is soft it would drive a relaxation, too.
+    return !gave_up_ && !system_.contact() && !has_contrast_ && is_first;
 }
 
 bool StaticAnalysis::diverges() {

@@ -480,7 +480,9 @@ std::optional<PathPoint> SteppedAnalysis::find_equilibrium(const PathPoint& from
 void SteppedAnalysis::look_into_load_step(int iterations) {
     // Contact stores and loses energy as well, which points of a path do not have.
     if (!looks_into_load_steps() || system_.contact()) return;
-    if (!ledger_->is_unclear() && (iterations < many_iterations || ledger_->has_released())) return;
+    // Iterations that round-off asks for say nothing of a jump.
+    const bool is_slow = iterations >= many_iterations && !has_contrast_ && !ledger_->has_released();
+    if (!ledger_->is_unclear() && !is_slow) return;
     constexpr double tolerable = 0.25 * energy_worth_a_word;
     constexpr int halvings = 8;
     try {

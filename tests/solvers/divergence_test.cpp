@@ -66,7 +66,7 @@ std::optional<Divergence> find(double push, Frame frame) {
     const std::optional<Divergence> found = find_divergence(system, 1.0, drag, 1e-6, state);
     if (found) {
         CHECK(found->rate == Approx(rate).epsilon(1e-5));
-        CHECK(found->stiffness >= found->rate * (1.0 - 1e-9));
+        CHECK(found->stiffness >= found->rate * (1.0 - 1e-5));
     } else {
         CHECK(rate < 1e-6);
     }
@@ -85,12 +85,15 @@ TEST_CASE("A column diverges in pseudo-time above its Euler load, at the rate of
 
 TEST_CASE("A load that follows a column makes nothing diverge, though the tangent is not symmetric",
           "[solvers]") {
-    // It flutters at 8.1 times the Euler load (Beck); the symmetric part of the tangent is indefinite before.
-    CHECK_FALSE(find(2.0 * euler, Frame::follower));
-    const Model model = make_column(2.0 * euler, Frame::follower);
-    const System system(model);
-    State state = press(system, 2.0 * euler);
-    CHECK(is_softer_than(0.0, system, 1.0, PseudoDrag(system), state));
+    // It flutters at 8.1 times the Euler load (Beck); the symmetric part of the tangent is indefinite from
+    // four times on: the smallest P for which EI ∫ w'' w'' − P (∫ w' w' − w(L) w'(L)) is.
+    CHECK_FALSE(find(6.0 * euler, Frame::follower));
+    for (const auto& [factor, is_indefinite] : {std::pair{3.9, false}, {4.1, true}}) {
+        const Model model = make_column(factor * euler, Frame::follower);
+        const System system(model);
+        State state = press(system, factor * euler);
+        CHECK(is_softer_than(0.0, system, 1.0, PseudoDrag(system), state) == is_indefinite);
+    }
 }
 
 TEST_CASE("Stiffness is compared with the drag", "[solvers]") {
