@@ -28,7 +28,7 @@ constexpr int most_sought = 5;
 // Of the stiffness of loads: a shape that grows more slowly in pseudo-time is neutral; and the stiffness
 // below which a shape is loose.
 constexpr double least_rate = 1e-4;
-constexpr double loose = 0.05;
+constexpr double loose = 1e-3;
 
 }  // namespace
 
@@ -54,8 +54,7 @@ Stage StaticAnalysis::current_stage() const {
 bool StaticAnalysis::may_relax() const {
     const bool is_counted = accepted_ >= 0 && has_potential_;
     const bool is_first = steps_->time() == 0.0 || (!is_counted && steps_->time() < nominal_step_);
-    // Where round-off hides what is soft it would drive a relaxation, too.
-    return !gave_up_ && !system_.contact() && !has_contrast_ && is_first;
+    return !gave_up_ && !system_.contact() && is_first;
 }
 
 bool StaticAnalysis::diverges() {
@@ -87,7 +86,8 @@ bool StaticAnalysis::tries_otherwise(const EquilibriumReport&, bool is_shortest)
                                         pseudo_steps_));
         return wants_to_relax_;
     }
-    if (!may_relax() || !(wants_to_relax_ || is_shortest)) return false;
+    // Where round-off hides what is soft, it fails steps, and would drive a relaxation, too.
+    if (!may_relax() || !(wants_to_relax_ || (is_shortest && !has_contrast_))) return false;
     relaxes_ = true;
     steps_->resume(steps_->memory());  // with the longest step from here again
     return true;
@@ -119,10 +119,10 @@ void StaticAnalysis::judge_equilibrium(EquilibriumReport& report) {
     const bool leaves = is_asked && diverges();
     if (!leaves && trial_ <= accepted_) return;
     // What contact holds may leave a stable branch that ends for one that goes on in a longer step alone.
-    const bool can_seek = (trial_ > accepted_ || may_relax()) && !system_.contact() &&
-                          sought_ < most_sought &&
+    const bool is_loose = may_relax() && !is_counted && starts_loose();
+    const bool can_seek = (trial_ > accepted_ || is_loose) && !system_.contact() && sought_ < most_sought &&
                           steps_->time_step() > nominal_step_ * finest_part * (1.0 + 1e-9);
-    wants_to_relax_ = may_relax() && (!can_seek || starts_loose());
+    wants_to_relax_ = is_loose || (is_counted && may_relax() && !can_seek);
     if (can_seek || wants_to_relax_) {
         report.outcome = Outcome::lost_stability;
     } else if (leaves && is_last && trial_ <= 0) {

@@ -85,6 +85,13 @@ Traced trace(const Problem& problem) {
     return traced;
 }
 
+// Notes on what a stage begins with: all but that pivots are unknown under a load that follows.
+std::vector<std::string> starts_of(const Traced& traced) {
+    std::vector<std::string> notes = traced.summary.notes;
+    std::erase_if(notes, [](const std::string& note) { return note.find("pivots") != std::string::npos; });
+    return notes;
+}
+
 }  // namespace
 
 TEST_CASE("A held cantilever that is let go moves as an independent program says", "[analyses][stages]") {
@@ -101,7 +108,7 @@ TEST_CASE("A held cantilever that is let go moves as an independent program says
     CHECK(end.kinetic_energy + end.strain_energy == Approx(.251938067766).epsilon(1e-7));
     // The books go on from stage to stage.
     CHECK(std::abs(end.energy_error - start.ledger.energy_error) < 1e-7);
-    CHECK(traced.summary.notes.empty());
+    CHECK(starts_of(traced).empty());
 }
 
 TEST_CASE("Nothing moves that starts from rest in equilibrium", "[analyses][stages]") {
@@ -112,7 +119,7 @@ TEST_CASE("Nothing moves that starts from rest in equilibrium", "[analyses][stag
         read(replaced(make_kept(), "\"sdirk-4\"", "\"" + integrator + "\""), {"stage[1].steps=20"});
     const Traced traced = trace(problem);
     REQUIRE(traced.summary.status == RunStatus::complete);
-    CHECK(traced.summary.notes.empty());
+    CHECK(starts_of(traced).empty());
     for (const Row& row : traced.rows) {
         if (row.stage == 0) continue;
         CHECK((row.tip - traced.at(0.0).tip).norm() < 1e-9);
@@ -125,9 +132,9 @@ TEST_CASE("A stage that does not begin in equilibrium says where it is out of ba
           "[analyses][stages]") {
     const std::string gone = replaced(cantilever, "release = \"t < 1 ? cos(pi*t/2)^2 : 0\"", "release = 0");
     const Traced traced = trace(read(gone, {"stage[1].steps=4", "stage[1].end_time=0.01"}));
-    REQUIRE(traced.summary.notes.size() == 1);
-    CHECK(traced.summary.notes[0].find("stage release: it does not begin in equilibrium: out of balance at "
-                                       "wing.end (") == 0);
+    REQUIRE(starts_of(traced).size() == 1);
+    CHECK(starts_of(traced)[0].find("stage release: it does not begin in equilibrium: out of balance at "
+                                    "wing.end (") == 0);
 }
 
 TEST_CASE("A support lets go in a later stage, and another one takes hold where the point is",
@@ -147,7 +154,7 @@ steps = 2
     CHECK(problem.stages[1].actions.supports.size() == 1);
     const Traced traced = trace(problem);
     REQUIRE(traced.summary.status == RunStatus::complete);
-    CHECK(traced.summary.notes.size() == 1);  // what the support held
+    CHECK(starts_of(traced).size() == 1);  // what the support held
     const Row& released = traced.at(0.1);
     CHECK(released.ledger.kinetic_energy > 1e-3);
     CHECK(traced.rows.back().time == Approx(1.1));
