@@ -1,11 +1,11 @@
 """A deck of dicts, lists, numbers and texts as TOML."""
 
-NAMED = ("section", "rod", "body", "function", "spring", "bushing", "joint", "gear")
+NAMED = ("section", "rod", "body", "function", "spring", "bushing", "joint", "gear", "tendon", "obstacle", "input")
 
 
 def text_of(value):
     if isinstance(value, bool):
-        raise TypeError("a deck has no bool")
+        return "true" if value else "false"
     if isinstance(value, int):
         return str(value)
     if isinstance(value, float):
