@@ -165,7 +165,7 @@ class Judge:
         coarse, fine, reference = values
         scale = max(np.max(np.abs(reference)), 1e-3)
         before, after = (np.max(np.abs(one - reference)) / scale for one in (coarse, fine))
-        least, ratio = (2e-2, 0.85) if self.kinked else (1e-1 if self.sudden else 2e-3, 0.65)
+        least, ratio = (2e-2, 0.85) if self.kinked else (1e-1 if self.sudden else 5e-3, 0.65)
         if not np.isfinite(after) or after > max(least, ratio * before):
             raise Mismatch(f"{what}: errors of {before:.1e} and, with half the step, {after:.1e}")
 
@@ -304,6 +304,8 @@ class Judge:
         first = self.shapes(kinds.modes("buckling", 2))["factor"]
         if np.any(np.abs(first) > 1e9):
             raise Mismatch(f"a factor of {np.max(np.abs(first)):.1e}")
+        if self.sudden:
+            return "not compared: P does not multiply all that acts"
         outcome = self.run(kinds.modes("buckling", 2), deck=kinds.scaled(self.deck, 2.0))
         if not outcome.is_done:
             raise Ended(outcome)
@@ -311,6 +313,7 @@ class Judge:
             stages = results["stages"]
             second = stages[list(stages)[-1]]["factor"][()]
         require_close(2 * second, first, 1e-4, "factors of doubled loads, doubled, and of loads")
+        return None
 
     def steady(self):
         """A motion that starts from a steady state stays at its distance from the axis."""
@@ -386,6 +389,8 @@ class Judge:
             raise Ended(outcome)
         self.write("deck", table)
         done = self.call("verify", "deck.toml")
+        if done.returncode == 5 and not UNCLEAR.search(done.stdout + done.stderr):
+            self.used.append(Outcome(5, "warning: " + done.stdout, outcome.file))
         if done.returncode != 0:
             raise Mismatch(f"gxrod verify: exit code {done.returncode}: {(done.stdout + done.stderr).strip()[-400:]}")
 
