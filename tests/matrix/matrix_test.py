@@ -54,7 +54,7 @@ class Matrix(unittest.TestCase):
             decks.append(kinds.with_analysis(deck, kinds.static(), kinds.motion("radau-5")))
         for tables in ([kinds.motion(scheme)] for scheme in kinds.SCHEMES):
             decks.append(kinds.with_analysis(cantilever(), *tables))
-        for table in (kinds.path(), kinds.quasi_static(), kinds.modes(), kinds.modes("buckling"), kinds.modes("eigenvalues"),
+        for table in (kinds.static(), kinds.path(), kinds.quasi_static(), kinds.modes(), kinds.modes("buckling"), kinds.modes("eigenvalues"),
                       kinds.response()):
             decks.append(kinds.with_analysis(cantilever(), table))
         decks.append(kinds.with_analysis(kinds.with_steady_frame(cantilever()), {"kind": "steady"}))
