@@ -119,7 +119,9 @@ void StaticAnalysis::judge_equilibrium(EquilibriumReport& report) {
     const bool leaves = is_asked && diverges();
     if (!leaves && trial_ <= accepted_) return;
     // What contact holds may leave a stable branch that ends for one that goes on in a longer step alone.
-    const bool is_loose = may_relax() && !is_counted && starts_loose();
+    // A later state does not tell: close to a critical point every structure is soft.
+    const bool is_at_start = steps_->time() == 0.0;
+    const bool is_loose = is_at_start && may_relax() && !is_counted && starts_loose();
     const bool can_seek = (trial_ > accepted_ || is_loose) && !system_.contact() && sought_ < most_sought &&
                           steps_->time_step() > nominal_step_ * finest_part * (1.0 + 1e-9);
     wants_to_relax_ = is_loose || (is_counted && may_relax() && !can_seek);
