@@ -1,9 +1,12 @@
 #include "assembly/small_motions.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "linear/eigen/pencil.hpp"
+#include "model/kinked_law.hpp"
 #include "model/small_motion_law.hpp"
+#include "model/sticking.hpp"
 
 namespace gxrod {
 
@@ -13,8 +16,10 @@ namespace {
 // `quick`. Small motions dissipate nothing here; 1 stands for a section at its limit.
 class ElasticLaw final : public SmallMotionLaw {
   public:
-    ElasticLaw(std::shared_ptr<const SectionLaw> law, std::shared_ptr<const double> quick)
-        : law_(std::move(law)), quick_(std::move(quick)) {}
+    ElasticLaw(std::shared_ptr<const SectionLaw> law,
+               std::shared_ptr<const double> quick,
+               Linearization linearization)
+        : law_(std::move(law)), quick_(std::move(quick)), linearization_(linearization) {}
 
     int memory_size() const override { return law_->memory_size(); }
     std::string describe() const override { return law_->describe(); }
@@ -33,7 +38,13 @@ class ElasticLaw final : public SmallMotionLaw {
         return response;
     }
     Mat6 elastic_tangent(const Vec6& strain, std::span<const double> memory) const override {
-        return find_elastic_tangent(*law_, strain, memory);
+        const KinkedLaw* kinked = as_kinked(*law_);
+        if (linearization_ == Linearization::elastic || kinked == nullptr)
+            return find_elastic_tangent(*law_, strain, memory);
+        std::vector<int> pieces(static_cast<std::size_t>(kinked->piece_count()));
+        std::vector<double> after(memory.begin(), memory.end());
+        kinked->find_pieces(strain, memory, pieces);
+        return kinked->respond_on(pieces, strain, memory, 0.0, after).tangent;
     }
     std::vector<RelaxingStiffness> relaxing_stiffness() const override {
         return list_relaxing_stiffness(*law_);
@@ -45,13 +56,15 @@ class ElasticLaw final : public SmallMotionLaw {
   private:
     std::shared_ptr<const SectionLaw> law_;
     std::shared_ptr<const double> quick_;
+    Linearization linearization_;
 };
 
-Model make_elastic(Model model, const std::shared_ptr<const double>& quick) {
+Model linearize(Model model, const std::shared_ptr<const double>& quick, Linearization linearization) {
     for (Section& section : model.sections) {
-        if (section.law) section.law = std::make_shared<const ElasticLaw>(section.law, quick);
+        if (section.law) section.law = std::make_shared<const ElasticLaw>(section.law, quick, linearization);
     }
-    return model;
+    return set_at_limit(std::move(model),
+                        linearization == Linearization::elastic ? AtLimit::sticks : AtLimit::slips);
 }
 
 std::vector<double> list_relaxation_times(const Model& model) {
@@ -65,26 +78,43 @@ std::vector<double> list_relaxation_times(const Model& model) {
     return times;
 }
 
+std::vector<double> compute_still_tangent(const System& system, const State& state, double time) {
+    const std::vector<NodeLinearization> placements(state.trial.size(), {.placement = 1.0});
+    std::vector<double> values;
+    system.compute_tangent(state, time, placements, values);
+    return values;
+}
+
+// By more than limits that are moved a little, and round-off, make.
+bool differ(const std::vector<double>& one, const std::vector<double>& other) {
+    constexpr double more_than_moved = 1e-5;
+    constexpr double rounding = 1e-11;
+    double largest = 0.0;
+    for (const double value : one) largest = std::max(largest, std::abs(value));
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        if (std::abs(one[i] - other[i]) > more_than_moved * std::abs(one[i]) + rounding * largest)
+            return true;
+    }
+    return false;
+}
+
 }  // namespace
 
-SmallMotions::SmallMotions(const System& system) : given_(&system) {
-    if (!system.has_laws()) return;
+SmallMotions::SmallMotions(const System& system, Linearization linearization) : given_(&system) {
+    if (!system.has_laws() && list_frictions(system.model()).empty()) return;
     times_ = list_relaxation_times(system.model());
     quick_ = std::make_shared<double>(0.0);
-    model_ = std::make_unique<const Model>(make_elastic(system.model(), quick_));
+    model_ = std::make_unique<const Model>(linearize(system.model(), quick_, linearization));
     own_.emplace(*model_, system.team());
 }
 
 std::vector<RelaxingMatrix> SmallMotions::compute_relaxing(const State& state, double time) const {
     std::vector<RelaxingMatrix> list;
     if (!relaxes()) return list;
-    const std::vector<NodeLinearization> placements(state.trial.size(), {.placement = 1.0});
-    std::vector<double> relaxed, with;
-    own_->compute_tangent(state, time, placements, relaxed);
+    const std::vector<double> relaxed = compute_still_tangent(*own_, state, time);
     for (const double tau : times_) {
         *quick_ = tau;
-        own_->compute_tangent(state, time, placements, with);
-        list.push_back({tau, combine(with, -1.0, relaxed)});
+        list.push_back({tau, combine(compute_still_tangent(*own_, state, time), -1.0, relaxed)});
     }
     *quick_ = 0.0;
     return list;
@@ -92,6 +122,20 @@ std::vector<RelaxingMatrix> SmallMotions::compute_relaxing(const State& state, d
 
 double SmallMotions::measure_length_at_limit(const State& state, double time) const {
     return own_ ? own_->compute_law_dissipation(state, time) : 0.0;
+}
+
+std::vector<std::string> SmallMotions::list_friction_at_limit(const State& state, double time) const {
+    std::vector<std::string> at_limit;
+    const std::vector<std::string> listed = list_frictions(given_->model());
+    if (listed.empty()) return at_limit;
+    const auto compute = [&](AtLimit then, const std::string& name) {
+        const Model model = set_at_limit(given_->model(), then, name);
+        return compute_still_tangent(System(model, given_->team()), state, time);
+    };
+    for (const std::string& name : listed) {
+        if (differ(compute(AtLimit::sticks, name), compute(AtLimit::slips, name))) at_limit.push_back(name);
+    }
+    return at_limit;
 }
 
 }  // namespace gxrod

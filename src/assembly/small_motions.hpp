@@ -2,6 +2,8 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "assembly/system.hpp"
 #include "linear/eigen/quadratic_problem.hpp"
@@ -9,11 +11,12 @@
 namespace gxrod {
 
 // A system as small motions about an accepted state meet it: of the same unknowns, with the elastic tangents
-// of its sections in place of those of the last step (docs/theory/laws.md, (L27) and (L28)). One without laws
-// is the system itself, which must outlive this.
+// of its sections in place of those of the last step, and friction that sticks; or, by
+// Linearization::loading, as if the load went on (docs/theory/laws.md, (L27) to
+// (L29)). One without laws and friction is the system itself, which must outlive this.
 class SmallMotions {
   public:
-    explicit SmallMotions(const System& system);
+    explicit SmallMotions(const System& system, Linearization linearization = Linearization::elastic);
 
     // What relaxes has relaxed.
     const System& system() const { return own_ ? *own_ : *given_; }
@@ -22,6 +25,8 @@ class SmallMotions {
     bool relaxes() const { return !times_.empty(); }
     // Of rods, where sections are about to slip or to yield.
     double measure_length_at_limit(const State& state, double time) const;
+    // Friction at its limit: "joint knee", "the seabed".
+    std::vector<std::string> list_friction_at_limit(const State& state, double time) const;
 
   private:
     const System* given_;

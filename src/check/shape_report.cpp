@@ -322,9 +322,19 @@ std::string find_failure(const ShapesRecord& record) {
         record);
 }
 
+namespace {
+
+bool goes_on_loading(const ShapesRecord& record) {
+    const auto* modes = std::get_if<ModesRecord>(&record);
+    const auto* buckling = std::get_if<BucklingRecord>(&record);
+    return (modes != nullptr && modes->linearization == Linearization::loading) ||
+           (buckling != nullptr && buckling->linearization == Linearization::loading);
+}
+
+}  // namespace
+
 std::vector<std::string> note_sections(const System& system, const State& state, const ShapesRecord& record) {
     std::vector<std::string> notes;
-    if (!system.has_laws()) return notes;
     const SmallMotions small(system);
     const bool is_buckling = std::holds_alternative<BucklingRecord>(record);
     if (small.relaxes() && std::holds_alternative<ModesRecord>(record)) {
@@ -339,13 +349,25 @@ std::vector<std::string> note_sections(const System& system, const State& state,
         notes.push_back(name_relaxing_rods(system.model()) +
                         ": motions with a damping ratio above 0.99, by which it creeps, are not listed");
     }
+    const bool is_loading = goes_on_loading(record);
     const double length = small.measure_length_at_limit(state, state.time);
     if (length > 0.0 && !std::holds_alternative<SweepRecord>(record)) {
         notes.push_back(fmt::format(
             "sections are about to yield or to slip over a length of {:.3g}: their stiffness is taken as "
-            "elastic, as if they unloaded{}",
+            "{}{}",
             length,
-            is_buckling ? ", which makes factors too high where more load yields" : ""));
+            is_loading ? "under more load" : "elastic, as if they unloaded",
+            is_buckling && !is_loading
+                ? R"(, which makes factors too high where more load yields; linearization = "loading" takes the other)"
+                : ""));
+    }
+    const std::vector<std::string> at_limit = small.list_friction_at_limit(state, state.time);
+    if (!at_limit.empty() && !std::holds_alternative<SweepRecord>(record)) {
+        notes.push_back(fmt::format(
+            "friction of {} is at its limit: it is taken to {}{}",
+            fmt::join(at_limit, ", "),
+            is_loading ? "slip" : "stick, as in small motions",
+            is_buckling && !is_loading ? ", which makes factors too high where more load slips" : ""));
     }
     return notes;
 }

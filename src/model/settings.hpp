@@ -87,15 +87,21 @@ struct StaticSettings {
     LinearSolverKind linear_solver = LinearSolverKind::automatic;
 };
 
+// The stiffness of sections, joints and contact that are about to yield or to slip: as if they unloaded, or as
+// if the load that brought them there went on.
+enum class Linearization { elastic, loading };
+
 // Small vibrations about a state.
 struct ModesSettings {
     int count = 10;                    // the lowest ones
     std::optional<double> below = {};  // cycles per time: all of a lower frequency instead
+    Linearization linearization = Linearization::elastic;
 };
 
 // Factors at which loads make a state unstable, by the resultants that the linear solution adds.
 struct BucklingSettings {
     int count = 3;  // the smallest positive ones
+    Linearization linearization = Linearization::elastic;
 };
 
 // Values of a component of a node's displacement, or of the load factor t, at which a path must have an

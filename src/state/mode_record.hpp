@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "model/settings.hpp"
 #include "rotation/types.hpp"
 
 // What is found of small motions about a state: vibrations, and shapes in which it gives way.
@@ -33,7 +34,8 @@ struct Mode {
 };
 
 struct ModesRecord {
-    std::string failure;      // why there are none, "" if they were found
+    std::string failure;  // why there are none, "" if they were found
+    Linearization linearization = Linearization::elastic;
     double time = 0.0;        // at which loads were taken
     std::vector<Mode> modes;  // by rising ω²
 
@@ -63,6 +65,7 @@ struct BucklingFactor {
 
 struct BucklingRecord {
     std::string failure;
+    Linearization linearization = Linearization::elastic;
     double mesh_error = 0.0;  // by how much elements make the first factor too large, about, relative
     std::string coarse_rod;   // whose elements do most of that
     double load_time = 0.0;   // the load that is multiplied is the deck's at this time

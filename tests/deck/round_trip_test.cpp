@@ -143,7 +143,7 @@ TEST_CASE("The values that round trips see are not there by default", "[deck]") 
         const bool of_rod = trip.key.starts_with("rod") || trip.key.starts_with("section");
         INFO(trip.key);
         const bool of_shapes = (trip.key.ends_with(".count") && !trip.key.ends_with("sweep.count")) ||
-                               trip.key.ends_with(".below");
+                               trip.key.ends_with(".below") || trip.key.ends_with(".linearization");
         const std::string kind = trip.key.ends_with(".count") ? "buckling" : "modes";
         const std::string bare = of_shapes ? shape_deck(kind, "") : of_rod ? rod_deck : body_deck;
         CHECK_FALSE(trip.is_seen(read(bare)));

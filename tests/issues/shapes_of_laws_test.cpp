@@ -281,4 +281,111 @@ count = 3
     CHECK(swept[2] == Approx(swept[0]).epsilon(1e-9));
 }
 
+TEST_CASE("What yields has the stiffness of more load where the deck asks for it", "[issues]") {
+    // A moment that is the same all along yields every section; from there on the slope is a quarter in the
+    // plane of the moment.
+    const std::string column = R"([section.bar]
+stiffness = { EA = 1e6, GAy = 1e6, GAz = 1e6, GJ = 10, EIy = 1, EIz = 5 }
+inertia = { rhoA = 1, rhoJ = 1e-6, rhoIy = 1e-6, rhoIz = 1e-6 }
+law = { plastic = { yield = { My = 1e-3, Mz = 1e-3 }, kinematic = 0.3333333333333333 } }
+[rod.beam]
+section = "bar"
+line = { from = [0, 0, 0], to = [1, 0, 0] }
+elements = 8
+order = 2
+y_axis = [0, 1, 0]
+[[support]]
+at = "beam.start"
+fix = "all"
+[[load]]
+at = "beam.end"
+moment = [0, 2e-3, 0]
+)";
+    const auto first_omega = [&](const std::string& words) {
+        return find<ModesRecord>(run(column + make_stage("static", "steps = 4") +
+                                     make_stage("modes", "count = 1\n" + words)))
+            .modes.at(0)
+            .omega;
+    };
+    const double elastic = first_omega("");
+    CHECK(elastic == Approx(3.5160153).epsilon(1e-4));
+    CHECK(first_omega("linearization = \"elastic\"") == elastic);
+    CHECK(first_omega("linearization = \"loading\"") == Approx(0.5 * elastic).epsilon(1e-4));
+
+    // Of a force that presses, too: the load is (1 + factor) times what acts.
+    const std::string pressed = column + "[[load]]\nat = \"beam.end\"\nforce = [-0.1, 0, 0]\n";
+    const auto first_factor = [&](const std::string& words, const std::string& note) {
+        const RunSummary summary =
+            run(pressed + make_stage("static", "steps = 4") + make_stage("buckling", "count = 1\n" + words));
+        CHECK(has_note(summary, note));
+        return find<BucklingRecord>(summary).factors.at(0).factor;
+    };
+    const double euler = 2.4674011;
+    CHECK(0.1 * (1.0 + first_factor("", "linearization = \"loading\" takes the other")) ==
+          Approx(euler).epsilon(1e-3));
+    CHECK(0.1 * (1.0 + first_factor("linearization = \"loading\"", "is taken as under more load")) ==
+          Approx(0.25 * euler).epsilon(1e-3));
+}
+
+TEST_CASE("Friction at its limit sticks in small motions, or slips where the deck asks for it", "[issues]") {
+    const auto first_omega =
+        [&](const std::string& joint, const std::string& words, const std::string& note) {
+            const RunSummary summary = run(R"(gravity = [0, 0, -1]
+[section.bar]
+stiffness = { EA = 1e6, GAy = 1e6, GAz = 1e6, GJ = 10, EIy = 10, EIz = 50 }
+inertia = { rhoA = 1, rhoJ = 1e-6, rhoIy = 1e-6, rhoIz = 1e-6 }
+[rod.beam]
+section = "bar"
+line = { from = [0, 0, 0], to = [1, 0, 0] }
+elements = 6
+order = 2
+y_axis = [0, 1, 0]
+[joint.root]
+between = ["ground", "beam.start"]
+type = "hinge"
+axis = [0, 1, 0]
+)" + joint + "\n" + make_stage("static", "steps = 4") +
+                                           make_stage("modes", "count = 1\n" + words));
+            CHECK(has_note(summary, "friction of joint root") == !note.empty());
+            CHECK(has_note(summary, note) == !note.empty());
+            return find<ModesRecord>(summary).modes.at(0).omega;
+        };
+    // The moment 0.5 of the weight slips by much more than `stick`.
+    const std::string rough = "spring = { stiffness = 30 }\nfriction = { moment = 0.02, stick = 1e-3 }";
+    const double stuck = first_omega("spring = { stiffness = 50 }", "", "");
+    const double slipping = first_omega("spring = { stiffness = 30 }", "", "");
+    CHECK(slipping < 0.95 * stuck);
+    CHECK(first_omega(rough, "", "is at its limit: it is taken to stick") == Approx(stuck).epsilon(1e-4));
+    CHECK(first_omega(rough, "linearization = \"loading\"", "it is taken to slip") ==
+          Approx(slipping).epsilon(1e-4));
+}
+
+TEST_CASE("Friction between a rod and a floor sticks in modes as in eigenvalues", "[issues]") {
+    const auto run_kind = [&](const std::string& kind) {
+        return run("gravity = [0, 0, -1]\n" +
+                   make_cantilever("radius = 0.02",
+                                   "[[load]]\nat = \"beam.end\"\nforce = [0, 0.3, -0.5]\n"
+                                   "[obstacle.floor]\nplane = { point = [0, 0, -0.07], normal = [0, 0, 1] }\n"
+                                   "friction = 0.2\n" +
+                                       make_stage("static", "steps = 10") + make_stage(kind, "count = 4")));
+    };
+    const RunSummary modes = run_kind("modes"), values = run_kind("eigenvalues");
+    CHECK(has_note(modes, "friction of contact is at its limit: it is taken to stick"));
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double omega = find<ModesRecord>(modes).modes.at(i).omega;
+        CHECK(omega > 1.0);
+        CHECK(find<EigenvaluesRecord>(values).modes.at(i).omega == Approx(omega).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("Buckling factors do not multiply the move of an obstacle", "[issues]") {
+    const RunSummary summary = run_problem(read(make_cantilever(
+        "radius = 0.02",
+        "[[load]]\nat = \"beam.end\"\nforce = [-0.3, 0, 0]\n"
+        "[obstacle.ball]\nsphere = { centre = [0.7, 0, -0.2], radius = 0.1 }\nmove = { z = \"0.15*t\" }\n" +
+            make_stage("buckling", "count = 1"))));
+    CHECK(summary.status != RunStatus::complete);
+    CHECK_THAT(summary.reason, Contains("buckling factors would leave out the move of obstacle ball"));
+}
+
 }  // namespace gxrod::test

@@ -165,8 +165,10 @@ class ModeFinder {
 }  // namespace
 
 ModesRecord find_modes(const System& system, const State& state, double time, const ModesSettings& settings) {
-    const SmallMotions small(system);
-    return ModeFinder(small.system(), state, time).find(settings);
+    const SmallMotions small(system, settings.linearization);
+    ModesRecord record = ModeFinder(small.system(), state, time).find(settings);
+    record.linearization = settings.linearization;
+    return record;
 }
 
 }  // namespace gxrod

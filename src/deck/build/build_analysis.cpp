@@ -206,12 +206,14 @@ ModesSettings build_modes(const CheckedTable& table) {
     ModesSettings settings;
     if (table.gives("count")) settings.count = static_cast<int>(table.get<long>("count"));
     if (table.gives("below")) settings.below = table.get<double>("below");
+    settings.linearization = value_of(linearization_choices, table.get<std::string>("linearization"));
     return settings;
 }
 
 BucklingSettings build_buckling(const CheckedTable& table) {
     BucklingSettings settings;
     if (table.gives("count")) settings.count = static_cast<int>(table.get<long>("count"));
+    settings.linearization = value_of(linearization_choices, table.get<std::string>("linearization"));
     return settings;
 }
 

@@ -71,6 +71,9 @@ inline constexpr std::array<Choice<Interpolation>, 3> interpolation_choices{
      {"cubic", Interpolation::cubic},
      {"monotone", Interpolation::monotone}}};
 
+inline constexpr std::array<Choice<Linearization>, 2> linearization_choices{
+    {{"elastic", Linearization::elastic}, {"loading", Linearization::loading}}};
+
 inline constexpr std::array<Choice<Scheme>, 8> scheme_choices{
     {{"newmark-simplified", Scheme::newmark_simplified},
      {"newmark-ibrahimbegovic", Scheme::newmark_ibrahimbegovic},

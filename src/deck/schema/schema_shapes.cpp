@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "model/settings.hpp"
 
@@ -51,6 +52,14 @@ std::vector<KeySpec> shape_keys() {
          .range = positive,
          .sentence = "All modes of a lower frequency, in cycles per time, instead of `count`.",
          .only_for = {modes_only}},
+        {.name = "linearization",
+         .type = ValueType::choice,
+         .default_value = word_of(linearization_choices, ModesSettings{}.linearization),
+         .sentence =
+             "Of what is about to yield or to slip. elastic: as if it unloaded. loading: as if the load "
+             "that brought it there went on, for the least factor of a plastic column.",
+         .choices = words_of(linearization_choices),
+         .only_for = {{"kind", {"modes", "buckling"}}}},
         {.name = "sweep",
          .type = ValueType::table,
          .sentence = "The same at each of several values of a number of the deck: the equilibrium to which "

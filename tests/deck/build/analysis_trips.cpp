@@ -184,6 +184,11 @@ std::vector<RoundTrip> analysis_trips() {
         {"analysis.below",
          shape_deck("modes", "below = 7"),
          [](const Problem& p) { return std::get<ModesSettings>(p.analysis).below == 7.0; }},
+        {"analysis.linearization",
+         shape_deck("modes", "linearization = \"loading\""),
+         [](const Problem& p) {
+             return std::get<ModesSettings>(p.analysis).linearization == Linearization::loading;
+         }},
         {"analysis.linear_solver",
          body_deck + "linear_solver = \"klu\"",
          [](const Problem& p) { return dynamic_of(p).linear_solver == LinearSolverKind::klu; }},
