@@ -43,6 +43,9 @@ class Newton {
           workspace_(workspace),
           state_(state),
           pseudo_step_(pseudo_step),
+          may_overshoot_(contact_ == nullptr && !integrator.is_static() && !system.model().has_inertia &&
+                         pseudo_step == nullptr &&
+                         (system.model().surroundings.water || system.model().surroundings.air)),
           convergence_(system, settings, request_.level),
           guard_(system) {}
 
@@ -75,10 +78,49 @@ class Newton {
                     system_, time_, time_, part, workspace_.residual, workspace_.values, state_);
             }
             if (!solve_increment(system_, residual, workspace_, report_)) break;
-            if (!apply(workspace_.vector)) break;
-            compute_residual();
+            if (!(may_overshoot_ ? apply_part() : apply(workspace_.vector))) break;
+            if (!may_overshoot_) compute_residual();
         }
         return report_;
+    }
+
+    // Without inertia, drag ~ v² resists nothing at rest: from there the increment overshoots the velocity by
+    // orders of magnitude, the more the shorter the step. It is shortened until what is out of balance is not
+    // much larger than before. False, and so reported, if no part of it will do.
+    bool apply_part() {
+        constexpr double small = 1e-6;
+        constexpr double much = 10.0;
+        constexpr double least = 1e-8;
+        if (report_.residual < small) {
+            if (!apply(workspace_.vector)) return false;
+            compute_residual();
+            return true;
+        }
+        const double before = largest_component(system_, workspace_.residual);
+        const EquilibriumReport report = report_;
+        const ConvergenceTest convergence = convergence_;
+        const std::vector<NodeMotion> trial = state_.trial;
+        const std::vector<JointState> joints = state_.joints_trial;
+        const auto resultants = state_.resultants;
+        const bool moves_supports = moves_supports_;
+        const Eigen::VectorXd increment = workspace_.vector;
+        bool is_applied = false;
+        for (double part = 1.0; part > least; part *= 0.25) {
+            if (part < 1.0) {
+                report_ = report;
+                convergence_ = convergence;
+                state_.trial = trial;
+                state_.joints_trial = joints;
+                state_.resultants = resultants;
+                moves_supports_ = moves_supports;
+                workspace_.vector = part * increment;
+            }
+            is_applied = apply(workspace_.vector);
+            if (!is_applied) continue;
+            compute_residual();
+            if (largest_component(system_, workspace_.residual) <= much * before) return true;
+        }
+        return is_applied;
     }
 
     void predict() {
@@ -304,6 +346,7 @@ class Newton {
     SolverWorkspace& workspace_;
     State& state_;
     const PseudoStep* pseudo_step_;  // nullptr outside of pseudo-time
+    bool may_overshoot_;
     EquilibriumReport report_;
     ConvergenceTest convergence_;
     RotationGuard guard_;

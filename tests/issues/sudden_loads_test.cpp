@@ -433,4 +433,53 @@ TEST_CASE("The energy of a spring counts a kink close to its length", "[issues]"
         CHECK(compute_law_energy(slack, 2.0 + s) == Approx(5.0 * s).epsilon(1e-9));
 }
 
+TEST_CASE("Still water lets nothing go at once, and a rod in it creeps to its equilibrium", "[issues]") {
+    const auto deck = [](const std::string& analysis) {
+        return R"(gravity = [0, 0, -1]
+[section.bar]
+stiffness = { EA = 1e3, GAy = 500, GAz = 500, GJ = 1, EIy = 1, EIz = 1.5 }
+inertia = { rhoA = 1, rhoJ = 0.02, rhoIy = 0.01, rhoIz = 0.01 }
+fluid = { outer_diameter = 0.04 }
+[rod.beam]
+section = "bar"
+line = { from = [0, 0, 0], to = [1, 0, 0] }
+elements = 6
+order = 2
+y_axis = [0, 1, 0]
+[[support]]
+at = "beam.start"
+fix = "all"
+[[load]]
+at = "beam.end"
+force = [0, 0.1, 0.05]
+[fluid]
+density = 100
+[[history]]
+name = "tip"
+at = "beam.end"
+quantities = ["displacement"]
+[[history]]
+name = "middle"
+at = "beam@0.5"
+quantities = ["displacement"]
+[analysis]
+newton = { tolerance = 1e-10 }
+)" + analysis;
+    };
+    const Rows creep =
+        trace(deck("kind = \"quasi-static\"\nend_time = 3.0\nsteps = 60\n"), "tip", "displacement", 2).rows;
+    const double end = trace(deck("kind = \"static\"\n"), "tip", "displacement", 2).rows.rbegin()->second;
+    CHECK(end < -0.05);
+    CHECK(std::abs(creep.at(0.0)) < 1e-3 * std::abs(end));
+    CHECK(creep.at(3.0) == Approx(end).epsilon(1e-4));
+    for (auto row = std::next(creep.begin()); row != creep.end(); ++row)
+        CHECK(row->second <= std::prev(row)->second + 1e-3 * std::abs(end));
+    // Far from its ends it begins to move across at the speed at which drag is its weight in water,
+    // ½ 100 0.04 v² = 1 − 100 π 0.02².
+    const double start =
+        trace(deck("kind = \"quasi-static\"\nend_time = 0.001\nsteps = 40\n"), "middle", "displacement", 2)
+            .rows.at(0.001);
+    CHECK(start / 0.001 == Approx(-std::sqrt(0.8743 / 2.0)).epsilon(0.05));
+}
+
 }  // namespace gxrod::test
