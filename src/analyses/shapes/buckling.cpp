@@ -1,5 +1,7 @@
 #include "analyses/shapes/buckling.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -60,9 +62,11 @@ class FactorFinder {
 
     BucklingRecord find(const BucklingSettings& settings) {
         record_.load_time = load_time_;
+        record_.linearization = settings.linearization;
         record_.cause = find_load_without_potential(system_.model());
         record_.is_symmetric = record_.cause.empty();
         record_.failure = find_reason_against_factors(system_.model());
+        if (record_.failure.empty()) record_.failure = find_moved_obstacle();
         if (!record_.failure.empty()) return record_;
         std::vector<double> K = compute_tangent(system_, time_, {});
         record_.failure = solve_for_load(K);
@@ -84,6 +88,19 @@ class FactorFinder {
 
   private:
     std::int64_t multiplier_count() const { return system_.equations().attached_count(); }
+
+    // What an obstacle that moves does is not proportional to its way.
+    std::string find_moved_obstacle() const {
+        if (load_time_ == time_) return "";
+        for (const Obstacle& obstacle : system_.model().contact.obstacles) {
+            if (obstacle.motion)
+                return fmt::format(
+                    "buckling factors would leave out the move of obstacle {}: move it in a stage of kind "
+                    "static before",
+                    obstacle.name);
+        }
+        return "";
+    }
 
     std::vector<double> compute_tangent(const System& system,
                                         double time,
@@ -287,7 +304,7 @@ BucklingRecord find_buckling(const System& system,
                              const State& state,
                              double load_time,
                              const BucklingSettings& settings) {
-    const SmallMotions small(system);
+    const SmallMotions small(system, settings.linearization);
     return FactorFinder(small.system(), state, load_time).find(settings);
 }
 
