@@ -279,6 +279,13 @@ def taut_spring(deck, draw):
 
 @feature("spring", kinked=True)
 def kinked_spring(deck, draw):
+    free = draw.uniform(0.9, 0.97)
+    deck["spring"] = {"stop": {"between": ["beam.end", "ground"], "at_b": [1, 0, -1],
+                               "force": f"length < {free} ? 50*(length - {free}) : 0"}}
+
+
+@feature("spring", kinked=True)
+def jumping_spring(deck, draw):
     deck["spring"] = {"stop": {"between": ["beam.end", "ground"], "at_b": [1, 0, -1],
                                "force": f"length < {draw.uniform(0.9, 0.97)} ? 50*(length - 0.95) : 0"}}
 

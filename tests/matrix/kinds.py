@@ -67,7 +67,7 @@ def smooth(deck):
 def free(deck):
     """The rod in flight, for the scheme that is for nothing else."""
     return deck | {"support": [], "gravity": [0, 0, 0],
-                   "initial": [{"on": list(deck["rod"]), "velocity": [0, "0.5*x", 1], "angular_velocity": [0, 0, 0.5]}]}
+                   "initial": [{"on": list(deck["rod"]), "velocity": ["-0.5*y", "0.5*x", 1], "angular_velocity": [0, 0, 0.5]}]}
 
 
 def with_steady_frame(deck):
