@@ -87,8 +87,8 @@ struct StaticSettings {
     LinearSolverKind linear_solver = LinearSolverKind::automatic;
 };
 
-// The stiffness of sections, joints and contact that are about to yield or to slip: as if they unloaded, or as
-// if the load that brought them there went on.
+// The stiffness of sections, joints and contact that are about to yield or to slip: as if they unloaded, or
+// as if the load that brought them there went on.
 enum class Linearization { elastic, loading };
 
 // Small vibrations about a state.
