@@ -441,10 +441,11 @@ def rods_touch(deck, draw):
 # What drives a motion
 
 
-@feature("start")
+@feature("start", sudden=True)
 def initial_velocity(deck, draw):
-    deck["initial"] = [{"on": "beam", "velocity": [0, 0, f"{draw.uniform(0.2, 1)}*x^2"],
-                        "angular_velocity": [0, f"-{0.5}*x", 0]}]
+    speed = draw.uniform(0.2, 1)
+    deck["initial"] = [{"on": "beam", "velocity": [0, 0, f"{speed}*x^2"],
+                        "angular_velocity": [0, f"-{2 * speed}*x", 0]}]
 
 
 @feature("input", sudden=True)

@@ -111,7 +111,8 @@ class Judge:
         self.deck = deck
         self.follows_load = any(feature.follows_load for feature in features)
         self.kinked = any(feature.kinked for feature in features)
-        self.same = 1e-4 if any(feature.by_steps for feature in features) else 1e-6  # of ways to one equilibrium
+        self.by_steps = any(feature.by_steps for feature in features)
+        self.same = 1e-4 if self.by_steps else 1e-6  # of ways to one equilibrium
         self.timed = any(feature.timed for feature in features)
         self.sudden = any(feature.sudden for feature in features)
         self.damped = any(feature.damped for feature in features)
@@ -188,16 +189,16 @@ class Judge:
             reached = results["histories/time"][-1] if "load_factor" not in results["histories"] else results["histories/load_factor"][-1]
         if abs(reached - 1) > 1e-9:
             raise Mismatch(f"the path ends at t = {reached:.6g} of 1")
-        static = self.values(kinds.static(40 if self.follows_load else 10))
+        static = self.values(kinds.static(40 if self.follows_load or self.by_steps else 10))
         require_close(end, static, 5e-2 if self.follows_load else self.same, "path and static")
 
     def quasi_static(self):
-        # What is damped creeps to its equilibrium.
-        end = self.values(kinds.quasi_static(20, end_time=3.0) if self.damped and not self.timed else kinds.quasi_static(20))
-        if self.follows_load or self.has_waves:
-            finer = (self.values(kinds.quasi_static(40)), self.values(kinds.quasi_static(80)))
-            self.require_convergence((end, *finer), "quasi-static steps")
+        if self.follows_load or self.has_waves or (self.damped and self.timed):
+            ends = [self.values(kinds.quasi_static(steps)) for steps in (20, 40, 80)]
+            self.require_convergence(ends, "quasi-static steps")
             return
+        # What is damped creeps to its equilibrium.
+        end = self.values(kinds.quasi_static(20, end_time=3.0 if self.damped else 1.0))
         static = self.run(kinds.static(10))
         if static.is_done:
             require_close(end, end_values(static.file), 1e-4 if self.damped else self.same, "quasi-static and static")
@@ -287,7 +288,8 @@ class Judge:
 
     def response(self):
         """A force that swings infinitely slowly is a static one."""
-        found = self.run(kinds.static(10), kinds.response())
+        steps = 80 if self.by_steps else 10
+        found = self.run(kinds.static(steps), kinds.response())
         if not found.is_done:
             raise Ended(found)
         with h5py.File(found.file) as results:
@@ -296,7 +298,7 @@ class Judge:
 
         def pushed(factor):
             load = {"at": "beam.end", "force": [0, 0, factor * size]}
-            return self.values(kinds.static(10), deck=self.deck | {"load": self.deck["load"] + [load]})[:3]
+            return self.values(kinds.static(steps), deck=self.deck | {"load": self.deck["load"] + [load]})[:3]
         difference = (pushed(1.0) - pushed(-1.0)) / (2 * size)
         if self.follows_load:
             return "not compared: the state depends on the way to it"
