@@ -143,6 +143,12 @@ TEST_CASE("A path with what acts within sections ends where statics end", "[issu
 TEST_CASE("A path that crawls ends with a clear message", "[issues][path]") {
     PathSettings settings;
     settings.max_step = 0.2;
+    // A number of steps next to another end is a bound on the work.
+    SECTION("to a load") { settings.greatest_load = 1.0; }
+    SECTION("to a load, in so many steps") {
+        settings.greatest_load = 1.0;
+        settings.steps = 300;
+    }
     PathSequence steps(settings);
     steps.start(0.1);
     steps.accept();

@@ -44,7 +44,11 @@ void PathSequence::end_at(double step) {
     is_cut_ = true;
 }
 
-bool PathSequence::is_crawling() const { return !settings_.steps && short_steps_ >= most_short_steps; }
+bool PathSequence::is_crawling() const {
+    const bool has_other_end = settings_.least_load || settings_.greatest_load || settings_.arc ||
+                               settings_.points || (settings_.control && settings_.control->to);
+    return (!settings_.steps || has_other_end) && short_steps_ >= most_short_steps;
+}
 
 void PathSequence::accept() {
     longest_ = std::max(longest_, step_);

@@ -28,8 +28,8 @@ class PathSequence : public StepSequence {
 
     // The first step, where the settings leave it open.
     void start(double step);
-    // Whether the last steps, many of them, were all short compared with the longest one. A path whose number
-    // of steps is given may take them.
+    // Whether the last steps, many of them, were all short compared with the longest one. A path that ends by
+    // its number of steps alone may take them.
     bool is_crawling() const;
     // Whether the next step cannot be cut; and whether that is no use to find out what happens within it, for
     // it is short compared with what was tried first.
