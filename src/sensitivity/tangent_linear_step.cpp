@@ -1,9 +1,10 @@
 #include "sensitivity/tangent_linear_step.hpp"
 
-#include <stdexcept>
+#include <string>
 
 #include "linear/eigen/pencil.hpp"
 #include "rotation/rotation_map.hpp"
+#include "sensitivity/sensitivity_error.hpp"
 #include "solvers/hidden_constraints.hpp"
 #include "solvers/newton_steps.hpp"
 #include "solvers/trial_rates.hpp"
@@ -13,12 +14,13 @@ namespace gxrod {
 
 namespace {
 
-[[noreturn]] void fail(const char* what) {
-    throw std::runtime_error(std::string("the derivative of a step cannot be found: ") + what);
+[[noreturn]] void fail(const std::string& what) {
+    throw SensitivityError("the derivative of a step cannot be found: " + what +
+                           "; take a difference of whole runs");
 }
 
 void check(const EquilibriumReport& report, const char* what) {
-    if (!report.converged()) fail(what);
+    if (!report.converged()) fail("Newton's method does not find " + std::string(what) + " anew");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "machine/file_error.hpp"
 #include "model/evaluation_error.hpp"
 #include "module.hpp"
+#include "sensitivity/sensitivity_error.hpp"
 
 namespace gxrod::python {
 
@@ -35,6 +36,8 @@ void bind_errors(nb::module_&) {
             set_error("FileError", nb::str(error.what()));
         } catch (const EvaluationError& error) {
             set_error("EvaluationError", nb::str(error.what()));
+        } catch (const SensitivityError& error) {
+            set_error("Error", nb::str(error.what()));
         }
     });
 }
