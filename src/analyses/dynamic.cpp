@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "analyses/start_velocities.hpp"
 #include "integrators/quasi_static.hpp"
@@ -37,9 +38,14 @@ DynamicAnalysis::DynamicAnalysis(const Model& model, const DynamicSettings& sett
 
 EquilibriumReport DynamicAnalysis::start() {
     if (!system_.model().has_inertia) {
+        // What acts at once, actuation too, strains no law before rods have given way to it, if they do.
+        std::vector<double> memory = state_.law_memory;
         start_at_rest();
+        std::swap(memory, state_.law_memory);
         find_jumps();
-        return settle();
+        const EquilibriumReport report = settle();
+        if (report.converged() && settled() == nullptr) state_.law_memory = std::move(memory);
+        return report;
     }
     refuse_overlaps(0.0);
     const TimeSpan first_step{0.0, steps_->time_step()};

@@ -171,6 +171,7 @@ EquilibriumReport SteppedAnalysis::settle() {
     state_.trial_time = state_.time;
     if (report.residual <= *newton_.tolerance && !is_moved) return {};
     is_settling_ = true;
+    settled_parts_ = 0;
     NewtonSettings newton = newton_;  // what comes at once is as large as a load step
     if (newton.tangent == TangentKind::automatic) newton.tangent = TangentKind::mixed;
     report =
@@ -187,6 +188,7 @@ EquilibriumReport SteppedAnalysis::settle() {
                                point_values_ = system_.compute_point_values(state_, stage.end_time, watched_);
                                body_values_ = system_.compute_body_surroundings(state_, stage.end_time);
                                ledger_->end_settling(state_, stage.end_time, workspace_.residual);
+                               ++settled_parts_;
                            }});
     if (!report.converged()) return report;
     is_settling_ = false;

@@ -93,6 +93,8 @@ class SteppedAnalysis {
     // The last accepted step as the scheme took it.
     const Stage& last_stage() const { return last_stage_; }
     const Stage& settled_stage() const { return settled_stage_; }
+    // In how many parts, each from the state that the one before left.
+    int settled_parts() const { return settled_parts_; }
     // How it settles.
     virtual Stage settling_stage() const { return {0, steps_->time(), 0.0, steps_->time()}; }
     virtual const Integrator& settling_integrator() const { return *integrator_; }
@@ -208,6 +210,7 @@ class SteppedAnalysis {
     std::optional<State> settled_;
     double lead_ = 0.0;  // as StepMemory has it
     Stage last_stage_{}, settled_stage_{};
+    int settled_parts_ = 0;
     bool is_settling_ = false;  // or has failed to
     long rejecting_step_ = -1;  // of the nominal steps
     int rejections_ = 0;        // within it; of a model with a contrast, in statics

@@ -100,7 +100,7 @@ Eigen::VectorXd EquilibriumAdjoint::find_gradient(const std::vector<int>& nodes,
 double EquilibriumAdjoint::differentiate(const VariedModels& models, const Quantity& quantity) const {
     ForwardSensitivity varied(system_, models);
     // What supports hold goes with the reference shape, or where they move; all else is free to choose.
-    varied.start(LoadStepping(), {0.0, time_}, linear_solver_, false);
+    varied.start(LoadStepping(), {0.0, time_}, linear_solver_, false, false);
     varied.take_inputs(system_.model());
     Residual residual;
     int side = 0;

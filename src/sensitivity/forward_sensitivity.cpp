@@ -57,7 +57,8 @@ void ForwardSensitivity::start_one(VariedSystem& side,
                                    const Integrator& integrator,
                                    const TimeSpan& first_step,
                                    LinearSolverKind solver,
-                                   bool projects_start) {
+                                   bool projects_start,
+                                   bool settles) {
     const System& system = side.system;
     State& state = side.state;
     state = system.initial_state();
@@ -77,14 +78,18 @@ void ForwardSensitivity::start_one(VariedSystem& side,
     integrator.start(state);
     system.joints().start(state);
     side.ended = state;
+    const std::vector<double> memory = state.law_memory;
     system.commit(state, 0.0);
+    if (settles) state.law_memory = memory;  // as DynamicAnalysis does
 }
 
 void ForwardSensitivity::start(const Integrator& integrator,
                                const TimeSpan& first_step,
                                LinearSolverKind solver,
-                               bool projects_start) {
-    for (VariedSystem& side : sides_) start_one(side, integrator, first_step, solver, projects_start);
+                               bool projects_start,
+                               bool settles) {
+    for (VariedSystem& side : sides_)
+        start_one(side, integrator, first_step, solver, projects_start, settles);
     take_sides();
 }
 

@@ -41,7 +41,8 @@ class ForwardSensitivity {
     void start(const Integrator& integrator,
                const TimeSpan& first_step,
                LinearSolverKind solver,
-               bool projects_start);
+               bool projects_start,
+               bool settles);
     // What the inputs of the model at p are set to.
     void take_inputs(const Model& base);
     // Gives the varied systems the states next to this one, and lists them: near up, near down, far up, far
@@ -76,7 +77,8 @@ class ForwardSensitivity {
                           const Integrator& integrator,
                           const TimeSpan& first_step,
                           LinearSolverKind solver,
-                          bool projects_start);
+                          bool projects_start,
+                          bool settles);
 
     std::array<VariedSystem, 4> sides_;
     StateDirection direction_;

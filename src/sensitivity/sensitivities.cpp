@@ -1,9 +1,13 @@
 #include "sensitivity/sensitivities.hpp"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 #include "integrators/load_stepping.hpp"
 #include "integrators/quasi_static.hpp"
+#include "model/path_dependence.hpp"
+#include "sensitivity/sensitivity_error.hpp"
 
 namespace gxrod {
 
@@ -54,7 +58,11 @@ void Sensitivities::follow(const SteppedAnalysis& analysis) {
 void Sensitivities::start() {
     const TimeSpan first_step{0.0, analysis_->steps().time_step()};
     for (ForwardSensitivity& one : all_)
-        one.start(*integrator_, first_step, step_->linear_solver(), projects_start_);
+        one.start(*integrator_,
+                  first_step,
+                  step_->linear_solver(),
+                  projects_start_,
+                  analysis_->settled() != nullptr);
     if (analysis_->settled() == nullptr) return;
     State before = analysis_->system().initial_state();
     for (NodeMotion& motion : before.previous) {
@@ -67,6 +75,14 @@ void Sensitivities::start() {
 void Sensitivities::settle(const State& before) {
     const State& after = *analysis_->settled();
     const Stage& stage = analysis_->settled_stage();
+    if (analysis_->settled_parts() > 1 && depends_on_path(analysis_->system().model())) {
+        throw SensitivityError(fmt::format(
+            "the derivative of what acts at once at t = {:.6g} cannot be found: it was brought on in {} "
+            "parts, on "
+            "which what slips or yields depends; let it grow over a time, or take a difference of whole runs",
+            stage.step_time,
+            analysis_->settled_parts()));
+    }
     TangentLinearStep settling(
         analysis_->system(), analysis_->settling_integrator(), analysis_->newton(), linear_solver_);
     carry(before,

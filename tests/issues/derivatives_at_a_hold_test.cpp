@@ -9,6 +9,8 @@
 namespace gxrod::test {
 namespace {
 
+using Catch::Contains;
+
 // A bar that yields in bending about both axes.
 const std::string yielding_bar = R"deck(gravity = [0, 0, "-1.0*(t < 0.25 ? sin(2*pi*t)^2 : 1)"]
 [section.bar]
@@ -119,6 +121,24 @@ TEST_CASE("derivatives of what rubs do not drift while the load is held", "[issu
         CHECK(expected.norm() > 0.1);
         CHECK((carry_along(rubbing_slider, name) - expected).norm() < 1e-7);
     }
+}
+
+TEST_CASE("derivatives of what slips at once are right, or refused where it does so in parts", "[issues]") {
+    std::string deck = replaced(yielding_bar,
+                                "plastic = { yield = { My = 0.5, Mz = 0.5 }, kinematic = 0.5 }",
+                                "layers = [{ on = \"bending\", stiffness = 0.5, limit = 0.13 }]");
+    for (const char* ramp : {"-1.0*(t < 0.25 ? sin(2*pi*t)^2 : 1)", "t < 0.25 ? sin(2*pi*t)^2 : 1"})
+        deck = replaced(deck, ramp, ramp[0] == '-' ? "-1.0" : "1");
+    const Vec3 expected = difference_of_runs(deck, "P");
+    CHECK((carry_along(deck, "P") - expected).norm() < 1e-6 * expected.norm());
+    const std::string in_parts = replaced(deck, "max_iterations = 60", "max_iterations = 4");
+    CHECK_THROWS_WITH(carry_along(in_parts, "P"),
+                      Contains("acts at once at t = 0") && Contains("it was brought on in"));
+    // Actuation that is there at once.
+    const std::string curved =
+        deck + "\n[[actuation]]\non = \"beam\"\ncurvature = [\"0.2*P\", \"-0.347*P\", \"0.3*P*s\"]\n";
+    const Vec3 of_curved = difference_of_runs(curved, "P");
+    CHECK((carry_along(curved, "P") - of_curved).norm() < 1e-6 * of_curved.norm());
 }
 
 }  // namespace gxrod::test

@@ -482,4 +482,44 @@ newton = { tolerance = 1e-10 }
     CHECK(start / 0.001 == Approx(-std::sqrt(0.8743 / 2.0)).epsilon(0.05));
 }
 
+TEST_CASE("Actuation that comes at once slips in a law as one that grows", "[issues]") {
+    const auto deck = [](const std::string& factor, const std::string& analysis) {
+        return fmt::format(R"(gravity = [0, 0, "-1*{0}"]
+[section.bar]
+stiffness = {{ EA = 1e3, GAy = 500, GAz = 500, GJ = 1, EIy = 1, EIz = 1.5 }}
+law = {{ layers = [{{ on = "bending", stiffness = 0.5, limit = 0.13 }}] }}
+inertia = {{ rhoA = 1, rhoJ = 0.02, rhoIy = 0.01, rhoIz = 0.01 }}
+[rod.beam]
+section = "bar"
+line = {{ from = [0, 0, 0], to = [1, 0, 0] }}
+elements = 6
+order = 2
+y_axis = [0, 1, 0]
+[[support]]
+at = "beam.start"
+fix = "all"
+[[actuation]]
+on = "beam"
+curvature = ["0.2*{0}", "-0.35*{0}", "0.3*s*{0}"]
+[[history]]
+name = "tip"
+at = "beam.end"
+quantities = ["displacement"]
+[analysis]
+newton = {{ tolerance = 1e-10 }}
+{1})",
+                           factor,
+                           analysis);
+    };
+    const auto end_of = [](const std::string& text) {
+        return trace(text, "tip", "displacement", 2).rows.rbegin()->second;
+    };
+    const double grown = end_of(deck("1", "kind = \"static\"\nsteps = 20"));
+    CHECK(grown > 0.05);
+    CHECK(end_of(deck("1", "kind = \"quasi-static\"\nend_time = 1.0\nsteps = 10")) ==
+          Approx(grown).epsilon(1e-3));
+    CHECK(end_of(deck("t", "kind = \"quasi-static\"\nend_time = 1.0\nsteps = 20")) ==
+          Approx(grown).epsilon(1e-5));
+}
+
 }  // namespace gxrod::test
