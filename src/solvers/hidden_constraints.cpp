@@ -40,6 +40,8 @@ void project(const System& system,
         if (i == most_corrections && gap <= most) return;
         if (i == most_corrections || !(gap < 1e3 * before)) break;
         before = gap;
+        // Of rods that touch, the steps have factorized another matrix, with pairs.
+        if (i == 0 && workspace.paired && !factorize(system, workspace, report)) return;
         Eigen::VectorXd residual = Eigen::VectorXd::Zero(system.equations().count());
         system.joints().set_rows(rows, workspace.values, residual);
         if (!solve_increment(system, residual, workspace, report)) return;
