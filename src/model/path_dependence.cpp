@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "model/contact_friction.hpp"
-#include "model/scheme_choice.hpp"
+#include "model/sticking.hpp"
 
 namespace gxrod {
 
@@ -12,10 +11,8 @@ bool depends_on_path(const Model& model) {
         return section.law && section.law->memory_size() > 0;
     };
     const auto measures_from_step = [](const Rod& rod) { return rod.kind == ElementKind::simo; };
-    const std::optional<Seabed>& seabed = model.surroundings.seabed;
     return std::ranges::any_of(model.sections, remembers) ||
-           std::ranges::any_of(model.rods, measures_from_step) || rubs(model.contact) ||
-           !find_friction(model).empty() || (seabed && seabed->has_friction());
+           std::ranges::any_of(model.rods, measures_from_step) || !list_frictions(model).empty();
 }
 
 }  // namespace gxrod

@@ -26,37 +26,36 @@ void widen(Seabed& seabed, double factor) {
     seabed.lateral_friction *= factor;
 }
 
-// Calls visit(name, widen) for each friction; widen(factor).
-template <class Visit>
-void visit_frictions(Model& model, const Visit& visit) {
-    for (Joint& joint : model.joints) {
+// Calls visit(name, widen) for each friction; widen(factor), of a model that is not const.
+template <class AnyModel, class Visit>
+void visit_frictions(AnyModel& model, const Visit& visit) {
+    for (auto& joint : model.joints) {
         if (!joint.turn.friction.acts() && !joint.slide.friction.acts()) continue;
-        visit("joint " + joint.name, [&](double factor) {
+        visit("joint " + joint.name, [&](auto factor) {
             widen(joint.turn, factor);
             widen(joint.slide, factor);
         });
     }
-    for (Sleeve& sleeve : model.sleeves) {
+    for (auto& sleeve : model.sleeves) {
         if (sleeve.slide.friction.acts())
-            visit("joint " + sleeve.name, [&](double factor) { widen(sleeve.slide, factor); });
+            visit("joint " + sleeve.name, [&](auto factor) { widen(sleeve.slide, factor); });
     }
-    for (Tendon& tendon : model.tendons) {
+    for (auto& tendon : model.tendons) {
         if (!tendon.friction) continue;
-        visit("tendon " + tendon.name, [&](double factor) { tendon.friction->coefficient *= factor; });
+        visit("tendon " + tendon.name, [&](auto factor) { tendon.friction->coefficient *= factor; });
     }
-    std::optional<Seabed>& seabed = model.surroundings.seabed;
-    if (seabed && seabed->has_friction()) visit("the seabed", [&](double factor) { widen(*seabed, factor); });
-    if (rubs(model.contact)) visit("contact", [&](double factor) { widen(model.contact, factor); });
+    auto& seabed = model.surroundings.seabed;
+    if (seabed && seabed->has_friction()) visit("the seabed", [&](auto factor) { widen(*seabed, factor); });
+    if (rubs(model.contact)) visit("contact", [&](auto factor) { widen(model.contact, factor); });
 }
 
-double factor_of(AtLimit then) { return then == AtLimit::sticks ? 1.0 + little : 1.0 - little; }
+double factor_of(AtLimit then) { return then == AtLimit::sticks ? 1.0 + little : 1.0 - 2.0 * little; }
 
 }  // namespace
 
 std::vector<std::string> list_frictions(const Model& model) {
     std::vector<std::string> names;
-    Model copy = model;
-    visit_frictions(copy, [&](const std::string& name, const auto&) { names.push_back(name); });
+    visit_frictions(model, [&](const std::string& name, const auto&) { names.push_back(name); });
     return names;
 }
 

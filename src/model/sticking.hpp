@@ -8,7 +8,7 @@
 // Friction at its limit, which sticks or slips (docs/theory/laws.md, (L29)).
 namespace gxrod {
 
-// What has friction of its own: "joint knee", "tendon pull", "the seabed", "contact".
+// Lists what has friction of its own: "joint knee", "tendon pull", "the seabed", "contact".
 std::vector<std::string> list_frictions(const Model& model);
 
 // Moves limits of friction, of all or of the one listed so, by so little that no force changes: what is at
