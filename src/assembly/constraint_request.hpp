@@ -15,6 +15,8 @@ struct ConstraintRequest {
     double contact_weight = 1.0;  // of forces of contact; 0: they are left out
     // If given, D is that of these values of a tangent, so that differences of tangents have none of it.
     const std::vector<double>* scaled_as = nullptr;
+    // If given, added to the tangent before D is chosen: its place is the system's pattern.
+    const std::vector<double>* added = nullptr;
 };
 
 }  // namespace gxrod

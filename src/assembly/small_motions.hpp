@@ -7,6 +7,7 @@
 
 #include "assembly/system.hpp"
 #include "linear/eigen/quadratic_problem.hpp"
+#include "model/settings.hpp"
 
 namespace gxrod {
 

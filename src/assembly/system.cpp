@@ -304,6 +304,9 @@ void System::compute_tangent(const State& state,
     }
     add_load_tangents(state, time, linearizations, values);
     if (contact_) contact_->add_tangents(state, time, request.contact_weight, linearizations, values);
+    if (request.added != nullptr) {
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] += (*request.added)[i];
+    }
     joints_.add_tangents(state, time, linearizations, request, values);
 }
 

@@ -47,7 +47,11 @@ class Newton {
                          pseudo_step == nullptr &&
                          (system.model().surroundings.water || system.model().surroundings.air)),
           convergence_(system, settings, request_.level),
-          guard_(system) {}
+          guard_(system) {
+        if (pseudo_step == nullptr) return;
+        drag_ = pseudo_step->make_tangent();
+        request_.added = &drag_;
+    }
 
     EquilibriumReport solve() {
         const EquilibriumReport report = iterate();
@@ -238,7 +242,6 @@ class Newton {
                 system_.compute_tangent(
                     state_, time_, workspace_.linearizations, workspace_.values, request_);
                 if (workspace_.frame) workspace_.frame->add_stiffness(state_, time_, workspace_.values);
-                if (pseudo_step_ != nullptr) pseudo_step_->add_tangent(workspace_.values);
                 if (workspace_.paired) {
                     workspace_.paired->set_values(
                         workspace_.values,
@@ -346,6 +349,7 @@ class Newton {
     SolverWorkspace& workspace_;
     State& state_;
     const PseudoStep* pseudo_step_;  // nullptr outside of pseudo-time
+    std::vector<double> drag_;       // of the pseudo-step, on the system's pattern
     bool may_overshoot_;
     EquilibriumReport report_;
     ConvergenceTest convergence_;

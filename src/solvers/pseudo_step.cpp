@@ -59,7 +59,8 @@ void PseudoDrag::add_forces(double factor,
     }
 }
 
-void PseudoDrag::add_matrix(double factor, std::vector<double>& values) const {
+std::vector<double> PseudoDrag::make_matrix(double factor) const {
+    std::vector<double> values(static_cast<std::size_t>(system_->pattern().nonzeros()), 0.0);
     const EquationNumbers& equations = system_->equations();
     const SparsePattern& pattern = system_->pattern();
     const auto add = [&](std::int64_t row, std::int64_t column, double value) {
@@ -80,11 +81,6 @@ void PseudoDrag::add_matrix(double factor, std::vector<double>& values) const {
             add(second[i], first[i], -pair.bending);
         }
     }
-}
-
-std::vector<double> PseudoDrag::make_matrix() const {
-    std::vector<double> values(static_cast<std::size_t>(system_->pattern().nonzeros()), 0.0);
-    add_matrix(1.0, values);
     return values;
 }
 
@@ -92,8 +88,6 @@ void PseudoStep::add_forces(const State& state, Residual& residual) const {
     if (stiffness_ > 0.0) drag_->add_forces(stiffness_, from_, state.trial, residual.nodal);
 }
 
-void PseudoStep::add_tangent(std::vector<double>& values) const {
-    if (stiffness_ > 0.0) drag_->add_matrix(stiffness_, values);
-}
+std::vector<double> PseudoStep::make_tangent() const { return drag_->make_matrix(stiffness_); }
 
 }  // namespace gxrod

@@ -22,9 +22,8 @@ class PseudoDrag {
                     const std::vector<NodeMotion>& from,
                     const std::vector<NodeMotion>& motions,
                     std::vector<Vec6>& nodal) const;
-    // Its matrix for small motions, symmetric, times a factor, is added to values on the system's pattern.
-    void add_matrix(double factor, std::vector<double>& values) const;
-    std::vector<double> make_matrix() const;
+    // Its matrix for small motions, symmetric, times a factor, on the system's pattern.
+    std::vector<double> make_matrix(double factor = 1.0) const;
 
   private:
     struct Pair {
@@ -48,7 +47,7 @@ class PseudoStep {
     double stiffness() const { return stiffness_; }
     void add_forces(const State& state, Residual& residual) const;
     // The derivative of the forces, for small rotations.
-    void add_tangent(std::vector<double>& values) const;
+    std::vector<double> make_tangent() const;
 
   private:
     const PseudoDrag* drag_;
