@@ -3,7 +3,7 @@
 #include <string>
 
 #include "batch/batch.hpp"
-#include "batch/case_groups.hpp"
+#include "batch/cases/case_groups.hpp"
 #include "progress_line.hpp"
 
 namespace gxrod {

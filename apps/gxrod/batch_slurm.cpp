@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "batch/batch_lock.hpp"
-#include "batch/case_slices.hpp"
+#include "batch/cases/case_slices.hpp"
 #include "batch_output.hpp"
 #include "batch_slurm_output.hpp"
 #include "say.hpp"

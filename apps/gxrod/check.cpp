@@ -3,13 +3,13 @@
 #include <memory>
 
 #include "analyses/dynamic.hpp"
-#include "check/memory_estimate.hpp"
+#include "check/findings/plane_findings.hpp"
+#include "check/findings/plausibility.hpp"
 #include "check/mesh_frequencies.hpp"
 #include "check/model_examination.hpp"
-#include "check/model_summary.hpp"
-#include "check/plane_findings.hpp"
-#include "check/plausibility.hpp"
 #include "check/step_advice.hpp"
+#include "check/summaries/memory_estimate.hpp"
+#include "check/summaries/model_summary.hpp"
 #include "deck/problem.hpp"
 #include "exit_code.hpp"
 #include "job.hpp"

@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <new>
 
-#include "batch/plan.hpp"
+#include "batch/plan/plan.hpp"
 #include "check/model_examination.hpp"
-#include "check/model_summary.hpp"
 #include "check/shape_report.hpp"
+#include "check/summaries/model_summary.hpp"
 #include "exit_code.hpp"
 #include "machine/file_error.hpp"
 #include "parallel/cores.hpp"

@@ -11,8 +11,8 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "deck/reading/fault.hpp"
 #include "deck/schema/suggestion.hpp"
+#include "deck/text/fault.hpp"
 #include "exit_code.hpp"
 #include "machine/file_error.hpp"
 #include "machine/instruction_set.hpp"

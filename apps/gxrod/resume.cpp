@@ -6,7 +6,7 @@
 #include "deck/problem.hpp"
 #include "exit_code.hpp"
 #include "job.hpp"
-#include "model/analysis_traits.hpp"
+#include "model/settings/analysis_traits.hpp"
 #include "say.hpp"
 #include "verbs.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "batch/plan_schema.hpp"
+#include "batch/plan/plan_schema.hpp"
 #include "exit_code.hpp"
 #include "say.hpp"
 #include "verbs.hpp"

@@ -6,7 +6,7 @@
 
 #include "check/model_examination.hpp"
 #include "exit_code.hpp"
-#include "model/analysis_traits.hpp"
+#include "model/settings/analysis_traits.hpp"
 #include "report/study_page.hpp"
 #include "results/file/output_file.hpp"
 #include "say.hpp"

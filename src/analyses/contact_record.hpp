@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "assembly/system.hpp"
-#include "state/step_record.hpp"
+#include "state/records/step_record.hpp"
 
 namespace gxrod {
 

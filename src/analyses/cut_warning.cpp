@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "model/newton_choice.hpp"
+#include "model/settings/newton_choice.hpp"
 
 namespace gxrod {
 namespace {

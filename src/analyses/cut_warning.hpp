@@ -4,7 +4,7 @@
 #include <string>
 
 #include "model/model.hpp"
-#include "model/settings.hpp"
+#include "model/settings/settings.hpp"
 
 namespace gxrod {
 

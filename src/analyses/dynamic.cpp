@@ -6,8 +6,8 @@
 
 #include "analyses/start_velocities.hpp"
 #include "integrators/quasi_static.hpp"
-#include "model/jumps.hpp"
-#include "model/newton_choice.hpp"
+#include "model/settings/newton_choice.hpp"
+#include "model/time/jumps.hpp"
 
 namespace gxrod {
 

@@ -4,8 +4,8 @@
 
 #include "analyses/stepped_analysis.hpp"
 #include "integrators/instant_step.hpp"
-#include "model/breaks.hpp"
-#include "model/settings.hpp"
+#include "model/settings/settings.hpp"
+#include "model/time/breaks.hpp"
 
 namespace gxrod {
 

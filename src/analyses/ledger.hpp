@@ -7,8 +7,8 @@
 #include "integrators/integrator.hpp"
 #include "solvers/equilibrium.hpp"
 #include "state/energy_jump.hpp"
-#include "state/restart_record.hpp"
-#include "state/step_record.hpp"
+#include "state/records/restart_record.hpp"
+#include "state/records/step_record.hpp"
 
 namespace gxrod {
 
@@ -51,9 +51,9 @@ class Ledger {
     };
     void add_step(const State& state, const Step& step);
 
-    // The state settles at an instant (solvers/settling.hpp): with the last accepted motions as the trial,
-    // and then with those of the equilibrium before they are committed. `residual` is that of either. What
-    // loads and supports do on the way and the model does not store is dissipated.
+    // The state settles at an instant (solvers/steps/settling.hpp): with the last accepted motions as the
+    // trial, and then with those of the equilibrium before they are committed. `residual` is that of either.
+    // What loads and supports do on the way and the model does not store is dissipated.
     void begin_settling(const State& state, double time, const Residual& residual);
     void end_settling(const State& state, double time, const Residual& residual);
 

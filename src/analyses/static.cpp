@@ -6,11 +6,11 @@
 #include "analyses/steady.hpp"
 #include "integrators/load_stepping.hpp"
 
-#include "model/newton_choice.hpp"
+#include "model/settings/newton_choice.hpp"
 #include "solvers/divergence.hpp"
 #include "solvers/paired_matrix.hpp"
 #include "solvers/relaxation.hpp"
-#include "solvers/step_control.hpp"
+#include "solvers/steps/step_control.hpp"
 
 namespace gxrod {
 

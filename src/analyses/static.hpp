@@ -1,8 +1,8 @@
 #pragma once
 
 #include "analyses/stepped_analysis.hpp"
-#include "check/stability.hpp"
-#include "model/settings.hpp"
+#include "check/motions/stability.hpp"
+#include "model/settings/settings.hpp"
 
 namespace gxrod {
 

@@ -2,10 +2,10 @@
 
 #include <stdexcept>
 
-#include "check/turning_loads.hpp"
+#include "check/motions/turning_loads.hpp"
 #include "integrators/steady_rotation.hpp"
-#include "model/newton_choice.hpp"
-#include "solvers/step_control.hpp"
+#include "model/settings/newton_choice.hpp"
+#include "solvers/steps/step_control.hpp"
 
 namespace gxrod {
 

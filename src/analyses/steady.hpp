@@ -1,7 +1,7 @@
 #pragma once
 
 #include "analyses/stepped_analysis.hpp"
-#include "assembly/frame_columns.hpp"
+#include "assembly/lanes/frame_columns.hpp"
 
 namespace gxrod {
 

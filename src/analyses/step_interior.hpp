@@ -5,7 +5,7 @@
 #include "analyses/contact_record.hpp"
 #include "assembly/system.hpp"
 #include "integrators/integrator.hpp"
-#include "state/step_record.hpp"
+#include "state/records/step_record.hpp"
 
 namespace gxrod {
 

@@ -11,8 +11,8 @@
 #include "check/failure_advice.hpp"
 #include "integrators/integrator.hpp"
 #include "solvers/equilibrium.hpp"
-#include "solvers/step_sequence.hpp"
-#include "state/step_record.hpp"
+#include "solvers/steps/step_sequence.hpp"
+#include "state/records/step_record.hpp"
 
 namespace gxrod {
 

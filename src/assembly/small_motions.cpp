@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "linear/eigen/pencil.hpp"
-#include "model/kinked_law.hpp"
-#include "model/small_motion_law.hpp"
+#include "model/sections/kinked_law.hpp"
+#include "model/sections/small_motion_law.hpp"
 #include "model/sticking.hpp"
 
 namespace gxrod {

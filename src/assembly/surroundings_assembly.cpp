@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "assembly/rod_element_weights.hpp"
+#include "assembly/lanes/rod_element_weights.hpp"
 #include "assembly/scatter.hpp"
 #include "loads/pressure.hpp"
 

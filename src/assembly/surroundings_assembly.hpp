@@ -14,8 +14,8 @@
 #include "loads/fluid_force.hpp"
 #include "model/model.hpp"
 #include "parallel/thread_team.hpp"
-#include "state/point_values.hpp"
 #include "state/state.hpp"
+#include "state/values/point_values.hpp"
 
 namespace gxrod {
 

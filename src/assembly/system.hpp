@@ -7,21 +7,21 @@
 
 #include "assembly/element_block.hpp"
 #include "assembly/equation_numbers.hpp"
-#include "assembly/joint_assembly.hpp"
+#include "assembly/joints/joint_assembly.hpp"
+#include "assembly/lanes/rod_batches.hpp"
+#include "assembly/lanes/rotary_batches.hpp"
 #include "assembly/node_groups.hpp"
 #include "assembly/residual.hpp"
-#include "assembly/rod_batches.hpp"
-#include "assembly/rotary_batches.hpp"
 #include "assembly/scale_groups.hpp"
-#include "assembly/tendon_lines.hpp"
+#include "assembly/tendons/tendon_lines.hpp"
 #include "constraints/supports.hpp"
 #include "linear/sparse_pattern.hpp"
 #include "loads/load_values.hpp"
 #include "model/model.hpp"
-#include "state/point_values.hpp"
-#include "state/section_values.hpp"
 #include "state/state.hpp"
-#include "state/tendon_values.hpp"
+#include "state/values/point_values.hpp"
+#include "state/values/section_values.hpp"
+#include "state/values/tendon_values.hpp"
 
 namespace gxrod {
 

@@ -10,7 +10,7 @@
 #include <thread>
 #include <utility>
 
-#include "batch/plan_schema.hpp"
+#include "batch/plan/plan_schema.hpp"
 #include "machine/file_error.hpp"
 
 namespace gxrod {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "batch/case_table.hpp"
+#include "batch/cases/case_table.hpp"
 
 namespace gxrod {
 

@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "batch/batch_folder.hpp"
-#include "batch/case_table.hpp"
+#include "batch/cases/case_table.hpp"
 #include "batch/collector.hpp"
-#include "deck/reading/csv_reading.hpp"
-#include "deck/reading/deck_comparison.hpp"
-#include "deck/reading/text_file.hpp"
+#include "deck/text/csv_reading.hpp"
+#include "deck/text/deck_comparison.hpp"
+#include "deck/text/text_file.hpp"
 #include "machine/digest.hpp"
 #include "machine/file_error.hpp"
 #include "model/version.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "batch/case_list.hpp"
+#include "batch/cases/case_list.hpp"
 #include "deck/problem.hpp"
 
 // What a batch is, as its folder says in batch.json.

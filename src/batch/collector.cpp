@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
-#include "check/found_values.hpp"
+#include "check/findings/found_values.hpp"
 #include "deck/schema/suggestion.hpp"
-#include "model/analysis_traits.hpp"
-#include "results/tables/quantity.hpp"
+#include "model/settings/analysis_traits.hpp"
+#include "results/histories/quantity.hpp"
 
 namespace gxrod {
 namespace {

@@ -3,9 +3,9 @@
 #include <limits>
 #include <vector>
 
-#include "batch/plan.hpp"
+#include "batch/plan/plan.hpp"
 #include "deck/problem.hpp"
-#include "results/tables/history_point.hpp"
+#include "results/histories/history_point.hpp"
 #include "run/run.hpp"
 
 namespace gxrod {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <system_error>
 
-#include "batch/case_table.hpp"
-#include "batch/plan_schema.hpp"
+#include "batch/cases/case_table.hpp"
+#include "batch/plan/plan_schema.hpp"
 
 namespace gxrod {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "batch/batch_lock.hpp"
 #include "batch/batch_record.hpp"
-#include "batch/case_row.hpp"
+#include "batch/cases/case_row.hpp"
 
 // Slices of a batch write parts of the table; the holder of the table's lock merges them. A slice begins its
 // part after merging those that are idle, while its cases are locked, so that no two parts have the same

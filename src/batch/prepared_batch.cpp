@@ -1,7 +1,7 @@
 #include "batch/prepared_batch.hpp"
 
 #include "batch/batch_folder.hpp"
-#include "batch/case_check.hpp"
+#include "batch/cases/case_check.hpp"
 
 namespace gxrod {
 namespace {

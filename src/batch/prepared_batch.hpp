@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "batch/case_check.hpp"
-#include "batch/case_row.hpp"
-#include "batch/case_run.hpp"
-#include "batch/case_table.hpp"
-#include "batch/plan.hpp"
+#include "batch/cases/case_check.hpp"
+#include "batch/cases/case_row.hpp"
+#include "batch/cases/case_run.hpp"
+#include "batch/cases/case_table.hpp"
+#include "batch/plan/plan.hpp"
 
 namespace gxrod {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "assembly/state_matrices.hpp"
-#include "check/free_parts.hpp"
+#include "check/motions/free_parts.hpp"
 #include "check/step_advice.hpp"
 #include "linear/eigen/eigenvalue_count.hpp"
 #include "linear/eigen/lowest_pairs.hpp"

@@ -1,28 +1,28 @@
 #include "check/model_examination.hpp"
-#include "check/buckling_findings.hpp"
-#include "check/contact_findings.hpp"
+#include "check/findings/buckling_findings.hpp"
+#include "check/findings/contact_findings.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
-#include "check/bushing_findings.hpp"
-#include "check/free_parts.hpp"
-#include "check/function_examination.hpp"
+#include "check/findings/bushing_findings.hpp"
+#include "check/findings/function_examination.hpp"
+#include "check/findings/plane_findings.hpp"
+#include "check/findings/stiffness_contrast.hpp"
 #include "check/mechanism/mechanism.hpp"
-#include "check/plane_findings.hpp"
-#include "check/rod_lines.hpp"
-#include "check/stability.hpp"
-#include "check/stiffness_contrast.hpp"
+#include "check/motions/free_parts.hpp"
+#include "check/motions/stability.hpp"
+#include "check/motions/turning_loads.hpp"
+#include "check/motions/unconnected_points.hpp"
+#include "check/summaries/rod_lines.hpp"
 #include "check/surroundings/surroundings_findings.hpp"
-#include "check/turning_loads.hpp"
-#include "check/unconnected_points.hpp"
-#include "model/analysis_traits.hpp"
 #include "model/body_moments.hpp"
-#include "model/newton_choice.hpp"
 #include "model/parts.hpp"
-#include "model/scheme_choice.hpp"
+#include "model/settings/analysis_traits.hpp"
+#include "model/settings/newton_choice.hpp"
+#include "model/settings/scheme_choice.hpp"
 #include "numerics/eigenvalues.hpp"
 #include "state/spring_line.hpp"
 

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "check/finding.hpp"
+#include "check/findings/finding.hpp"
 #include "model/model.hpp"
-#include "model/settings.hpp"
-#include "model/stage.hpp"
+#include "model/settings/settings.hpp"
+#include "model/settings/stage.hpp"
 
 namespace gxrod {
 

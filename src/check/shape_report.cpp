@@ -9,7 +9,7 @@
 #include <ranges>
 
 #include "assembly/small_motions.hpp"
-#include "model/small_motion_law.hpp"
+#include "model/sections/small_motion_law.hpp"
 
 namespace gxrod {
 namespace {

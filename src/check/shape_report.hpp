@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "assembly/system.hpp"
-#include "state/shapes_record.hpp"
+#include "state/records/shapes_record.hpp"
 
 // What a stage has found about small motions, in sentences.
 namespace gxrod {

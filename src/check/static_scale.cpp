@@ -8,11 +8,11 @@
 
 #include "assembly/scatter.hpp"
 #include "assembly/system.hpp"
-#include "check/free_parts.hpp"
+#include "check/motions/free_parts.hpp"
 #include "integrators/load_stepping.hpp"
 #include "linear/linear_solver.hpp"
-#include "model/analysis_traits.hpp"
 #include "model/evaluation_error.hpp"
+#include "model/settings/analysis_traits.hpp"
 
 namespace gxrod {
 namespace {

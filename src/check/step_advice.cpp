@@ -7,7 +7,7 @@
 #include <complex>
 #include <numbers>
 
-#include "check/model_summary.hpp"
+#include "check/summaries/model_summary.hpp"
 
 namespace gxrod {
 

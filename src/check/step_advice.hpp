@@ -4,7 +4,7 @@
 
 #include "check/mesh_frequencies.hpp"
 #include "model/model.hpp"
-#include "model/settings.hpp"
+#include "model/settings/settings.hpp"
 
 // Whether scheme and steps of a motion suit its model, and which do.
 namespace gxrod {

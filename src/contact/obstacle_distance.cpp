@@ -5,8 +5,8 @@
 #include <limits>
 #include <optional>
 
-#include "contact/advancement.hpp"
 #include "contact/contact_law.hpp"
+#include "contact/pairs/advancement.hpp"
 #include "rotation/rotation_map.hpp"
 
 namespace gxrod {

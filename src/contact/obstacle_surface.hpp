@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/mesh_surface.hpp"
+#include "contact/meshes/mesh_surface.hpp"
 #include "contact/obstacle_distance.hpp"
 
 namespace gxrod {

@@ -5,12 +5,12 @@
 #include <string_view>
 #include <vector>
 
-#include "deck/reading/deck_tree.hpp"
+#include "deck/text/deck_tree.hpp"
 #include "mesh/mesh_files.hpp"
 #include "model/deck_record.hpp"
 #include "model/model.hpp"
-#include "model/settings.hpp"
-#include "model/stage.hpp"
+#include "model/settings/settings.hpp"
+#include "model/settings/stage.hpp"
 
 // From the text of a deck to what is run. docs/deck.md is the reference of the text.
 namespace gxrod {
@@ -58,7 +58,7 @@ class DeckTemplate {
 
 // The problem that resumes where a run of `before` stopped: its own deck, or the one in the file `deck`, with
 // overrides. Throws DeckError that names each key that must not differ but does
-// (deck/reading/resumption.hpp).
+// (deck/text/resumption.hpp).
 Problem read_resumption(const DeckRecord& before,
                         const std::filesystem::path& deck,
                         const std::vector<std::string>& overrides);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "model/settings.hpp"
+#include "model/settings/settings.hpp"
 #include "parallel/thread_team.hpp"
 #include "state/constraint_level.hpp"
 #include "state/state.hpp"

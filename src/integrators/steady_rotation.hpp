@@ -1,7 +1,7 @@
 #pragma once
 
 #include "integrators/load_stepping.hpp"
-#include "model/turning_frame.hpp"
+#include "model/settings/turning_frame.hpp"
 
 namespace gxrod {
 

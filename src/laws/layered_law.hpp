@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "laws/strain_part.hpp"
-#include "model/kinked_law.hpp"
-#include "model/small_motion_law.hpp"
+#include "model/sections/kinked_law.hpp"
+#include "model/sections/small_motion_law.hpp"
 
 namespace gxrod {
 

@@ -6,7 +6,7 @@
 
 #include "laws/piecewise_line.hpp"
 #include "laws/strain_part.hpp"
-#include "model/kinked_law.hpp"
+#include "model/sections/kinked_law.hpp"
 
 namespace gxrod {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "laws/piecewise_line.hpp"
-#include "model/kinked_law.hpp"
-#include "model/small_motion_law.hpp"
+#include "model/sections/kinked_law.hpp"
+#include "model/sections/small_motion_law.hpp"
 
 namespace gxrod {
 

@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "model/kinked_law.hpp"
-#include "model/small_motion_law.hpp"
+#include "model/sections/kinked_law.hpp"
+#include "model/sections/small_motion_law.hpp"
 
 namespace gxrod {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "laws/strain_part.hpp"
-#include "model/small_motion_law.hpp"
+#include "model/sections/small_motion_law.hpp"
 
 namespace gxrod {
 

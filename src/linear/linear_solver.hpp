@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "linear/sparse_pattern.hpp"
-#include "model/settings.hpp"
+#include "model/settings/settings.hpp"
 #include "parallel/thread_team.hpp"
 
 namespace gxrod {

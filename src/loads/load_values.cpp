@@ -6,8 +6,8 @@
 
 #include "loads/distributed_load.hpp"
 #include "loads/nodal_load.hpp"
-#include "model/breaks.hpp"
 #include "model/element_lengths.hpp"
+#include "model/time/breaks.hpp"
 
 namespace gxrod {
 

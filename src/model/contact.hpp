@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "model/time_function.hpp"
+#include "model/time/time_function.hpp"
 #include "rotation/types.hpp"
 
 // What rods and bodies touch: obstacles, and each other (docs/theory/contact.md).

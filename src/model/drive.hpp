@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "model/time_function.hpp"
+#include "model/time/time_function.hpp"
 #include "rotation/types.hpp"
 
 // What acts within the sections of rods (docs/theory/drives.md).

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/breaks.hpp"
+#include "model/time/breaks.hpp"
 #include "numerics/gauss_legendre.hpp"
 
 namespace gxrod {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "model/model.hpp"
-#include "model/time_function.hpp"
+#include "model/time/time_function.hpp"
 
 namespace gxrod {
 

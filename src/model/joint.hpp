@@ -5,7 +5,7 @@
 #include <string>
 
 #include "model/anchor.hpp"
-#include "model/time_function.hpp"
+#include "model/time/time_function.hpp"
 #include "rotation/types.hpp"
 
 namespace gxrod {

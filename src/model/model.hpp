@@ -12,12 +12,12 @@
 #include "model/contact.hpp"
 #include "model/drive.hpp"
 #include "model/gear.hpp"
-#include "model/input.hpp"
 #include "model/joint.hpp"
-#include "model/section_law.hpp"
+#include "model/sections/section_law.hpp"
+#include "model/settings/turning_frame.hpp"
 #include "model/surroundings.hpp"
-#include "model/time_function.hpp"
-#include "model/turning_frame.hpp"
+#include "model/time/input.hpp"
+#include "model/time/time_function.hpp"
 #include "rotation/types.hpp"
 
 // What is given: the mechanical model, const once built. Quantities are in the deck's own consistent units,

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "model/contact_friction.hpp"
-#include "model/kinked_law.hpp"
+#include "model/sections/kinked_law.hpp"
 
 namespace gxrod {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/time_function.hpp"
+#include "model/time/time_function.hpp"
 #include "rotation/types.hpp"
 
 // What is around rods and bodies: water with currents and waves, air, the ground

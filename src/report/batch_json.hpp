@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "batch/batch_record.hpp"
-#include "batch/case_row.hpp"
+#include "batch/cases/case_row.hpp"
 
 namespace gxrod {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "batch/batch_record.hpp"
-#include "batch/case_table.hpp"
+#include "batch/cases/case_table.hpp"
 #include "machine/file_error.hpp"
 #include "report/batch_json.hpp"
 #include "report/page_file.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "batch/batch_record.hpp"
-#include "batch/case_table.hpp"
+#include "batch/cases/case_table.hpp"
 
 // Pages of the cases of a batch, in its folder reports/.
 namespace gxrod {

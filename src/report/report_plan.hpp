@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "report/drawn_cells.hpp"
-#include "report/step_thinning.hpp"
+#include "report/blocks/step_thinning.hpp"
+#include "report/model/drawn_cells.hpp"
 
 namespace gxrod {
 

@@ -9,9 +9,9 @@
 
 #include "model/contact_friction.hpp"
 #include "model/energy_round_off.hpp"
-#include "report/centres_json.hpp"
-#include "report/contact_blocks.hpp"
-#include "report/step_blocks.hpp"
+#include "report/blocks/contact_blocks.hpp"
+#include "report/blocks/step_blocks.hpp"
+#include "report/model/centres_json.hpp"
 #include "results/energy_warning.hpp"
 #include "results/tables/deck_reading.hpp"
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "deck/problem.hpp"
-#include "report/drawn_cells.hpp"
-#include "report/load_arrows.hpp"
-#include "report/model_json.hpp"
+#include "report/model/drawn_cells.hpp"
+#include "report/model/load_arrows.hpp"
+#include "report/model/model_json.hpp"
 #include "results/file/hdf5_reader.hpp"
 
 namespace gxrod {

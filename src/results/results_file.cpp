@@ -10,9 +10,9 @@
 #include "machine/file_error.hpp"
 #include "machine/memory_reserve.hpp"
 #include "results/file/ordered_driver.hpp"
+#include "results/provenance.hpp"
 #include "results/results_tables.hpp"
 #include "results/shape_file.hpp"
-#include "results/tables/provenance.hpp"
 
 namespace gxrod {
 

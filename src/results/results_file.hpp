@@ -10,14 +10,14 @@
 
 #include "model/deck_record.hpp"
 #include "model/model.hpp"
-#include "model/settings.hpp"
+#include "model/settings/settings.hpp"
 #include "results/file/output_file.hpp"
 #include "results/resumable_file.hpp"
 #include "results/stage_place.hpp"
-#include "state/path_record.hpp"
-#include "state/restart_record.hpp"
-#include "state/shapes_record.hpp"
-#include "state/step_record.hpp"
+#include "state/records/path_record.hpp"
+#include "state/records/restart_record.hpp"
+#include "state/records/shapes_record.hpp"
+#include "state/records/step_record.hpp"
 
 namespace gxrod {
 

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "model/analysis_traits.hpp"
-#include "model/frame_interval.hpp"
-#include "results/tables/quantity.hpp"
+#include "model/settings/analysis_traits.hpp"
+#include "model/settings/frame_interval.hpp"
+#include "results/histories/quantity.hpp"
 #include "results/tables/step_columns.hpp"
 
 namespace gxrod {

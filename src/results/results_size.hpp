@@ -1,8 +1,8 @@
 #pragma once
 
 #include "model/model.hpp"
-#include "model/settings.hpp"
-#include "model/stage.hpp"
+#include "model/settings/settings.hpp"
+#include "model/settings/stage.hpp"
 
 namespace gxrod {
 

@@ -8,8 +8,8 @@
 #include "results/file/guarded_reading.hpp"
 #include "results/file/hdf5_reader.hpp"
 #include "results/file/output_file.hpp"
+#include "results/restart/restart_table.hpp"
 #include "results/tables/deck_reading.hpp"
-#include "results/tables/restart_table.hpp"
 
 namespace gxrod {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "model/deck_record.hpp"
-#include "state/restart_record.hpp"
+#include "state/records/restart_record.hpp"
 
 namespace gxrod {
 

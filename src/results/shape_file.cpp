@@ -6,9 +6,9 @@
 #include "machine/file_error.hpp"
 #include "results/file/ordered_driver.hpp"
 #include "results/file/output_file.hpp"
+#include "results/provenance.hpp"
 #include "results/tables/frame_mesh.hpp"
 #include "results/tables/frame_topology.hpp"
-#include "results/tables/provenance.hpp"
 
 namespace gxrod {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "model/deck_record.hpp"
 #include "model/model.hpp"
-#include "state/mode_record.hpp"
 #include "state/motion.hpp"
+#include "state/records/mode_record.hpp"
 
 namespace gxrod {
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "model/settings.hpp"
-#include "solvers/step_grid.hpp"
+#include "model/settings/settings.hpp"
+#include "solvers/steps/step_grid.hpp"
 
 namespace gxrod {
 

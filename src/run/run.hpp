@@ -9,10 +9,10 @@
 
 #include "analyses/static.hpp"
 #include "check/failure_advice.hpp"
-#include "check/finding.hpp"
+#include "check/findings/finding.hpp"
 #include "model/deck_record.hpp"
-#include "model/settings.hpp"
-#include "model/stage.hpp"
+#include "model/settings/settings.hpp"
+#include "model/settings/stage.hpp"
 #include "results/energy_warning.hpp"
 #include "results/results_file.hpp"
 #include "run/stage_sequence.hpp"

@@ -8,11 +8,11 @@
 
 #include "analyses/path/path.hpp"
 #include "analyses/static.hpp"
+#include "check/motions/stability.hpp"
 #include "check/shape_report.hpp"
-#include "check/stability.hpp"
-#include "model/analysis_traits.hpp"
 #include "model/energy_round_off.hpp"
-#include "model/newton_choice.hpp"
+#include "model/settings/analysis_traits.hpp"
+#include "model/settings/newton_choice.hpp"
 
 namespace gxrod {
 

@@ -10,10 +10,10 @@
 #include "analyses/dynamic.hpp"
 #include "check/shape_report.hpp"
 #include "machine/file_error.hpp"
-#include "model/analysis_traits.hpp"
 #include "model/evaluation_error.hpp"
-#include "model/frame_interval.hpp"
-#include "results/tables/history_point.hpp"
+#include "model/settings/analysis_traits.hpp"
+#include "model/settings/frame_interval.hpp"
+#include "results/histories/history_point.hpp"
 
 namespace gxrod {
 

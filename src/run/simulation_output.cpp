@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include "analyses/dynamic.hpp"
-#include "model/analysis_traits.hpp"
-#include "model/frame_interval.hpp"
+#include "model/settings/analysis_traits.hpp"
+#include "model/settings/frame_interval.hpp"
 #include "run/simulation.hpp"
 
 // What a simulation writes, and when.

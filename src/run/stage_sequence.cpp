@@ -7,7 +7,7 @@
 #include "analyses/shapes/eigenvalues.hpp"
 #include "analyses/shapes/modes.hpp"
 #include "analyses/shapes/response.hpp"
-#include "model/analysis_traits.hpp"
+#include "model/settings/analysis_traits.hpp"
 #include "run/swept_equilibria.hpp"
 
 namespace gxrod {

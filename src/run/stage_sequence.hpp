@@ -8,9 +8,9 @@
 
 #include "analyses/static.hpp"
 #include "check/failure_advice.hpp"
-#include "model/stage.hpp"
+#include "model/settings/stage.hpp"
 #include "run/path_follower.hpp"
-#include "state/shapes_record.hpp"
+#include "state/records/shapes_record.hpp"
 
 namespace gxrod {
 

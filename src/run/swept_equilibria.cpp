@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "analyses/static.hpp"
-#include "model/analysis_traits.hpp"
 #include "model/path_dependence.hpp"
+#include "model/settings/analysis_traits.hpp"
 
 namespace gxrod {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "analyses/shapes/sweep.hpp"
 #include "analyses/stepped_analysis.hpp"
-#include "model/stage.hpp"
+#include "model/settings/stage.hpp"
 
 namespace gxrod {
 

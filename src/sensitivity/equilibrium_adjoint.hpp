@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "assembly/system.hpp"
-#include "model/settings.hpp"
+#include "model/settings/settings.hpp"
 #include "sensitivity/forward_sensitivity.hpp"
 
 namespace gxrod {

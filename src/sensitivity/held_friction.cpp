@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "assembly/capstan_tension.hpp"
-#include "model/kinked_law.hpp"
+#include "assembly/tendons/capstan_tension.hpp"
+#include "model/sections/kinked_law.hpp"
 
 namespace gxrod {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "model/kinked_law.hpp"
 #include "model/model.hpp"
+#include "model/sections/kinked_law.hpp"
 
 namespace gxrod {
 

@@ -1,7 +1,7 @@
 #include <cassert>
 
 #include "assembly/contact/contact_assembly.hpp"
-#include "assembly/frame_columns.hpp"
+#include "assembly/lanes/frame_columns.hpp"
 #include "solvers/convergence_test.hpp"
 #include "solvers/difference_tangent.hpp"
 #include "solvers/newton_steps.hpp"

@@ -8,7 +8,7 @@
 #include "check/shape_report.hpp"
 #include "deck/schema/choices.hpp"
 #include "machine/phase_timer.hpp"
-#include "model/analysis_traits.hpp"
+#include "model/settings/analysis_traits.hpp"
 
 namespace gxrod {
 

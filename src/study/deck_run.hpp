@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "deck/problem.hpp"
-#include "results/tables/history_point.hpp"
+#include "results/histories/history_point.hpp"
 #include "run/stage_sequence.hpp"
 
 namespace gxrod {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "deck/reading/override_key.hpp"
-#include "model/analysis_traits.hpp"
-#include "model/newton_choice.hpp"
+#include "deck/text/override_key.hpp"
+#include "model/settings/analysis_traits.hpp"
+#include "model/settings/newton_choice.hpp"
 #include "study/method_traits.hpp"
 
 namespace gxrod {

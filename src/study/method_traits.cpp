@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "deck/build/sample_times.hpp"
+#include "deck/output/sample_times.hpp"
 
 namespace gxrod {
 

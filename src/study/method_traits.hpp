@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "model/model.hpp"
-#include "model/settings.hpp"
+#include "model/settings/settings.hpp"
 
 // What a study of a deck knows beforehand of its methods.
 namespace gxrod {

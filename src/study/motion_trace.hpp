@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "deck/problem.hpp"
-#include "results/tables/history_point.hpp"
+#include "results/histories/history_point.hpp"
 #include "study/turned_problem.hpp"
 
 namespace gxrod {

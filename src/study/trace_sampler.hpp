@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "results/tables/history_point.hpp"
+#include "results/histories/history_point.hpp"
 
 namespace gxrod {
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "deck/problem.hpp"
-#include "results/tables/history_point.hpp"
+#include "results/histories/history_point.hpp"
 
 // The same problem, seen from axes that are turned: all of it, with its loads, gravity and supports, rotated
 // about the origin: about z, if it has surroundings, in its plane, if it has one. Its motion is the turned

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "check/found_values.hpp"
+#include "check/findings/found_values.hpp"
 #include "study/deck_run.hpp"
 #include "verification/example_texts.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/settings.hpp"
+#include "model/settings/settings.hpp"
 #include "verification/study.hpp"
 
 // Example decks against reference values: the folder of an example holds its deck and a reference.toml, which

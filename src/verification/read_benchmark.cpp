@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "deck/reading/deck_tree.hpp"
+#include "deck/text/deck_tree.hpp"
 #include "verification/benchmark.hpp"
 
 // The keys of a reference.toml:

@@ -4,7 +4,7 @@
 #include "results/file/hdf5_reader.hpp"
 #include "results/sample.hpp"
 #include "run/run.hpp"
-#include "solvers/step_control.hpp"
+#include "solvers/steps/step_control.hpp"
 #include "tools/catch.hpp"
 
 // A run that was stopped and resumed, against the same run in one piece: equal to the last bit.

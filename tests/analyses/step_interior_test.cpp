@@ -3,7 +3,7 @@
 
 #include "deck/decks.hpp"
 #include "integrators/scheme_samples.hpp"
-#include "results/tables/history_point.hpp"
+#include "results/histories/history_point.hpp"
 #include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/run.hpp"

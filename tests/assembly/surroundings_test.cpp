@@ -1,6 +1,6 @@
 // Water, air and the ground around whole models.
 
-#include "assembly/rod_element_weights.hpp"
+#include "assembly/lanes/rod_element_weights.hpp"
 #include "assembly/sample_model.hpp"
 #include "assembly/surroundings_assembly.hpp"
 #include "integrators/generalized_alpha.hpp"

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "batch/plan.hpp"
+#include "batch/plan/plan.hpp"
 
 // Small plans that tests change, and what the reader says of them.
 namespace gxrod::test {

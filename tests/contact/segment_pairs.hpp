@@ -5,7 +5,7 @@
 #include <numbers>
 #include <random>
 
-#include "contact/pair_energy.hpp"
+#include "contact/pairs/pair_energy.hpp"
 
 // Two segments that touch, of random and of given positions.
 namespace gxrod::test {

@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "deck/reading/fault.hpp"
+#include "deck/text/fault.hpp"
 #include "tools/catch.hpp"
 
 namespace gxrod::test {

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "deck/decks.hpp"
-#include "deck/reading/fault.hpp"
+#include "deck/text/fault.hpp"
 #include "machine/file_error.hpp"
 #include "tools/catch.hpp"
 

@@ -1,9 +1,9 @@
 #include <cmath>
 
 #include "deck/problem.hpp"
-#include "deck/reading/overrides.hpp"
-#include "deck/reading/toml_writing.hpp"
 #include "deck/reading/validation.hpp"
+#include "deck/text/overrides.hpp"
+#include "deck/text/toml_writing.hpp"
 #include "fuzz/expectation.hpp"
 #include "fuzz/inputs.hpp"
 #include "machine/file_error.hpp"

@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include "batch/case_list.hpp"
-#include "batch/plan.hpp"
-#include "deck/reading/fault.hpp"
+#include "batch/cases/case_list.hpp"
+#include "batch/plan/plan.hpp"
+#include "deck/text/fault.hpp"
 #include "fuzz/expectation.hpp"
 #include "fuzz/inputs.hpp"
 #include "fuzz/scratch_folder.hpp"

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "deck/problem.hpp"
-#include "deck/reading/text_file.hpp"
+#include "deck/text/text_file.hpp"
 #include "fuzz/scratch_folder.hpp"
 #include "issues/results_sample.hpp"
 #include "machine/file_error.hpp"

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include "check/item_list.hpp"
 #include "check/model_examination.hpp"
-#include "check/model_summary.hpp"
-#include "check/rod_lines.hpp"
-#include "check/unconnected_points.hpp"
+#include "check/motions/unconnected_points.hpp"
+#include "check/summaries/item_list.hpp"
+#include "check/summaries/model_summary.hpp"
+#include "check/summaries/rod_lines.hpp"
 #include "deck/decks.hpp"
 #include "tools/catch.hpp"
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <complex>
 
-#include "check/found_values.hpp"
+#include "check/findings/found_values.hpp"
 #include "check/model_examination.hpp"
 #include "deck/decks.hpp"
 #include "study/deck_run.hpp"

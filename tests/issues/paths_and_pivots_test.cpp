@@ -2,10 +2,10 @@
 
 #include "analyses/path/path.hpp"
 #include "analyses/static.hpp"
-#include "check/condition_summary.hpp"
 #include "check/model_examination.hpp"
 #include "check/shape_report.hpp"
 #include "check/static_scale.hpp"
+#include "check/summaries/condition_summary.hpp"
 #include "deck/decks.hpp"
 #include "model/energy_round_off.hpp"
 #include "run/run.hpp"

@@ -1,7 +1,7 @@
 #include "issues/results_sample.hpp"
 
 #include "deck/problem.hpp"
-#include "deck/reading/text_file.hpp"
+#include "deck/text/text_file.hpp"
 #include "fuzz/scratch_folder.hpp"
 #include "results/results_file.hpp"
 

@@ -7,7 +7,7 @@
 #include "laws/layered_law.hpp"
 #include "laws/trapeze_law.hpp"
 #include "laws/viscoelastic_law.hpp"
-#include "model/kinked_law.hpp"
+#include "model/sections/kinked_law.hpp"
 #include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/random_values.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/section_law.hpp"
+#include "model/sections/section_law.hpp"
 
 namespace gxrod::test {
 

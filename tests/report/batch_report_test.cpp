@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "batch/case_table.hpp"
+#include "batch/cases/case_table.hpp"
 #include "machine/file_error.hpp"
 #include "report/batch_json.hpp"
 #include "report/page_template.hpp"

@@ -6,10 +6,10 @@
 #include "machine/file_error.hpp"
 #include "results/file/file_seal.hpp"
 #include "results/file/hdf5_reader.hpp"
+#include "results/restart/restart_table.hpp"
 #include "results/results_file.hpp"
 #include "results/sample.hpp"
 #include "results/tables/deck_reading.hpp"
-#include "results/tables/restart_table.hpp"
 #include "results/traced_writer.hpp"
 #include "tools/catch.hpp"
 

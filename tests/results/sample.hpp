@@ -6,9 +6,9 @@
 
 #include "model/deck_record.hpp"
 #include "model/model.hpp"
-#include "model/settings.hpp"
-#include "state/restart_record.hpp"
-#include "state/step_record.hpp"
+#include "model/settings/settings.hpp"
+#include "state/records/restart_record.hpp"
+#include "state/records/step_record.hpp"
 
 // A made-up model and motion, known at every time, to write results of.
 namespace gxrod::sample {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "model/section_law.hpp"
+#include "model/sections/section_law.hpp"
 
 namespace gxrod::tools {
 

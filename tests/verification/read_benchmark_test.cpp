@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "deck/reading/fault.hpp"
+#include "deck/text/fault.hpp"
 #include "tools/catch.hpp"
 #include "verification/benchmark.hpp"
 

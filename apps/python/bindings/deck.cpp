@@ -3,8 +3,8 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include "check/findings/plausibility.hpp"
 #include "check/model_examination.hpp"
-#include "check/plausibility.hpp"
 #include "model.hpp"
 #include "module.hpp"
 

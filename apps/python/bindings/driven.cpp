@@ -5,7 +5,7 @@
 
 #include "check/model_examination.hpp"
 #include "deck/schema/choices.hpp"
-#include "results/tables/quantity.hpp"
+#include "results/histories/quantity.hpp"
 #include "sensitivity/equilibrium_adjoint.hpp"
 
 namespace gxrod::python {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "model.hpp"
-#include "results/tables/history_point.hpp"
+#include "results/histories/history_point.hpp"
 #include "run/simulation.hpp"
 #include "sensitivity/sensitivities.hpp"
 #include "state_views.hpp"

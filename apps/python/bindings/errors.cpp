@@ -1,7 +1,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include "deck/reading/fault.hpp"
+#include "deck/text/fault.hpp"
 #include "machine/file_error.hpp"
 #include "model/evaluation_error.hpp"
 #include "module.hpp"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "deck/problem.hpp"
-#include "deck/reading/fault.hpp"
-#include "deck/reading/overrides.hpp"
+#include "deck/text/fault.hpp"
+#include "deck/text/overrides.hpp"
 
 namespace gxrod::python {
 

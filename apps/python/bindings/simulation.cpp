@@ -11,7 +11,7 @@
 #include "assembly/state_matrices.hpp"
 #include "driven.hpp"
 #include "module.hpp"
-#include "results/tables/restart_form.hpp"
+#include "results/restart/restart_form.hpp"
 #include "results/tables/step_columns.hpp"
 #include "run/summary_json.hpp"
 

@@ -6,7 +6,7 @@
 #include <gxrod/analyses/static.hpp>
 #include <gxrod/check/failure_advice.hpp>
 #include <gxrod/deck/problem.hpp>
-#include <gxrod/deck/reading/fault.hpp>
+#include <gxrod/deck/text/fault.hpp>
 #include <limits>
 
 namespace {

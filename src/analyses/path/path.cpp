@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "integrators/load_stepping.hpp"
-#include "model/newton_choice.hpp"
+#include "model/settings/newton_choice.hpp"
 
 namespace gxrod {
 

@@ -4,10 +4,10 @@
 #include "analyses/path/critical_points.hpp"
 #include "analyses/path/path_targets.hpp"
 #include "analyses/stepped_analysis.hpp"
-#include "check/stability.hpp"
-#include "model/settings.hpp"
+#include "check/motions/stability.hpp"
+#include "model/settings/settings.hpp"
 #include "solvers/path/path_sequence.hpp"
-#include "state/path_record.hpp"
+#include "state/records/path_record.hpp"
 
 namespace gxrod {
 

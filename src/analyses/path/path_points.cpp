@@ -2,7 +2,7 @@
 #include "analyses/path/branch_search.hpp"
 #include "analyses/path/path.hpp"
 #include "analyses/path/path_words.hpp"
-#include "check/direction_words.hpp"
+#include "check/summaries/direction_words.hpp"
 #include "solvers/path/soft_modes.hpp"
 
 namespace gxrod {

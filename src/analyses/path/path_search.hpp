@@ -5,7 +5,7 @@
 
 #include "solvers/path/path_newton.hpp"
 #include "solvers/path/path_tangent.hpp"
-#include "state/path_record.hpp"
+#include "state/records/path_record.hpp"
 
 namespace gxrod {
 

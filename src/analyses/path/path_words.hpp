@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analyses/path/branch_switch.hpp"
-#include "state/path_record.hpp"
+#include "state/records/path_record.hpp"
 
 namespace gxrod {
 

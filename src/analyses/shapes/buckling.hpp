@@ -1,8 +1,8 @@
 #pragma once
 
 #include "assembly/system.hpp"
-#include "model/settings.hpp"
-#include "state/mode_record.hpp"
+#include "model/settings/settings.hpp"
+#include "state/records/mode_record.hpp"
 
 namespace gxrod {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "assembly/frame_columns.hpp"
-#include "model/eigenvalue_settings.hpp"
-#include "state/eigenvalue_record.hpp"
+#include "assembly/lanes/frame_columns.hpp"
+#include "model/settings/eigenvalue_settings.hpp"
+#include "state/records/eigenvalue_record.hpp"
 
 namespace gxrod {
 

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "assembly/state_matrices.hpp"
-#include "state/eigenvalue_record.hpp"
+#include "state/records/eigenvalue_record.hpp"
 
 namespace gxrod {
 

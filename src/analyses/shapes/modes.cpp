@@ -7,7 +7,7 @@
 #include "analyses/shapes/shape_measures.hpp"
 #include "assembly/small_motions.hpp"
 #include "assembly/state_matrices.hpp"
-#include "check/stability.hpp"
+#include "check/motions/stability.hpp"
 #include "linear/eigen/lowest_pairs.hpp"
 
 namespace gxrod {

@@ -3,7 +3,7 @@
 #include <functional>
 #include <optional>
 
-#include "state/sweep_record.hpp"
+#include "state/records/sweep_record.hpp"
 
 namespace gxrod {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "assembly/frame_columns.hpp"
-#include "state/response_record.hpp"
+#include "assembly/lanes/frame_columns.hpp"
+#include "state/records/response_record.hpp"
 
 namespace gxrod {
 

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "assembly/system.hpp"
-#include "state/mode_record.hpp"
+#include "state/records/mode_record.hpp"
 
 namespace gxrod {
 

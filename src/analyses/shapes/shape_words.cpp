@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "check/direction_words.hpp"
+#include "check/summaries/direction_words.hpp"
 
 namespace gxrod {
 

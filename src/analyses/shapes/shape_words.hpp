@@ -3,7 +3,7 @@
 #include <string>
 
 #include "assembly/system.hpp"
-#include "state/mode_record.hpp"
+#include "state/records/mode_record.hpp"
 
 namespace gxrod {
 

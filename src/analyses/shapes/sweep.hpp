@@ -2,9 +2,9 @@
 
 #include <functional>
 
-#include "assembly/frame_columns.hpp"
-#include "model/eigenvalue_settings.hpp"
-#include "state/sweep_record.hpp"
+#include "assembly/lanes/frame_columns.hpp"
+#include "model/settings/eigenvalue_settings.hpp"
+#include "state/records/sweep_record.hpp"
 
 namespace gxrod {
 

@@ -20,7 +20,7 @@
 #include "loads/distributed_load.hpp"
 #include "parallel/thread_team.hpp"
 #include "state/contact_touch.hpp"
-#include "state/obstacle_values.hpp"
+#include "state/values/obstacle_values.hpp"
 
 namespace gxrod {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "assembly/contact/contact_exceptions.hpp"
-#include "contact/cells.hpp"
+#include "contact/meshes/cells.hpp"
 
 namespace gxrod {
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "assembly/contact/contact_pairs.hpp"
-#include "contact/advancement.hpp"
+#include "contact/pairs/advancement.hpp"
 #include "numerics/disjoint_sets.hpp"
 #include "rotation/rotation_map.hpp"
 

@@ -13,8 +13,8 @@
 #include "assembly/node_groups.hpp"
 #include "assembly/residual.hpp"
 #include "assembly/scale_groups.hpp"
-#include "contact/pair_friction.hpp"
-#include "contact/pair_impulse.hpp"
+#include "contact/pairs/pair_friction.hpp"
+#include "contact/pairs/pair_impulse.hpp"
 #include "parallel/thread_team.hpp"
 #include "state/contact_touch.hpp"
 

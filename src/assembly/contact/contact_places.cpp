@@ -6,7 +6,7 @@
 #include <map>
 
 #include "assembly/element_geometry.hpp"
-#include "contact/mesh_surface.hpp"
+#include "contact/meshes/mesh_surface.hpp"
 #include "loads/shape_functions.hpp"
 #include "numerics/gauss_legendre.hpp"
 #include "numerics/lagrange.hpp"

@@ -7,7 +7,7 @@
 
 #include "batch/batch_folder.hpp"
 #include "batch/batch_lock.hpp"
-#include "batch/case_slices.hpp"
+#include "batch/cases/case_slices.hpp"
 
 namespace gxrod {
 namespace {

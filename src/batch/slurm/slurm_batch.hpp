@@ -1,6 +1,6 @@
 #pragma once
 
-#include "batch/case_row.hpp"
+#include "batch/cases/case_row.hpp"
 #include "batch/slurm/slurm.hpp"
 #include "batch/slurm/slurm_script.hpp"
 

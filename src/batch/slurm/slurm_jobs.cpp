@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "batch/batch_folder.hpp"
-#include "deck/reading/text_file.hpp"
+#include "deck/text/text_file.hpp"
 #include "machine/file_error.hpp"
 
 namespace gxrod {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "batch/case_table.hpp"
+#include "batch/cases/case_table.hpp"
 
 // The array jobs of a batch that were submitted to Slurm: DIR/slurm/jobs.json.
 namespace gxrod {

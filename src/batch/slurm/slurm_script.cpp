@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "batch/case_slices.hpp"
+#include "batch/cases/case_slices.hpp"
 #include "machine/file_error.hpp"
 
 namespace gxrod {

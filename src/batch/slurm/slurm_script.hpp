@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "batch/case_table.hpp"
+#include "batch/cases/case_table.hpp"
 
 namespace gxrod {
 

@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "check/mechanism/joint_gradient.hpp"
-#include "check/unsupported_motions.hpp"
+#include "check/motions/unsupported_motions.hpp"
 #include "constraints/joints/gear_rows.hpp"
 #include "numerics/singular_values.hpp"
 

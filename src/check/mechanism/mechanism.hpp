@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "check/item_list.hpp"
+#include "check/summaries/item_list.hpp"
 #include "model/model.hpp"
 
 namespace gxrod {

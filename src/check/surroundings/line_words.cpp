@@ -9,9 +9,9 @@
 #include "check/surroundings/line_at_rest.hpp"
 #include "check/surroundings/lowest_frequency.hpp"
 #include "environment/current.hpp"
-#include "model/analysis_traits.hpp"
 #include "model/element_lengths.hpp"
 #include "model/evaluation_error.hpp"
+#include "model/settings/analysis_traits.hpp"
 
 namespace gxrod {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "model/model.hpp"
-#include "model/settings.hpp"
+#include "model/settings/settings.hpp"
 
 // Lines for a reader on rods in water at rest: tension, boundary layers, frequency and vortices. Empty of
 // models of more than 50 rods.

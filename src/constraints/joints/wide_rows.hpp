@@ -6,8 +6,8 @@
 
 #include "constraints/step_differences.hpp"
 #include "state/constraint_level.hpp"
-#include "state/joint_values.hpp"
 #include "state/state.hpp"
+#include "state/values/joint_values.hpp"
 
 namespace gxrod {
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "deck/build/acting.hpp"
-#include "deck/build/part.hpp"
-#include "deck/build/sample_times.hpp"
 #include "deck/joints/joint_coordinates.hpp"
+#include "deck/loads/acting.hpp"
+#include "deck/output/sample_times.hpp"
+#include "deck/places/part.hpp"
 #include "model/evaluation_error.hpp"
 
 namespace gxrod {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "deck/build/read_rod_nets.hpp"
 #include "deck/reading/checked_deck.hpp"
-#include "deck/reading/fault_list.hpp"
+#include "deck/rods/read_rod_nets.hpp"
+#include "deck/text/fault_list.hpp"
 
 namespace gxrod {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "deck/build/sample_times.hpp"
-#include "model/transitions.hpp"
+#include "deck/output/sample_times.hpp"
+#include "model/time/transitions.hpp"
 
 namespace gxrod {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "deck/build/part.hpp"
 #include "deck/contact/build_contact_exceptions.hpp"
 #include "deck/drives/tendon_path.hpp"
 #include "deck/joints/ends.hpp"
+#include "deck/places/part.hpp"
 #include "deck/schema/suggestion.hpp"
 
 namespace gxrod {

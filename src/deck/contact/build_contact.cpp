@@ -6,12 +6,12 @@
 #include <cmath>
 #include <numeric>
 
-#include "deck/build/acting.hpp"
-#include "deck/build/build_centreline.hpp"
 #include "deck/checks/check_moves.hpp"
 #include "deck/contact/build_contact_exceptions.hpp"
 #include "deck/contact/contact_bodies.hpp"
 #include "deck/joints/ends.hpp"
+#include "deck/loads/acting.hpp"
+#include "deck/rods/build_centreline.hpp"
 #include "deck/schema/choices.hpp"
 
 namespace gxrod {

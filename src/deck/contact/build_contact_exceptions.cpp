@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "deck/build/name_pattern.hpp"
+#include "deck/places/name_pattern.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "mesh/rod_mesh.hpp"
 

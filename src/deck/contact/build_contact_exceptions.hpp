@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deck/build/build_context.hpp"
+#include "deck/places/build_context.hpp"
 
 namespace gxrod {
 

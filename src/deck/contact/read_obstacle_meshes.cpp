@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "deck/reading/table_files.hpp"
+#include "deck/text/table_files.hpp"
 #include "mesh/line_mesh.hpp"
 #include "mesh/triangle_file.hpp"
 

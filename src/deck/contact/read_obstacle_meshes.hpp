@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "deck/reading/checked_deck.hpp"
-#include "deck/reading/fault_list.hpp"
+#include "deck/text/fault_list.hpp"
 #include "mesh/mesh_files.hpp"
 #include "model/contact.hpp"
 

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "deck/build/acting.hpp"
-#include "deck/build/part.hpp"
 #include "deck/checks/check_moves.hpp"
 #include "deck/drives/place_field.hpp"
 #include "deck/drives/tendon_path.hpp"
+#include "deck/loads/acting.hpp"
+#include "deck/places/part.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "model/element_means.hpp"

@@ -3,7 +3,7 @@
 #include <array>
 #include <functional>
 
-#include "deck/build/acting.hpp"
+#include "deck/loads/acting.hpp"
 
 namespace gxrod {
 

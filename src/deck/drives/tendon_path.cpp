@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "deck/build/part.hpp"
+#include "deck/places/part.hpp"
 
 namespace gxrod {
 namespace {

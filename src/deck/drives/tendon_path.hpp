@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "deck/build/build_context.hpp"
+#include "deck/places/build_context.hpp"
 
 // Where tendons start and end, and where they pass between.
 namespace gxrod {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "deck/expressions/table_function.hpp"
-#include "model/input.hpp"
-#include "model/time_function.hpp"
+#include "model/time/input.hpp"
+#include "model/time/time_function.hpp"
 #include "rotation/types.hpp"
 
 // Expressions of a deck: text such as "EI/2" or "0.5*pulse(t)". deck/expressions/expression_syntax.hpp says

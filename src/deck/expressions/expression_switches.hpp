@@ -7,7 +7,7 @@
 
 namespace gxrod {
 
-// A number on which the form of an expression depends, as text: model/time_function.hpp says what for.
+// A number on which the form of an expression depends, as text: model/time/time_function.hpp says what for.
 struct SwitchSource {
     // The first is in the variables of the expression; each other one is in t, which is the value of the one
     // before.

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "deck/reading/deck_tree.hpp"
-#include "deck/reading/fault_list.hpp"
-#include "deck/reading/table_files.hpp"
+#include "deck/text/deck_tree.hpp"
+#include "deck/text/fault_list.hpp"
+#include "deck/text/table_files.hpp"
 #include "model/deck_record.hpp"
 
 namespace gxrod {

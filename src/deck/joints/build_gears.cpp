@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "deck/build/part.hpp"
 #include "deck/joints/joint_coordinates.hpp"
+#include "deck/places/part.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/schema/suggestion.hpp"
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "deck/build/part.hpp"
 #include "deck/checks/check_moves.hpp"
 #include "deck/joints/ends.hpp"
 #include "deck/joints/joint_coordinates.hpp"
+#include "deck/places/part.hpp"
 #include "deck/schema/choices.hpp"
 #include "numerics/smooth_line.hpp"
 

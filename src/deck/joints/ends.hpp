@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "deck/build/build_context.hpp"
+#include "deck/places/build_context.hpp"
 
 // What carries the two points of a spring, a bushing or a joint: the words of its key `between`.
 namespace gxrod {

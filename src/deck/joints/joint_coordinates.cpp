@@ -7,8 +7,8 @@
 #include <limits>
 #include <numbers>
 
-#include "deck/build/acting.hpp"
-#include "deck/build/angle_note.hpp"
+#include "deck/loads/acting.hpp"
+#include "deck/places/angle_note.hpp"
 
 namespace gxrod {
 namespace {

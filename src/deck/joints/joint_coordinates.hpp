@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "deck/build/build_context.hpp"
+#include "deck/places/build_context.hpp"
 
 // What acts on the turn and the slide of a joint: its keys move, drive, spring, friction and limits.
 namespace gxrod {

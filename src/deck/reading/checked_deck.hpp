@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "deck/expressions/expression.hpp"
-#include "deck/reading/fault_list.hpp"
-#include "model/time_function.hpp"
+#include "deck/text/fault_list.hpp"
+#include "model/time/time_function.hpp"
 #include "rotation/types.hpp"
 
 // A deck that agrees with the schema: every value typed, evaluated and in range, defaults filled in. What the

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "deck/reading/deck_tree.hpp"
 #include "deck/reading/reading_context.hpp"
 #include "deck/schema/schema.hpp"
+#include "deck/text/deck_tree.hpp"
 #include "rotation/types.hpp"
 
 namespace gxrod {

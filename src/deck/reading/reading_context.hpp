@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "deck/expressions/expression.hpp"
-#include "deck/reading/deck_tree.hpp"
 #include "deck/schema/schema.hpp"
+#include "deck/text/deck_tree.hpp"
 
 namespace gxrod {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "deck/reading/checked_deck.hpp"
-#include "deck/reading/deck_tree.hpp"
 #include "deck/schema/schema.hpp"
+#include "deck/text/deck_tree.hpp"
 
 namespace gxrod {
 

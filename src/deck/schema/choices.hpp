@@ -10,7 +10,7 @@
 #include "laws/plastic_law.hpp"
 #include "laws/strain_part.hpp"
 #include "model/model.hpp"
-#include "model/settings.hpp"
+#include "model/settings/settings.hpp"
 
 // The words of a deck and their meaning, each pair stated once.
 namespace gxrod {
@@ -84,7 +84,7 @@ inline constexpr std::array<Choice<Scheme>, 8> scheme_choices{
      {"energy-momentum", Scheme::energy_momentum},
      {"runge-kutta-4", Scheme::runge_kutta_4}}};
 
-// Of an integrator that the model decides (model/scheme_choice.hpp).
+// Of an integrator that the model decides (model/settings/scheme_choice.hpp).
 inline constexpr const char* open_scheme_word = "auto";
 
 inline constexpr std::array<Choice<TangentKind>, 5> tangent_choices{

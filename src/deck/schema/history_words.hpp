@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/settings.hpp"
+#include "model/settings/settings.hpp"
 
 // What histories record, by the kind of thing that `at` of [[history]] names.
 namespace gxrod {

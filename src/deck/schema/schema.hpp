@@ -10,7 +10,7 @@
 
 // Every key of a deck, declared once: the reader checks against these declarations and takes the defaults
 // from them, and the JSON Schema and docs/deck.md are written from them. Plans of batches are declared
-// the same way (batch/plan_schema.hpp).
+// the same way (batch/plan/plan_schema.hpp).
 namespace gxrod {
 
 // What a key takes. "Number" means a finite number, or an expression whose value is one.

@@ -2,7 +2,7 @@
 
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
-#include "model/settings.hpp"
+#include "model/settings/settings.hpp"
 
 // The keys of analyses that find shapes.
 namespace gxrod {

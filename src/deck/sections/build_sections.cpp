@@ -11,7 +11,7 @@
 #include "deck/sections/section_shape.hpp"
 #include "deck/surroundings/section_fluid.hpp"
 #include "model/evaluation_error.hpp"
-#include "model/section_frame.hpp"
+#include "model/sections/section_frame.hpp"
 
 namespace gxrod {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "deck/build/build_context.hpp"
+#include "deck/places/build_context.hpp"
 
 namespace gxrod {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "deck/build/build_centreline.hpp"
-#include "deck/build/element_turn.hpp"
+#include "deck/rods/build_centreline.hpp"
+#include "deck/rods/element_turn.hpp"
 #include "deck/sections/rod_sections.hpp"
 #include "deck/sections/section_axes.hpp"
 #include "rotation/rotation_map.hpp"

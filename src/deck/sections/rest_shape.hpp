@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "deck/build/build_context.hpp"
+#include "deck/places/build_context.hpp"
 #include "deck/sections/section_twist.hpp"
 #include "geometry/centreline.hpp"
 #include "mesh/rod_mesh.hpp"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "deck/build/build_context.hpp"
+#include "deck/places/build_context.hpp"
 #include "deck/sections/section_files.hpp"
 
 // The section of a rod, or those that vary along it.

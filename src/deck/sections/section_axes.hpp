@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "deck/build/build_context.hpp"
+#include "deck/places/build_context.hpp"
 
 // The section axes of rods at t = 0.
 namespace gxrod {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "deck/build/angle_note.hpp"
+#include "deck/places/angle_note.hpp"
 
 namespace gxrod {
 

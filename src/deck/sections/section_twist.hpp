@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "deck/build/build_context.hpp"
+#include "deck/places/build_context.hpp"
 #include "deck/sections/section_files.hpp"
 
 namespace gxrod {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "deck/build/acting.hpp"
+#include "deck/loads/acting.hpp"
 
 namespace gxrod {
 namespace {

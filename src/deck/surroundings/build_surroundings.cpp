@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "deck/build/acting.hpp"
 #include "deck/drives/place_field.hpp"
+#include "deck/loads/acting.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/surroundings/build_seabed.hpp"
 #include "deck/surroundings/build_waves.hpp"

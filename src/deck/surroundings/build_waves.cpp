@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "deck/build/acting.hpp"
+#include "deck/loads/acting.hpp"
 #include "deck/surroundings/build_seabed.hpp"
 #include "environment/dispersion.hpp"
 #include "environment/sea.hpp"
-#include "model/analysis_traits.hpp"
+#include "model/settings/analysis_traits.hpp"
 
 namespace gxrod {
 namespace {

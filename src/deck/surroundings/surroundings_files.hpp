@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "deck/reading/checked_deck.hpp"
-#include "deck/reading/fault_list.hpp"
-#include "deck/reading/table_files.hpp"
+#include "deck/text/fault_list.hpp"
+#include "deck/text/table_files.hpp"
 #include "environment/sea.hpp"
 #include "model/surroundings.hpp"
 

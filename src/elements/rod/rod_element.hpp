@@ -7,8 +7,8 @@
 #include "elements/rod/rod_inertia.hpp"
 #include "elements/rod/simo_map.hpp"
 #include "elements/rod/two_node_rod.hpp"
-#include "state/point_values.hpp"
-#include "state/section_values.hpp"
+#include "state/values/point_values.hpp"
+#include "state/values/section_values.hpp"
 
 namespace gxrod {
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/base64.hpp"
-#include "report/data_blocks.hpp"
+#include "report/blocks/data_blocks.hpp"
 #include "report/findings/mode_json.hpp"
 #include "report/findings/sweep_json.hpp"
 #include "results/shape_file.hpp"

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "report/blocks/step_blocks.hpp"
 #include "report/findings/path_data.hpp"
 #include "report/findings/response_data.hpp"
 #include "report/findings/stage_list.hpp"
 #include "report/findings/stage_shapes.hpp"
 #include "report/report_plan.hpp"
-#include "report/step_blocks.hpp"
 #include "results/file/hdf5_reader.hpp"
 
 namespace gxrod {

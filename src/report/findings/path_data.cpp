@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "report/data_blocks.hpp"
+#include "report/blocks/data_blocks.hpp"
 #include "results/tables/path_table.hpp"
 
 namespace gxrod {

@@ -4,8 +4,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
+#include "report/blocks/step_blocks.hpp"
 #include "report/findings/stage_list.hpp"
-#include "report/step_blocks.hpp"
 #include "results/file/hdf5_reader.hpp"
 
 namespace gxrod {

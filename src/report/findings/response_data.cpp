@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "report/data_blocks.hpp"
+#include "report/blocks/data_blocks.hpp"
 
 namespace gxrod {
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "report/data_blocks.hpp"
+#include "report/blocks/data_blocks.hpp"
 #include "results/file/file_seal.hpp"
 
 namespace gxrod {

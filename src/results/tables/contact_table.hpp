@@ -2,7 +2,7 @@
 
 #include "model/model.hpp"
 #include "results/file/append_dataset.hpp"
-#include "state/step_record.hpp"
+#include "state/records/step_record.hpp"
 
 namespace gxrod {
 

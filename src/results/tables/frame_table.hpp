@@ -1,10 +1,10 @@
 #pragma once
 
 #include "model/model.hpp"
-#include "model/settings.hpp"
+#include "model/settings/settings.hpp"
 #include "results/file/append_dataset.hpp"
 #include "results/tables/frame_mesh.hpp"
-#include "state/step_record.hpp"
+#include "state/records/step_record.hpp"
 
 namespace gxrod {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "model/input.hpp"
+#include "model/time/input.hpp"
 #include "results/file/append_dataset.hpp"
 
 namespace gxrod {

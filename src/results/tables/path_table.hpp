@@ -1,7 +1,7 @@
 #pragma once
 
 #include "results/file/hdf5_objects.hpp"
-#include "state/path_record.hpp"
+#include "state/records/path_record.hpp"
 
 namespace gxrod {
 

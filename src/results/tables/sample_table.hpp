@@ -1,6 +1,6 @@
 #pragma once
 
-#include "results/tables/history_table.hpp"
+#include "results/histories/history_table.hpp"
 
 namespace gxrod {
 

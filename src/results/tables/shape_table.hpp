@@ -5,7 +5,7 @@
 
 #include "model/model.hpp"
 #include "results/file/hdf5_objects.hpp"
-#include "state/shapes_record.hpp"
+#include "state/records/shapes_record.hpp"
 
 namespace gxrod {
 

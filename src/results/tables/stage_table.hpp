@@ -8,7 +8,7 @@
 #include "results/stage_place.hpp"
 #include "results/tables/path_table.hpp"
 #include "results/tables/shape_table.hpp"
-#include "state/step_record.hpp"
+#include "state/records/step_record.hpp"
 
 namespace gxrod {
 

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <variant>
 
-#include "state/step_record.hpp"
+#include "state/records/step_record.hpp"
 
 // The columns of /ledger and /solver, one row a step: the only list of them.
 namespace gxrod {

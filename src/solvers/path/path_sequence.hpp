@@ -1,7 +1,7 @@
 #pragma once
 
-#include "model/settings.hpp"
-#include "solvers/step_sequence.hpp"
+#include "model/settings/settings.hpp"
+#include "solvers/steps/step_sequence.hpp"
 
 namespace gxrod {
 

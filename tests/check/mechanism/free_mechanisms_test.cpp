@@ -1,8 +1,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "check/free_parts.hpp"
 #include "check/model_examination.hpp"
+#include "check/motions/free_parts.hpp"
 #include "deck/decks.hpp"
 #include "tools/catch.hpp"
 #include "tools/mechanism_decks.hpp"

@@ -1,6 +1,6 @@
 #include "check/surroundings/surroundings_findings.hpp"
 
-#include "check/plane_findings.hpp"
+#include "check/findings/plane_findings.hpp"
 #include "deck/surroundings/surroundings_decks.hpp"
 #include "tools/catch.hpp"
 

@@ -1,6 +1,6 @@
 #include "deck/expressions/expression_switches.hpp"
 
-#include "model/breaks.hpp"
+#include "model/time/breaks.hpp"
 #include "tools/catch.hpp"
 
 namespace gxrod {

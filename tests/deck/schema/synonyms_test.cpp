@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "batch/plan_schema.hpp"
+#include "batch/plan/plan_schema.hpp"
 #include "deck/decks.hpp"
 #include "deck/schema/history_words.hpp"
 #include "deck/schema/schema.hpp"

@@ -7,7 +7,7 @@
 #include <random>
 #include <system_error>
 
-#include "deck/reading/text_file.hpp"
+#include "deck/text/text_file.hpp"
 #include "machine/checksum.hpp"
 #include "machine/file_error.hpp"
 #include "results/file/guarded_reading.hpp"

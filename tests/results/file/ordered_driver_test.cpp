@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "deck/reading/text_file.hpp"
+#include "deck/text/text_file.hpp"
 #include "results/file/append_dataset.hpp"
 #include "results/file/hdf5_objects.hpp"
 #include "results/sample.hpp"

@@ -1,0 +1,450 @@
+#include "assembly/joints/joint_assembly.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "assembly/scatter.hpp"
+#include "constraints/joints/joint_motors.hpp"
+
+namespace gxrod {
+
+namespace {
+
+using joint_scaling::acceleration_scale;
+using joint_scaling::regularization;
+
+const NodeMotion ground{};
+const NodeLinearization ground_linearization{};
+
+const NodeLinearization& linearization(const std::vector<NodeLinearization>& nodes, int node) {
+    return node < 0 ? ground_linearization : nodes[node];
+}
+
+// Of A and B; −1: the ground.
+std::array<int, 2> nodes_of(const Joint& joint) { return {joint.a.anchor.node, joint.b.anchor.node}; }
+
+JointLinearizations linearizations_of(const Joint& joint, const std::vector<NodeLinearization>& nodes) {
+    return {linearization(nodes, joint.a.anchor.node), linearization(nodes, joint.b.anchor.node)};
+}
+
+std::vector<int> list_nodes(const Joint& joint) {
+    std::vector<int> nodes;
+    for (const int node : nodes_of(joint)) {
+        if (node >= 0) nodes.push_back(node);
+    }
+    return nodes;
+}
+
+void set_slips(const JointSlips& slips, JointState& state) {
+    state.turn_slip = slips.turn;
+    state.slide_slip = slips.slide;
+}
+
+Vec6 increment_at(const std::vector<Vec6>& increments, int node) {
+    return node < 0 ? Vec6::Zero() : increments[node];
+}
+
+}  // namespace
+
+JointAssembly::JointAssembly(const Model& model) : model_(&model), wide_(model) {
+    are_linear_ = wide_.empty();
+    are_driven_ = wide_.are_driven();
+    have_forces_ = wide_.have_laws();
+    is_damped_ = wide_.are_damped();
+    std::vector<int> counts(model.joints.empty() && wide_.empty() ? 0 : model.nodes.size(), 0);
+    first_rows_.push_back(0);
+    for (const Joint& joint : model.joints) {
+        const JointRows& rows = joints_.emplace_back(joint);
+        are_linear_ = are_linear_ && rows.is_linear();
+        const JointForces& forces = forces_.emplace_back(joint);
+        have_forces_ = have_forces_ || !forces.is_empty();
+        for (const JointCoordinate* laws : {&joint.turn, &joint.slide}) {
+            are_driven_ = are_driven_ || is_driven_by(*laws);
+            is_damped_ = is_damped_ || is_damped_by(*laws);
+        }
+        first_rows_.push_back(first_rows_.back() + rows.count());
+        // Behind the node that carries fewer, so that no block grows large.
+        int owner = joint.b.anchor.node;
+        const int other = joint.a.anchor.node;
+        if (owner < 0 || (other >= 0 && counts[other] < counts[owner])) owner = other;
+        counts[owner] += rows.count();
+        attached_.push_back({owner, rows.count()});
+    }
+    wide_.attach(counts, attached_);
+}
+
+std::string JointAssembly::name(int index) const {
+    const auto joint = static_cast<std::size_t>(index);
+    return joint < joints_.size() ? "joint " + model_->joints[joint].name
+                                  : wide_.rows(joint - joints_.size()).name();
+}
+
+int JointAssembly::shown_node(int index) const {
+    const auto joint = static_cast<std::size_t>(index);
+    return joint < joints_.size() ? model_->joints[joint].moving_anchor().node : attached_[joint].node;
+}
+
+std::vector<NodeGroup> JointAssembly::node_groups() const {
+    std::vector<NodeGroup> groups;
+    groups.reserve(joints_.size());
+    for (const Joint& joint : model_->joints) groups.push_back(list_nodes(joint));
+    wide_.add_groups(groups);
+    return groups;
+}
+
+bool JointAssembly::have_friction_by_multipliers() const {
+    return std::ranges::any_of(forces_, [](const JointForces& forces) { return forces.follows_held(); });
+}
+
+void JointAssembly::lay_out(const EquationNumbers& equations, const SparsePattern& pattern, double length) {
+    equations_ = &equations;
+    length_ = length;
+    places_.reserve(joints_.size());
+    for (std::size_t i = 0; i < joints_.size(); ++i) places_.push_back(find_places(i, equations, pattern));
+    wide_.lay_out(equations, pattern, length, first_rows_.back());
+}
+
+JointAssembly::Places JointAssembly::find_places(std::size_t index,
+                                                 const EquationNumbers& equations,
+                                                 const SparsePattern& pattern) const {
+    const Joint& joint = model_->joints[index];
+    const int count = joints_[index].count();
+    Places places;
+    places.first = equations.of_attached(index);
+    if (count > 0) {
+        places.first_diagonal = pattern.slot(places.first, places.first);
+        places.stride = pattern.block_of(places.first).stride + 1;
+    }
+    const std::vector<int> nodes = list_nodes(joint);
+    const bool is_free =
+        std::all_of(nodes.begin(), nodes.end(), [&](int node) { return equations.is_free(node); });
+    std::array<std::int64_t, most_unknowns> numbers;
+    numbers.fill(-1);
+    for (int side = 0; side < 2; ++side) {
+        const int node = nodes_of(joint)[side];
+        if (node < 0) continue;
+        const auto own = equations.of_node(node);
+        std::copy(own.begin(), own.end(), numbers.begin() + 6 * side);
+    }
+    for (int row = 0; row < count; ++row) numbers[12 + row] = places.first + row;
+    for (int k = 0; k < 12; ++k)
+        places.diagonals[k] = numbers[k] < 0 ? -1 : pattern.slot(numbers[k], numbers[k]);
+    if (!is_free) {
+        const int size = 12 + count;
+        for (int column = 0; column < size; ++column) {
+            for (int row = 0; row < size; ++row) {
+                const bool is_there = numbers[row] >= 0 && numbers[column] >= 0;
+                places.slots.push_back(is_there ? pattern.slot(numbers[row], numbers[column]) : -1);
+            }
+        }
+        return places;
+    }
+    for (int pair = 0; pair < 9; ++pair) {
+        const std::int64_t row = numbers[6 * (pair % 3)];
+        const std::int64_t column = numbers[6 * (pair / 3)];
+        places.blocks[pair] = row < 0 || column < 0
+                                  ? Block{-1, 0}
+                                  : Block{pattern.slot(row, column), pattern.block_of(column).stride};
+    }
+    return places;
+}
+
+JointInputs JointAssembly::inputs_at(std::size_t index, const State& state, double time) const {
+    const Joint& joint = model_->joints[index];
+    const double held = forces_[index].follows_held() ? find_held_force(state, index).size : 0.0;
+    return {{joint.turn.rest(time), joint.turn.drive(time), held},
+            {joint.slide.rest(time), joint.slide.drive(time), held}};
+}
+
+// Of the rows that are lengths, but that of a motor.
+JointAssembly::HeldForce JointAssembly::find_held_force(const State& state, std::size_t index) const {
+    const JointRows& rows = joints_[index];
+    HeldForce held{0.0, multipliers(state, index)};
+    for (int row = 0; row < rows.count(); ++row) {
+        if (!rows.is_length(row) || row == rows.slide_motor_row()) held.by_multipliers[row] = 0.0;
+    }
+    held.size = held.by_multipliers.norm();
+    if (held.size > 0.0) held.by_multipliers /= held.size;
+    return held;
+}
+
+// λ changes by D (μ − G δ), and so does the friction.
+void JointAssembly::add_held_tangent(
+    std::size_t index, const State& state, double time, const JointVector& D, Matrix& matrix) const {
+    const JointState& before = state.joints_previous[index];
+    const JointMotions at = motions(state.trial, index);
+    const PairVector by_held =
+        forces_[index]
+            .compute_held_derivative(at, before.turn, inputs_at(index, state, time), slips_of(before))
+            .transpose();
+    const JointVector by_multipliers = find_held_force(state, index).by_multipliers;
+    const JointMatrix G = joints_[index].compute_gradient(at);
+    for (int row = 0; row < joints_[index].count(); ++row) {
+        const PairVector column = D[row] * by_multipliers[row] * by_held;
+        matrix.block<12, 1>(0, 12 + row) -= column;
+        matrix.topLeftCorner<12, 12>() += column * G.row(row);
+    }
+}
+
+const NodeMotion& JointAssembly::motion(const std::vector<NodeMotion>& nodes, int node) const {
+    return node < 0 ? ground : nodes[node];
+}
+
+JointMotions JointAssembly::motions(const std::vector<NodeMotion>& nodes, std::size_t index) const {
+    const Joint& joint = model_->joints[index];
+    return {motion(nodes, joint.a.anchor.node), motion(nodes, joint.b.anchor.node)};
+}
+
+JointVector JointAssembly::multipliers(const State& state, std::size_t index) const {
+    return Eigen::Map<const Eigen::VectorXd>(state.joints_trial[index].multipliers.data(),
+                                             joints_[index].count());
+}
+
+void JointAssembly::compute_rows(const State& state,
+                                 double time,
+                                 const ConstraintRequest& request,
+                                 std::vector<double>& rows) const {
+    rows.resize(static_cast<std::size_t>(first_rows_.back()) + wide_.row_count());
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        const JointMotors motors = compute_motors(model_->joints[i], time, request.step, request.level);
+        const JointVector values = joints_[i].compute_values(
+            motions(state.trial, i), state.joints_previous[i].turn, motors, request.level);
+        for (int row = 0; row < joints_[i].count(); ++row)
+            rows[static_cast<std::size_t>(first_rows_[i] + row)] = request.factor * values[row];
+    }
+    wide_.compute_rows(state, time, request, rows);
+}
+
+PairVector JointAssembly::compute_force(const State& state, double time, std::size_t index) const {
+    const JointMotions at = motions(state.trial, index);
+    const JointRows& rows = joints_[index];
+    PairVector force =
+        rows.compute_force(rows.compute_frames(at, ConstraintLevel::position), multipliers(state, index));
+    if (!forces_[index].is_empty()) {
+        const JointState& before = state.joints_previous[index];
+        force += forces_[index]
+                     .compute_force(at, before.turn, inputs_at(index, state, time), slips_of(before))
+                     .transpose();
+    }
+    return force;
+}
+
+void JointAssembly::add_forces(const State& state,
+                               double time,
+                               ConstraintLevel level,
+                               const ScaleGroups& groups,
+                               Residual& residual) const {
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        const PairVector force = compute_force(state, time, i);
+        const std::array<int, 2> nodes = nodes_of(model_->joints[i]);
+        for (int side = 0; side < 2; ++side) {
+            if (nodes[side] < 0) continue;
+            const Vec6 on_node = force.segment<6>(6 * side);
+            residual.raise_group(groups.of_node(nodes[side]), on_node);
+            residual.nodal[nodes[side]] -= on_node;
+        }
+    }
+    wide_.add_forces(state, time, level, groups, residual);
+}
+
+void JointAssembly::subtract_ground_forces(const State& state, double time, std::vector<Vec6>& nodal) const {
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        const std::array<int, 2> nodes = nodes_of(model_->joints[i]);
+        if (nodes[0] >= 0 && nodes[1] >= 0) continue;
+        const int side = nodes[0] < 0 ? 1 : 0;
+        nodal[nodes[side]] -= compute_force(state, time, i).segment<6>(6 * side);
+    }
+    wide_.subtract_ground_forces(state, time, nodal);
+}
+
+// The mean of the diagonal's entries at the joint's nodes, of displacements and of rotations, at least a part
+// of the largest.
+std::vector<JointScales> JointAssembly::compute_scales(const State& state,
+                                                       double time,
+                                                       const std::vector<double>& values) const {
+    std::vector<JointScales> scales;
+    scales.reserve(count());
+    for (const Places& places : places_) {
+        DiagonalMean mean;
+        for (int k = 0; k < 12; ++k) {
+            if (places.diagonals[k] >= 0) mean.add(k, values[places.diagonals[k]]);
+        }
+        scales.push_back(mean.mean());
+    }
+    wide_.add_means(state, time, values, scales);
+    bound_scales(length_, scales);
+    return scales;
+}
+
+void JointAssembly::add_tangents(const State& state,
+                                 double time,
+                                 const std::vector<NodeLinearization>& linearizations,
+                                 const ConstraintRequest& request,
+                                 std::vector<double>& values) const {
+    if (empty()) return;
+    const bool has_equations =
+        request.level != ConstraintLevel::position || linearizations.front().placement != 0.0;
+    if (!has_equations && !have_forces_) return;
+    std::vector<JointScales> scales;
+    if (has_equations && request.scaled_as == nullptr) scales = compute_scales(state, time, values);
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        Matrix matrix = Matrix::Zero();
+        if (has_equations) {
+            JointVector D(joints_[i].count());
+            for (int row = 0; row < joints_[i].count(); ++row) {
+                D[row] = request.scaled_as ? scale_of_row(i, row, *request.scaled_as)
+                                           : scales[i].of(joints_[i].is_length(row));
+            }
+            if (request.level == ConstraintLevel::acceleration) D *= acceleration_scale;
+            add_equations(i, state, linearizations, request, D, matrix);
+            if (forces_[i].follows_held()) add_held_tangent(i, state, time, D, matrix);
+        }
+        if (!forces_[i].is_empty()) {
+            const JointState& before = state.joints_previous[i];
+            matrix.topLeftCorner<12, 12>() -=
+                forces_[i].compute_tangent(motions(state.trial, i),
+                                           linearizations_of(model_->joints[i], linearizations),
+                                           before.turn,
+                                           inputs_at(i, state, time),
+                                           slips_of(before));
+        }
+        add_matrix(i, matrix, values);
+    }
+    wide_.add_tangents(state, time, linearizations, request, has_equations, scales, values);
+}
+
+void JointAssembly::add_equations(std::size_t index,
+                                  const State& state,
+                                  const std::vector<NodeLinearization>& linearizations,
+                                  const ConstraintRequest& request,
+                                  const JointVector& D,
+                                  Matrix& matrix) const {
+    const JointRows& rows = joints_[index];
+    const int count = rows.count();
+    const bool is_of_positions = request.level == ConstraintLevel::position;
+    const JointFrames frames =
+        rows.compute_frames(motions(state.trial, index),
+                            is_of_positions ? ConstraintLevel::position : ConstraintLevel::acceleration);
+    const double placement = linearizations.front().placement;
+    const JointMatrix G = rows.compute_gradient(frames);
+    auto of_nodes = matrix.topLeftCorner<12, 12>();
+    if (placement != 0.0)
+        of_nodes = -placement * rows.compute_force_derivative(frames, multipliers(state, index));
+    for (int column = 0; column < 12; ++column) {
+        PairVector sum = of_nodes.col(column);
+        for (int row = 0; row < count; ++row) sum += D[row] * G(row, column) * G.row(row).transpose();
+        of_nodes.col(column) = sum;
+    }
+    const JointMatrix H = is_of_positions
+                              ? G
+                              : rows.compute_acceleration_derivative(
+                                    frames, linearizations_of(model_->joints[index], linearizations));
+    for (int row = 0; row < count; ++row) {
+        const double size = D[row];
+        matrix.block<12, 1>(0, 12 + row) = -size * G.row(row).transpose();
+        matrix.block<1, 12>(12 + row, 0) = -(is_of_positions ? size : size * request.factor) * H.row(row);
+        matrix(12 + row, 12 + row) = -regularization * size;
+    }
+}
+
+void JointAssembly::add_matrix(std::size_t index, Matrix& matrix, std::vector<double>& values) const {
+    const Places& places = places_[index];
+    const int count = joints_[index].count();
+    if (!places.slots.empty()) {
+        turn_to_own_axes(nodes_of(model_->joints[index]), *equations_, matrix);
+        auto slots = std::span(places.slots);
+        const auto size = static_cast<std::size_t>(12 + count);
+        for (int column = 0; column < 12 + count; ++column, slots = slots.subspan(size))
+            add_to_values(&matrix.coeffRef(0, column), slots.first(size), values);
+        return;
+    }
+    for (int pair = 0; pair < 9; ++pair) {
+        const auto [first, stride] = places.blocks[pair];
+        if (first < 0) continue;
+        const int columns = pair / 3 == 2 ? count : 6;
+        for (int column = 0; column < columns; ++column) {
+            double* target = &values[first + column * stride];
+            const double* source = &matrix(6 * (pair % 3), 6 * (pair / 3) + column);
+            if (pair % 3 < 2) {
+                Eigen::Map<Vec6>(target) += Eigen::Map<const Vec6>(source);
+            } else {
+                for (int row = 0; row < count; ++row) target[row] += source[row];
+            }
+        }
+    }
+}
+
+double JointAssembly::scale_of_row(std::size_t index, int row, const std::vector<double>& values) const {
+    const Places& places = places_[index];
+    return -values[places.first_diagonal + row * places.stride] / regularization;
+}
+
+void JointAssembly::set_rows(const std::vector<double>& rows,
+                             const std::vector<double>& values,
+                             Eigen::VectorXd& vector) const {
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        for (int row = 0; row < joints_[i].count(); ++row) {
+            vector[places_[i].first + row] =
+                -scale_of_row(i, row, values) * rows[static_cast<std::size_t>(first_rows_[i] + row)];
+        }
+    }
+    wide_.set_rows(rows, values, vector);
+}
+
+void JointAssembly::advance_multipliers(const std::vector<Vec6>& increments,
+                                        const Eigen::VectorXd& solution,
+                                        const std::vector<double>& values,
+                                        State& state) const {
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        const Joint& joint = model_->joints[i];
+        PairRow delta;
+        delta << increment_at(increments, joint.a.anchor.node).transpose(),
+            increment_at(increments, joint.b.anchor.node).transpose();
+        const JointMatrix G = joints_[i].compute_gradient(motions(state.trial, i));
+        for (int row = 0; row < joints_[i].count(); ++row) {
+            state.joints_trial[i].multipliers[row] +=
+                scale_of_row(i, row, values) * (solution[places_[i].first + row] - G.row(row).dot(delta));
+        }
+    }
+    wide_.advance_multipliers(increments, solution, values, state);
+}
+
+LargestGap JointAssembly::measure_gap(const std::vector<double>& rows, const State& state) const {
+    LargestGap gap;
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        const JointMotions at = motions(state.trial, i);
+        const double length = std::max({length_, at.a.r.norm(), at.b.r.norm()});
+        for (int row = 0; row < joints_[i].count(); ++row) {
+            const double value = std::abs(rows[static_cast<std::size_t>(first_rows_[i] + row)]) /
+                                 (joints_[i].is_length(row) ? length : 1.0);
+            if (!(value <= gap.size)) gap = {value, static_cast<int>(i)};
+        }
+    }
+    const WideAssembly::Gap wide = wide_.measure_gap(rows, state);
+    if (!(wide.size <= gap.size)) gap = {wide.size, static_cast<int>(joints_.size() + wide.index)};
+    return gap;
+}
+
+void JointAssembly::start(State& state) const {
+    state.joints_previous.resize(count());
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+        set_slips(forces_[i].compute_first_slips(motions(state.trial, i), 0.0), state.joints_previous[i]);
+    wide_.start(state);
+    state.joints_trial = state.joints_previous;
+}
+
+void JointAssembly::commit(State& state) const {
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        const JointState& before = state.joints_previous[i];
+        JointState& after = state.joints_trial[i];
+        after.turn = place_of(state.trial, i, state).turn.value;
+        if (!forces_[i].is_empty())
+            set_slips(forces_[i].compute_slips(motions(state.trial, i), before.turn, slips_of(before)),
+                      after);
+    }
+    wide_.commit(state);
+    state.joints_previous = state.joints_trial;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,194 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "assembly/constraint_request.hpp"
+#include "assembly/equation_numbers.hpp"
+#include "assembly/joints/wide_assembly.hpp"
+#include "assembly/node_groups.hpp"
+#include "assembly/residual.hpp"
+#include "assembly/scale_groups.hpp"
+#include "constraints/joints/joint_force.hpp"
+#include "constraints/joints/joint_rows.hpp"
+#include "linear/sparse_pattern.hpp"
+#include "model/model.hpp"
+#include "state/state.hpp"
+#include "state/values/joint_values.hpp"
+
+namespace gxrod {
+
+// How far the equations of joints are from being met: relative to the length of their part, or in rad.
+struct LargestGap {
+    double size = 0.0;
+    int joint = -1;
+};
+
+// The joints of a model, and gears between them, in its system of equations (docs/theory/joints.md); gears
+// are counted behind the joints. Each joint's multipliers are attached to one of its nodes. With D the size
+// of the tangent's diagonal at its nodes, G the gradient of its equations Φ and μ the unknown that stands for
+// its multipliers, λ ← λ + D (μ − G δ), the system is
+//   [K − ∂(Gᵀλ) + GᵀDG   −GᵀD] [δ]     [R − Gᵀλ]
+//   [−DG                 −εD ] [μ] = − [−DΦ    ]
+// so no pivot vanishes, in any unit and for any step, and redundant equations do no harm.
+class JointAssembly {
+  public:
+    explicit JointAssembly(const Model& model);
+
+    bool empty() const { return joints_.empty() && wide_.empty(); }
+    std::size_t count() const { return joints_.size() + wide_.count(); }
+    // Of a joint or a gear, as messages have it: "joint shaft", "gear stage"; and the node at which its state
+    // is reported.
+    std::string name(int index) const;
+    int shown_node(int index) const;
+    const std::vector<AttachedUnknowns>& attached() const { return attached_; }
+    std::vector<NodeGroup> node_groups() const;
+    // Whether an equation of a joint is a length.
+    bool is_length(int joint, int row) const {
+        const auto index = static_cast<std::size_t>(joint);
+        return index < joints_.size() ? joints_[index].is_length(row)
+                                      : wide_.rows(index - joints_.size()).is_length(row);
+    }
+    // Whether all equations are linear in positions, so that velocities meet them where positions do.
+    bool are_linear() const { return are_linear_; }
+
+    // Once, when the equations are numbered.
+    void lay_out(const EquationNumbers& equations, const SparsePattern& pattern, double length);
+
+    // Sets rows to the equations of the trial motions.
+    void compute_rows(const State& state,
+                      double time,
+                      const ConstraintRequest& request,
+                      std::vector<double>& rows) const;
+    // Subtracts what joints exert from the nodal residual of the trial motions.
+    void add_forces(const State& state,
+                    double time,
+                    ConstraintLevel level,
+                    const ScaleGroups& groups,
+                    Residual& residual) const;
+    // Subtracts what joints that are held by the ground exert on the nodes.
+    void subtract_ground_forces(const State& state, double time, std::vector<Vec6>& nodal) const;
+    // Adds to the values of a tangent, which has all else already. Equations and their multipliers are left
+    // out at the level of positions where the linearizations have no placement.
+    void add_tangents(const State& state,
+                      double time,
+                      const std::vector<NodeLinearization>& linearizations,
+                      const ConstraintRequest& request,
+                      std::vector<double>& values) const;
+    // Sets the entries of a residual vector to −DΦ, with D from the values of the tangent.
+    void set_rows(const std::vector<double>& rows,
+                  const std::vector<double>& values,
+                  Eigen::VectorXd& vector) const;
+    // Moves the trial multipliers with the nodes' increments and the solution's μ. Trial motions are those of
+    // the tangent.
+    void advance_multipliers(const std::vector<Vec6>& increments,
+                             const Eigen::VectorXd& solution,
+                             const std::vector<double>& values,
+                             State& state) const;
+
+    // What does work on joints from outside, for each of them, as the ledger takes forces: motors and drives
+    // on turn and slide, what moves the rest of springs of turn and slide, 0, 0.
+    std::vector<Vec6> compute_driving_forces(const State& state, double time) const;
+    // What these forces move, alike; and how it changed from the previous motions to the trial ones at
+    // `time`.
+    std::vector<Vec6> compute_coordinates(const std::vector<NodeMotion>& nodes,
+                                          double time,
+                                          const State& state) const;
+    std::vector<Vec6> compute_movement(const State& state, double time) const;
+    // The power of these forces, of the trial motions.
+    double compute_driving_power(const State& state, double time, const TimeSpan& step) const;
+    // Of springs, limits and friction that sticks, of the trial motions.
+    double compute_strain_energy(const State& state, double time) const;
+    double compute_damping_power(const State& state) const;
+    // What dampers would take in the step from the previous motions to the trial ones in a unit of time.
+    double compute_damping_action(const State& state) const;
+    // What friction takes in that step.
+    double compute_slip_dissipation(const State& state) const;
+    bool is_damped() const { return is_damped_; }
+    // Whether friction follows the force that a joint holds.
+    bool have_friction_by_multipliers() const;
+    // At the start of a run: friction slips where the joint moves.
+    void start(State& state) const;
+
+    // Of each joint, of the trial motions.
+    std::vector<JointValues> compute_joint_values(const State& state, double time) const;
+
+    // Of rows that are lengths and turns.
+    LargestGap measure_gap(const std::vector<double>& rows, const State& state) const;
+    // Throws EvaluationError if the trial motions are where a joint has no meaning, beyond the end of a rod.
+    void check_ranges(const State& state, double time) const { wide_.check_ranges(state, time); }
+    // Turns and slips at the trial motions become those of the last accepted step.
+    void commit(State& state) const;
+
+  private:
+    struct Block {
+        std::int64_t first;   // of the entry in the block's first row and column
+        std::int64_t stride;  // from column to column
+    };
+    // Where a joint's matrix goes: by unknowns of A, of B and its own, column by column.
+    struct Places {
+        std::array<Block, 9> blocks{};
+        std::vector<std::int64_t> slots;           // of all entries; empty if the blocks say it all
+        std::int64_t first = 0;                    // of its equations
+        std::int64_t first_diagonal = 0;           // slot of that equation's diagonal entry
+        std::int64_t stride = 0;                   // from one diagonal entry to the next
+        std::array<std::int64_t, 12> diagonals{};  // slots of those of A's and B's unknowns; −1 where none
+    };
+    static constexpr int most_unknowns = 12 + most_joint_rows;
+    using Matrix = Eigen::Matrix<double, most_unknowns, most_unknowns>;
+    // The coordinates that a joint leaves free; 0 where it has none.
+    struct JointPlace {
+        ScalarJet turn{}, slide{};
+    };
+
+    JointPlace place_of(const std::vector<NodeMotion>& nodes, std::size_t joint, const State& state) const;
+    JointInputs inputs_at(std::size_t joint, const State& state, double time) const;
+    // The force that the joint's points hold, by its multipliers: its size, and its derivative by those.
+    struct HeldForce {
+        double size = 0.0;
+        JointVector by_multipliers;
+    };
+    HeldForce find_held_force(const State& state, std::size_t joint) const;
+    // What friction that follows this force adds to the joint's matrix.
+    void add_held_tangent(
+        std::size_t joint, const State& state, double time, const JointVector& D, Matrix& matrix) const;
+    static JointSlips slips_of(const JointState& state) { return {state.turn_slip, state.slide_slip}; }
+    const NodeMotion& motion(const std::vector<NodeMotion>& nodes, int node) const;
+    JointMotions motions(const std::vector<NodeMotion>& nodes, std::size_t joint) const;
+    JointVector multipliers(const State& state, std::size_t joint) const;
+    // What a joint exerts on the nodes of A and B.
+    PairVector compute_force(const State& state, double time, std::size_t joint) const;
+    void add_equations(std::size_t joint,
+                       const State& state,
+                       const std::vector<NodeLinearization>& linearizations,
+                       const ConstraintRequest& request,
+                       const JointVector& D,
+                       Matrix& matrix) const;
+    Places find_places(std::size_t joint,
+                       const EquationNumbers& equations,
+                       const SparsePattern& pattern) const;
+    std::vector<JointScales> compute_scales(const State& state,
+                                            double time,
+                                            const std::vector<double>& values) const;
+    void add_matrix(std::size_t joint, Matrix& matrix, std::vector<double>& values) const;
+    double scale_of_row(std::size_t joint, int row, const std::vector<double>& values) const;
+
+    const Model* model_;
+    const EquationNumbers* equations_ = nullptr;
+    double length_ = 1.0;
+    WideAssembly wide_;
+    std::vector<JointRows> joints_;
+    std::vector<JointForces> forces_;
+    std::vector<AttachedUnknowns> attached_;
+    std::vector<Places> places_;
+    std::vector<std::int64_t> first_rows_;  // of each joint in Residual::rows, and the number of all
+    bool are_linear_ = true;
+    bool are_driven_ = false;
+    bool have_forces_ = false;
+    bool is_damped_ = false;
+};
+
+}  // namespace gxrod

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "assembly/joints/joint_assembly.hpp"
+#include "assembly/tendons/capstan_tension.hpp"
+#include "assembly/tendons/tendon_line.hpp"
+#include "loads/drive_values.hpp"
+#include "model/model.hpp"
+#include "state/values/tendon_values.hpp"
+
+namespace gxrod {
+
+// What is recorded of a model's tendons, whoever pulls them.
+class TendonLines {
+  public:
+    // The model must outlive this.
+    explicit TendonLines(const Model& model);
+
+    // Of the trial motions and multipliers, in the order of the model.
+    std::vector<TendonValues> compute_values(const State& state,
+                                             const JointAssembly& joints,
+                                             double time) const;
+    // Whether winches pull any.
+    bool have_winches() const { return have_winches_; }
+    // Of those with friction.
+    const CapstanTensions& capstans() const { return capstans_; }
+    // What acts within sections, tendons that winches pull included.
+    const DriveValues& drives_at(const State& state, const JointAssembly& joints, double time) const;
+
+  private:
+    std::vector<double> find_tensions(const std::vector<JointValues>& joints, double time) const;
+
+    const Model* model_;
+    bool have_winches_;
+    std::vector<TendonLine> lines_;
+    CapstanTensions capstans_;
+    mutable DriveValues drives_;
+};
+
+}  // namespace gxrod

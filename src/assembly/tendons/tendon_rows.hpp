@@ -1,0 +1,78 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "assembly/tendons/tendon_line.hpp"
+#include "constraints/joints/wide_rows.hpp"
+
+namespace gxrod {
+
+// A tendon that a winch pulls, docs/theory/drives.md (D9) to (D13). One that does not stretch has the
+// equation Φ = what the winch leaves − ℓ = 0, whose multiplier is the tension; one that hangs loose where it
+// can has Φ ≥ 0. One that stretches has no equation but a law, the tension by the length.
+class TendonRows : public WideRows {
+  public:
+    TendonRows(const Model& model, const Tendon& tendon);
+
+    const std::string& name() const override { return name_; }
+    int count() const override { return is_elastic() ? 0 : 1; }
+    bool is_length(int /*row*/) const override { return true; }
+    std::vector<std::vector<int>> list_groups() const override { return {line_.nodes()}; }
+    std::vector<int> list_nodes(const WidePlace& /*place*/) const override { return line_.nodes(); }
+
+    Eigen::VectorXd compute_values(const WidePlace& place,
+                                   ConstraintLevel level,
+                                   const TimeSpan& step) const override;
+    bool hold(const WidePlace& place,
+              const Eigen::VectorXd& multipliers,
+              ConstraintLevel level) const override;
+    Eigen::MatrixXd compute_gradient(const WidePlace& place) const override;
+    Eigen::MatrixXd compute_acceleration_derivative(
+        const WidePlace& place, const std::vector<NodeLinearization>& linearizations) const override;
+    Eigen::MatrixXd compute_force_derivative(const WidePlace& place,
+                                             const Eigen::VectorXd& multipliers) const override;
+
+    bool has_laws() const override { return is_elastic(); }
+    Eigen::VectorXd compute_law_force(const WidePlace& place) const override;
+    Eigen::MatrixXd compute_law_tangent(const WidePlace& place,
+                                        const std::vector<NodeLinearization>& linearizations) const override;
+    double compute_strain_energy(const WidePlace& place) const override;
+
+    bool is_driven() const override { return true; }
+    Vec6 compute_driving_forces(const WidePlace& place, const Eigen::VectorXd& multipliers) const override;
+    Vec6 compute_coordinates(const WidePlace& place) const override;
+    double compute_driving_power(const WidePlace& place,
+                                 const Eigen::VectorXd& multipliers,
+                                 const TimeSpan& step) const override;
+
+    // The slide is its length, what drives the slide its tension.
+    JointValues compute_joint_values(const WidePlace& place,
+                                     const Eigen::VectorXd& multipliers) const override;
+
+  private:
+    bool is_elastic() const { return winch_->stiffness > 0.0; }
+    double length_at(const WidePlace& place) const { return line_.compute_length(place.nodes, place.state); }
+    // What the winch leaves of it, without tension, and the derivatives of that by time.
+    double compute_prescribed(double time, const TimeSpan& step, ConstraintLevel level) const;
+    // Of one that stretches.
+    double compute_tension(const WidePlace& place) const;
+    double compute_tension(const WidePlace& place, const Eigen::VectorXd& multipliers) const {
+        return is_elastic() ? compute_tension(place) : multipliers[0];
+    }
+    Eigen::VectorXd stack_rates(const WidePlace& place) const;
+    Eigen::VectorXd stack_accelerations(const WidePlace& place) const;
+    Eigen::VectorXd differentiate_square(const WidePlace& place, const Eigen::VectorXd& rates) const;
+
+    std::string name_;
+    const TendonWinch* winch_;
+    TimeFunction shortening_;
+    TendonLine line_;
+    double rod_stiffness_;  // force per length
+};
+
+// The tendons of a model that winches pull, in its order: behind what list_wide_rows lists.
+std::vector<std::unique_ptr<const WideRows>> list_tendon_rows(const Model& model);
+
+}  // namespace gxrod

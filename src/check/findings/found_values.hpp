@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "state/records/path_record.hpp"
+#include "state/records/shapes_record.hpp"
+
+// Numbers of what stages have found, by their names in results.
+namespace gxrod {
+
+inline constexpr std::array<std::string_view, 9> found_quantities{"frequency",
+                                                                  "omega",
+                                                                  "growth",
+                                                                  "damping_ratio",
+                                                                  "factor",
+                                                                  "load_factor",
+                                                                  "onset",
+                                                                  "onset_omega",
+                                                                  "unstable"};
+
+// One of each shape or onset, in their order; empty if this kind has no such quantity. "unstable", of modes
+// and eigenvalues, is one number.
+std::vector<double> list_found_values(const ShapesRecord& record, std::string_view quantity);
+// One of each critical point, those of the main path first: load_factor.
+std::vector<double> list_found_values(const PathRecord& record, std::string_view quantity);
+// "omega" or "growth" of each mode of a sweep at one of its values; empty at any other.
+std::vector<double> list_values_at(const SweepRecord& record, std::string_view quantity, double value);
+
+// Whether stages of this kind have the quantity; without a sweep, and with one.
+bool has_found_quantity(std::string_view kind, bool sweeps, std::string_view quantity);
+
+}  // namespace gxrod

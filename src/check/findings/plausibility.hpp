@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "check/findings/finding.hpp"
+#include "model/settings/stage.hpp"
+
+namespace gxrod {
+
+// Questions that `gxrod check` asks about numbers that hardly any model has, such as those in another unit.
+// They are notes: the model is computed as it stands.
+std::vector<Finding> question_model(const Model& model, const std::vector<StagePlan>& stages);
+
+}  // namespace gxrod

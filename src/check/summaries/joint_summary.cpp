@@ -1,0 +1,134 @@
+#include "check/summaries/joint_summary.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
+
+#include "model/joint_name.hpp"
+
+namespace gxrod {
+namespace {
+
+std::string describe(const Vec3& v) {
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0] + 0.0, v[1] + 0.0, v[2] + 0.0);
+}
+
+// The axes of a joint, or the length of a distance, with what it has to do with them.
+std::string describe_axes(const Joint& joint) {
+    const std::string axis = describe(joint.a.axes.col(0));
+    switch (joint.kind) {
+        case JointKind::hinge:
+            return " about " + axis;
+        case JointKind::cylinder:
+        case JointKind::slider:
+            return " along " + axis;
+        case JointKind::free:
+            return " about and along " + axis;
+        case JointKind::screw:
+            return fmt::format(" along {}, {:.6g} a turn,", axis, joint.lead);
+        case JointKind::universal:
+            return fmt::format(" about {} of A and {} of B", axis, describe(joint.b.axes.col(0)));
+        case JointKind::plane:
+            return " across " + axis;
+        case JointKind::distance:
+            return fmt::format(" of {:.6g}", joint.length);
+        case JointKind::ball:
+        case JointKind::weld:
+        case JointKind::sleeve:
+            break;
+    }
+    return "";
+}
+
+// A side of a joint whose place is told: "thigh.end", "shank (by an arm of 0.12)".
+std::string name_side(const Model& model, const Anchor& anchor) {
+    if (anchor.is_ground()) return "the ground";
+    const std::string& node = model.nodes[anchor.node].name;
+    return anchor.arm.isZero(0.0) ? node : fmt::format("{} (by an arm of {:.6g})", node, anchor.arm.norm());
+}
+
+std::string describe_limits(const CoordinateLimits& limits) {
+    const std::string stiffness = fmt::format(" (stiffness {:.6g})", limits.stiffness);
+    if (!limits.lower) return fmt::format("limit below {:.6g}", *limits.upper) + stiffness;
+    if (!limits.upper) return fmt::format("limit above {:.6g}", *limits.lower) + stiffness;
+    return fmt::format("limits {:.6g} to {:.6g}", *limits.lower, *limits.upper) + stiffness;
+}
+
+// What acts on a coordinate; "" if nothing does.
+std::string describe_actions(const char* name, const JointCoordinate& coordinate) {
+    std::vector<std::string> actions;
+    if (coordinate.motion) actions.emplace_back("moved by a motor");
+    if (!coordinate.drive.is_zero()) actions.emplace_back("driven");
+    if (coordinate.stiffness > 0.0)
+        actions.push_back(fmt::format("spring of stiffness {:.6g}", coordinate.stiffness));
+    if (coordinate.damping > 0.0) actions.push_back(fmt::format("damping {:.6g}", coordinate.damping));
+    if (coordinate.friction.force > 0.0)
+        actions.push_back(fmt::format("friction {:.6g}", coordinate.friction.force));
+    if (coordinate.friction.lever > 0.0)
+        actions.push_back(fmt::format("friction {:.6g} times the force held", coordinate.friction.lever));
+    if (coordinate.limits.lower || coordinate.limits.upper)
+        actions.push_back(describe_limits(coordinate.limits));
+    return actions.empty() ? "" : fmt::format("; {}: {}", name, fmt::join(actions, ", "));
+}
+
+std::string describe_joint(const Model& model, const Joint& joint) {
+    std::string text = fmt::format("joint {}: {}{}", joint.name, name_of(joint.kind), describe_axes(joint));
+    if (joint.kind == JointKind::distance) {
+        text += fmt::format(" between {} and {}",
+                            describe_anchor(model, joint.a.anchor),
+                            describe_anchor(model, joint.b.anchor));
+    } else {
+        text += fmt::format(" at {} between {} and {}",
+                            describe(find_place(model, joint.a.anchor)),
+                            name_side(model, joint.a.anchor),
+                            name_side(model, joint.b.anchor));
+    }
+    return text + describe_actions("turn", joint.turn) + describe_actions("slide", joint.slide) + "\n";
+}
+
+std::string describe_sleeve(const Model& model, const Sleeve& sleeve) {
+    const Rod& rod = model.rods[sleeve.rod];
+    return fmt::format("joint {}: sleeve at {} between rod {}, {:.6g} of {:.6g} along it, and {}{}\n",
+                       sleeve.name,
+                       describe(find_place(model, sleeve.point)),
+                       rod.name,
+                       sleeve.place,
+                       rod.length,
+                       name_side(model, sleeve.point),
+                       describe_actions("slide", sleeve.slide));
+}
+
+}  // namespace
+
+std::string describe_anchor(const Model& model, const Anchor& anchor) {
+    if (anchor.is_ground()) return fmt::format("the ground at {}", describe(anchor.arm));
+    const std::string& node = model.nodes[anchor.node].name;
+    if (anchor.arm.isZero(0.0)) return node;
+    return fmt::format(
+        "{} by an arm of {:.6g} to {}", node, anchor.arm.norm(), describe(find_place(model, anchor)));
+}
+
+ItemList list_gears(const Model& model) {
+    ItemList gears{"gears", {}};
+    for (const Gear& gear : model.gears) {
+        const auto name = [&](const GearSide& side) {
+            return fmt::format("{} of {}", side.is_turn ? "turn" : "slide", model.joints[side.joint].name);
+        };
+        gears.items.push_back(fmt::format("gear {}: {:.6g} × {} + {} = 0\n",
+                                          gear.name,
+                                          gear.ratio,
+                                          name(gear.sides[0]),
+                                          name(gear.sides[1])));
+    }
+    return gears;
+}
+
+ItemList list_joints(const Model& model) {
+    ItemList joints{"joints", {}};
+    for (const Joint& joint : model.joints) joints.items.push_back(describe_joint(model, joint));
+    for (const Sleeve& sleeve : model.sleeves) joints.items.push_back(describe_sleeve(model, sleeve));
+    return joints;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,289 @@
+#include "check/summaries/model_summary.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "assembly/system.hpp"
+#include "check/mechanism/mechanism.hpp"
+#include "check/summaries/condition_summary.hpp"
+#include "check/summaries/joint_summary.hpp"
+#include "check/summaries/rod_summary.hpp"
+#include "check/surroundings/fluid_summary.hpp"
+#include "model/settings/analysis_traits.hpp"
+#include "model/settings/frame_interval.hpp"
+#include "model/spring_law.hpp"
+#include "numerics/eigenvalues.hpp"
+#include "state/spring_line.hpp"
+
+namespace gxrod {
+
+namespace {
+
+std::string describe(const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]); }
+
+std::string describe_body(const Model& model, const Body& body) {
+    const std::string text =
+        fmt::format("body {}: mass {:.6g}, principal inertia {}, node {} at {}, centre of mass {} from it\n",
+                    body.name,
+                    body.mass,
+                    describe(find_symmetric_eigen(body.inertia).values),
+                    model.nodes[body.node].name,
+                    describe(model.nodes[body.node].position),
+                    describe(body.attitude * body.centre_of_mass));
+    return text + describe_fluid(model, body);
+}
+
+std::string describe_spring(const Model& model, const Spring& spring) {
+    const Vec3 d = find_place(model, spring.ends[1]) - find_place(model, spring.ends[0]);
+    const double force = compute_elastic_tension(spring, d.norm());
+    constexpr double round_off = 1e-12;
+    const bool is_free = std::abs(force) <= round_off * find_stiffness(spring) * d.norm();
+    std::string text =
+        fmt::format("spring {}: between {} and {}, stiffness {:.6g}, damping {:.6g}, length {:.6g}",
+                    spring.name,
+                    describe_anchor(model, spring.ends[0]),
+                    describe_anchor(model, spring.ends[1]),
+                    spring.stiffness,
+                    spring.damping,
+                    spring.length);
+    if (spring.law) text += spring.law->has_rate() ? ", a force by length and rate" : ", a force by length";
+    if (!is_free)
+        text += fmt::format("; at t = 0 {:.6g} long, {} by {:.6g}",
+                            d.norm(),
+                            force < 0.0 ? "it pushes" : "it pulls",
+                            std::abs(force));
+    return text + "\n";
+}
+
+// The components that a bushing's matrix resists, with their diagonal entries: "x 100, rz 2".
+std::string describe_diagonal(const Mat6& matrix) {
+    std::string text;
+    for (int i = 0; i < 6; ++i) {
+        if (matrix(i, i) == 0.0) continue;
+        text += fmt::format("{}{} {:.6g}", text.empty() ? "" : ", ", component_names[i], matrix(i, i));
+    }
+    return text.empty() ? "none" : text;
+}
+
+std::string describe_bushing(const Model& model, const Bushing& bushing) {
+    static constexpr std::array<const char*, 4> carriers{
+        "", ", axes that turn with A", ", axes that turn with B", ", axes fixed in space"};
+    return fmt::format("bushing {}: between {} and {}{}, stiffness {}, damping {}\n",
+                       bushing.name,
+                       describe_anchor(model, bushing.ends[0]),
+                       describe_anchor(model, bushing.ends[1]),
+                       carriers[static_cast<std::size_t>(bushing.carrier)],
+                       describe_diagonal(bushing.stiffness),
+                       describe_diagonal(bushing.damping));
+}
+
+}  // namespace
+
+const char* name_of(Scheme scheme) {
+    switch (scheme) {
+        case Scheme::newmark_simplified:
+            return "newmark-simplified";
+        case Scheme::newmark_ibrahimbegovic:
+            return "newmark-ibrahimbegovic";
+        case Scheme::generalized_alpha:
+            return "generalized-alpha";
+        case Scheme::sdirk_4:
+            return "sdirk-4";
+        case Scheme::radau_5:
+            return "radau-5";
+        case Scheme::gauss_4:
+            return "gauss-4";
+        case Scheme::energy_momentum:
+            return "energy-momentum";
+        case Scheme::runge_kutta_4:
+            break;
+    }
+    return "runge-kutta-4";
+}
+
+namespace {
+
+ItemList list_rods(const Model& model) {
+    ItemList list{"rods", {}};
+    double shortest = std::numeric_limits<double>::infinity();
+    double longest = 0.0;
+    double length = 0.0;
+    for (const Rod& rod : model.rods) {
+        list.items.push_back(describe_rod(model, rod));
+        shortest = std::min(shortest, rod.length);
+        longest = std::max(longest, rod.length);
+        length += rod.length;
+    }
+    list.sum = fmt::format("length {:.6g} to {:.6g}, together {:.6g}", shortest, longest, length);
+    return list;
+}
+
+double sum_mass(const Model& model) {
+    double mass = 0.0;
+    for (const Rod& rod : model.rods) mass += model.sections[rod.section].mass(0, 0) * rod.length;
+    for (const Body& body : model.bodies) mass += body.mass;
+    return mass;
+}
+
+}  // namespace
+
+std::vector<ItemList> list_model(const Model& model) {
+    ItemList sections{"sections", {}};
+    for (const Section& section : model.sections) sections.items.push_back(describe_section(section));
+    ItemList bodies{"bodies", {}};
+    for (const Body& body : model.bodies) bodies.items.push_back(describe_body(model, body));
+    ItemList springs{"springs", {}};
+    for (const Spring& spring : model.springs) springs.items.push_back(describe_spring(model, spring));
+    ItemList bushings{"bushings", {}};
+    for (const Bushing& bushing : model.bushings) bushings.items.push_back(describe_bushing(model, bushing));
+    std::vector<ItemList> lists{sections,
+                                list_rods(model),
+                                bodies,
+                                springs,
+                                bushings,
+                                list_joints(model),
+                                list_gears(model),
+                                list_mechanisms(model)};
+    for (ItemList& list : list_conditions(model)) lists.push_back(std::move(list));
+    return lists;
+}
+
+std::string describe_total(const Model& model) {
+    const System system(model);
+    return fmt::format("total: mass {:.6g}, {} nodes, {} elements, {} unknowns\n",
+                       sum_mass(model),
+                       model.nodes.size(),
+                       system.element_count(),
+                       system.equations().count());
+}
+
+namespace {
+
+std::string describe_dynamic(const DynamicSettings& settings) {
+    if (!settings.has_inertia) {
+        const std::string steps =
+            settings.adaptive ? fmt::format("steps by their error, tolerance {:.6g}, first step {:.6g}",
+                                            settings.adaptive->tolerance,
+                                            settings.time_step())
+                              : fmt::format("{} steps of {:.6g}", settings.steps, settings.time_step());
+        return fmt::format("quasi-static analysis: {} to t = {:.6g}\n", steps, settings.end_time);
+    }
+    std::string parameters;
+    if (settings.scheme == Scheme::newmark_simplified || settings.scheme == Scheme::newmark_ibrahimbegovic) {
+        parameters = fmt::format(" (beta {:.6g}, gamma {:.6g})", settings.beta, settings.gamma);
+    } else if (settings.scheme == Scheme::generalized_alpha) {
+        parameters = fmt::format(" (spectral radius {:.6g})", settings.spectral_radius);
+    }
+    const std::string chosen =
+        settings.chosen_for.empty() ? "" : fmt::format(" (auto: {})", settings.chosen_for);
+    if (settings.adaptive) {
+        return fmt::format(
+            "dynamic analysis: {}{}, steps by their error, tolerance {:.6g}, first step {:.6g}, to t = "
+            "{:.6g}\n",
+            name_of(settings.scheme),
+            chosen,
+            settings.adaptive->tolerance,
+            settings.time_step(),
+            settings.end_time);
+    }
+    return fmt::format("dynamic analysis: {}{}{}, {} steps of {:.6g} to t = {:.6g}\n",
+                       name_of(settings.scheme),
+                       parameters,
+                       chosen,
+                       settings.steps,
+                       settings.time_step(),
+                       settings.end_time);
+}
+
+}  // namespace
+
+namespace {
+
+// "frames every 0.01", "frames at 3 times", or "" where they follow the steps.
+std::string describe_frame_times(const OutputSettings& output) {
+    if (output.interval) return fmt::format("frames every {:.6g}", *output.interval);
+    if (output.times.empty()) return "";
+    return fmt::format("frames at {} time{}", output.times.size(), output.times.size() == 1 ? "" : "s");
+}
+
+std::string describe_frames(const AnalysisSettings& settings, long every) {
+    if (every == 0) {
+        return fmt::format(
+            "{} frames at most, one in each {}th part of the time", default_frames + 1, default_frames);
+    }
+    const auto* dynamic = std::get_if<DynamicSettings>(&settings);
+    const bool is_open = is_path(settings) || (dynamic != nullptr && dynamic->adaptive);
+    const std::string interval = every == 1 ? "one every step" : fmt::format("one every {} steps", every);
+    if (is_open) return "frames, " + interval;
+    const long steps = steps_of(settings);
+    return fmt::format("{} frames, {}", 1 + steps / every + (steps % every == 0 ? 0 : 1), interval);
+}
+
+// "path: until t = 2 or arc length 5 or 300 steps, with its branches"
+std::string describe_path(const PathSettings& path) {
+    std::vector<std::string> ends;
+    for (const auto& bound : {path.least_load, path.greatest_load}) {
+        if (bound) ends.push_back(fmt::format("t = {:.6g}", *bound));
+    }
+    if (path.arc) ends.push_back(fmt::format("arc length {:.6g}", *path.arc));
+    if (path.steps) ends.push_back(fmt::format("{} step{}", *path.steps, *path.steps == 1 ? "" : "s"));
+    if (path.points)
+        ends.push_back(fmt::format("{} critical point{}", *path.points, *path.points == 1 ? "" : "s"));
+    std::string branches;
+    if (path.branches == 1) branches = ", and the branches that leave it";
+    if (path.branches > 1) branches = fmt::format(", and {} generations of branches", path.branches);
+    return fmt::format("path of equilibria until {}{}\n", fmt::join(ends, " or "), branches);
+}
+
+}  // namespace
+
+std::string describe_analysis(const AnalysisSettings& settings) {
+    if (const auto* path = std::get_if<PathSettings>(&settings)) return describe_path(*path);
+    if (const auto* dynamic = std::get_if<DynamicSettings>(&settings)) return describe_dynamic(*dynamic);
+    if (const auto* modes = std::get_if<ModesSettings>(&settings)) {
+        if (modes->below) return fmt::format("modes: all below {:.6g} cycles per time\n", *modes->below);
+        return fmt::format("modes: the {} of lowest frequency\n", modes->count);
+    }
+    if (const auto* buckling = std::get_if<BucklingSettings>(&settings))
+        return fmt::format("linear buckling: the {} smallest factors\n", buckling->count);
+    const auto* eigenvalues = std::get_if<EigenvalueSettings>(&settings);
+    if (eigenvalues != nullptr && eigenvalues->sweep) {
+        return fmt::format("eigenvalues: the {} nearest to 0, at {} values of {}\n",
+                           eigenvalues->count,
+                           eigenvalues->sweep->values.size(),
+                           eigenvalues->sweep->key);
+    }
+    if (eigenvalues != nullptr) return fmt::format("eigenvalues: the {} nearest to 0\n", eigenvalues->count);
+    if (const auto* response = std::get_if<ResponseSettings>(&settings))
+        return fmt::format("response to forces at {} frequencies\n", response->omegas.size());
+    if (std::holds_alternative<SteadySettings>(settings)) {
+        return fmt::format("steady rotation: {} steps of the load factor t from 0 to 1\n",
+                           steps_of(settings));
+    }
+    return fmt::format("static analysis: {} steps of the load factor t from 0 to 1\n", steps_of(settings));
+}
+
+std::string describe_output(const std::vector<StagePlan>& stages, const OutputSettings& output) {
+    std::string text = "output: ";
+    const char* separator = "";
+    for (const StagePlan& stage : stages) {
+        if (!has_steps(stage.analysis)) continue;
+        const std::string by_time = is_timed(stage.analysis) ? describe_frame_times(output) : "";
+        const std::string frames =
+            by_time.empty() ? describe_frames(stage.analysis, stage.frame_interval) : by_time;
+        text += separator + (stages.size() > 1 ? "of stage " + stage.name + " " : "") + frames;
+        separator = ", ";
+    }
+    if (*separator == '\0') text += "one frame";
+    for (const HistoryRequest& history : output.histories) {
+        text += fmt::format(", history {} at {}", history.name, history.at);
+    }
+    if (output.history_interval)
+        text += fmt::format(", histories every {:.6g} too", *output.history_interval);
+    return text + "\n";
+}
+
+}  // namespace gxrod

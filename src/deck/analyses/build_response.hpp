@@ -1,0 +1,16 @@
+#pragma once
+
+#include "deck/places/build_context.hpp"
+
+namespace gxrod {
+
+// The frequencies that a response asks for; its forces wait for nodes.
+ResponseSettings build_response(const CheckedTable& table, const BuildContext& context);
+
+// The forces of all responses; once points have nodes.
+void build_excitation(BuildContext& context);
+
+// Answers are recorded where the deck has histories, at nodes.
+void name_response_points(const std::vector<HistoryRequest>& histories, BuildContext& context);
+
+}  // namespace gxrod

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "deck/places/build_context.hpp"
+
+// How a load, or the move of a support, acts in the stage at hand.
+namespace gxrod {
+
+using MotionComponent = decltype(MotionExpression::by_motion);
+
+// What the values of one table are multiplied by, and when they are taken.
+struct Acting {
+    bool is_absent = false;  // does not act in this stage
+    bool grows = false;      // a value without t is multiplied by t
+    std::optional<TimeFunction> factor = {};
+    // Where t of an earlier stage ended: value and factor keep what they were there; without a factor, a
+    // value without t is multiplied by it, as it was in that stage.
+    std::shared_ptr<const double> held_at = {};
+
+    // The load factor of a followed limit point, by which the load is multiplied as well.
+    std::shared_ptr<const double> limit_load_factor = {};
+
+    TimeFunction apply(const TimeFunction& value) const;
+    LineFunction apply(const LineExpression& value) const;
+    // Of a component that depends on the motion; an empty one if it does not act.
+    MotionComponent apply(const MotionExpression& value) const;
+
+  private:
+    // By which a value that depends on the motion is multiplied, at the time that acts.
+    TimeFunction find_motion_factor(bool has_time) const;
+    TimeFunction apply_own(const TimeFunction& value) const;
+    LineFunction apply_own(const LineExpression& value) const;
+};
+
+// Of gravity and moves, which have no factor.
+Acting find_acting(const BuildContext& context);
+// Of a [[load]], or of what acts from inside.
+Acting find_acting(const CheckedTable& load, const BuildContext& context);
+
+// Whether a table concerns the stage at hand, going by its key `stages`.
+bool acts_in_stage(const CheckedTable& table, const BuildContext& context);
+// The same of any stage.
+bool acts_in_stage(const CheckedTable& table, std::size_t stage, const BuildContext& context);
+
+// Faults of `stages` and `factor`: names of stages that the deck does not have, or that look at the state of
+// the stage before them and have no loads of their own.
+void check_stage_names(const BuildContext& context);
+
+}  // namespace gxrod

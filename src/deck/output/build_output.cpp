@@ -1,0 +1,207 @@
+#include "deck/output/build_output.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <set>
+
+#include "deck/contact/build_contact_exceptions.hpp"
+#include "deck/output/build_output_times.hpp"
+#include "deck/output/history_place.hpp"
+#include "deck/output/history_quantities.hpp"
+#include "deck/schema/choices.hpp"
+#include "deck/schema/suggestion.hpp"
+#include "deck/sections/section_axes.hpp"
+#include "model/settings/frame_interval.hpp"
+
+namespace gxrod {
+namespace {
+
+bool is_group_name(const std::string& name) {
+    return !name.empty() && std::all_of(name.begin(), name.end(), [](char letter) {
+        return letter == '_' || letter == '-' || std::isalnum(static_cast<unsigned char>(letter)) != 0;
+    });
+}
+
+void check_name(const CheckedTable& history, std::set<std::string>& taken, const BuildContext& context) {
+    const std::string& name = history.get<std::string>("name");
+    if (!is_group_name(name)) {
+        return context.add_fault(
+            history, "name", fmt::format("expected a name of letters, digits, _ and -, found \"{}\"", name));
+    }
+    constexpr std::array taken_words{"time", "stage", "load_factor", "limit_load_factor", "branch"};
+    if (std::find(taken_words.begin(), taken_words.end(), name) != taken_words.end()) {
+        return context.add_fault(
+            history, "name", fmt::format("\"{}\" is taken: a column of all histories has it", name));
+    }
+    if (!taken.insert(name).second) {
+        context.add_fault(history, "name", fmt::format("an earlier history is named \"{}\" too", name));
+    }
+}
+
+// Sets what the quantities are relative to; nothing if the deck does not say.
+void set_reference(const CheckedTable& table, HistoryRequest& request, const BuildContext& context) {
+    if (!table.gives("relative_to")) return;
+    const std::optional<PlacedPoint> point = context.place(table.get<std::string>("relative_to"));
+    if (!point) return;
+    request.relative_to = table.get<std::string>("relative_to");
+    request.relative_node = point->node;
+    request.relative_axes = context.axes_at(*point);
+    if (table.get<std::string>("axes") == section_axes_word) return;
+    if (point->body >= 0)
+        context.add_fault(table, "axes", "only sections of rods have a twist; this point is a body's");
+    if (point->rod >= 0 && context.deck.tables("rod")[static_cast<std::size_t>(point->rod)].gives("mesh"))
+        context.add_fault(table, "axes", "a rod from a mesh has its section axes only");
+    request.relative_to += ", untwisted";
+    request.relative_axes = twisted(request.relative_axes, -context.twist_at(*point));
+}
+
+void set_about(const CheckedTable& table, HistoryRequest& request, const BuildContext& context) {
+    if (!table.gives("about")) return;
+    request.about = table.get<Vec3>("about");
+    if (std::ranges::find(request.quantities, Quantity::reaction_moment) == request.quantities.end())
+        context.add_fault(table, "about", "goes with reaction_moment, which is not among the quantities");
+}
+
+// A rod, or a body that touches, as ContactTouch has them.
+std::optional<int> find_touching(const std::string& name, const Model& model) {
+    if (const std::optional<int> rod = find_tie(model.rods, name)) return rod;
+    const std::optional<int> body = find_tie(model.bodies, name);
+    const auto& shapes = model.contact.bodies;
+    if (!body || std::ranges::find(shapes, *body, &ContactBody::body) == shapes.end()) return std::nullopt;
+    return static_cast<int>(model.rods.size()) + *body;
+}
+
+void set_contact(const CheckedTable& table,
+                 const HistoryPlace& point,
+                 HistoryRequest& request,
+                 const BuildContext& context) {
+    const Model& model = context.model;
+    const bool is_body = touches(point, model) && std::ranges::any_of(request.quantities, is_of_obstacles);
+    if (point.touching_rod < 0 && !is_body) {
+        if (table.gives("with"))
+            context.add_fault(table,
+                              "with",
+                              "goes with a rod as a whole as `at`, or a body and contact quantities, in a "
+                              "deck with contact");
+        return;
+    }
+    const int index = is_body ? static_cast<int>(model.rods.size()) + point.body : point.touching_rod;
+    const std::string& name = is_body ? model.bodies[static_cast<std::size_t>(point.body)].name
+                                      : model.rods[static_cast<std::size_t>(index)].name;
+    if (!is_body && model.contact.radii[static_cast<std::size_t>(index)] == 0.0) {
+        context.add_fault(table,
+                          "at",
+                          fmt::format("\"{}\" touches nothing; expected a point of it, as in \"{}@0.5\", or "
+                                      "this rod among `rods` of [contact]",
+                                      name,
+                                      name));
+        return;
+    }
+    request.contact = ContactWatch{.rod = index};
+    request.contact->wants_gap =
+        std::ranges::find(request.quantities, Quantity::least_gap) != request.quantities.end();
+    if (!table.gives("with")) return;
+    request.with = table.get<std::string>("with");
+    if (const std::optional<int> obstacle = find_tie(model.contact.obstacles, request.with)) {
+        request.contact->other = -1 - *obstacle;
+        if (is_left_out(model.contact, index, -1 - *obstacle))
+            context.add_fault(
+                table,
+                "with",
+                fmt::format(
+                    "\"{}\" does not touch \"{}\": [[contact.pair]] leaves it out", name, request.with));
+    } else if (const std::optional<int> other = find_touching(request.with, model)) {
+        request.contact->other = *other;
+        const bool is_itself = *other == index;
+        const bool is_off = is_left_out(model.contact, index, *other);
+        if (is_itself && is_body)
+            context.add_fault(table, "with", "a body does not touch itself");
+        else if (is_off || (is_itself ? !model.contact.within_rods : !model.contact.between_rods))
+            context.add_fault(table,
+                              "with",
+                              fmt::format("\"{}\" does not touch {}: {} leaves it out",
+                                          name,
+                                          is_itself ? "itself"
+                                          : is_off  ? "\"" + request.with + "\""
+                                                    : "other rods",
+                                          is_off ? "[[contact.pair]]" : "[contact]"));
+    } else {
+        std::vector<std::string> names;
+        for (const Obstacle& one : model.contact.obstacles) names.push_back(one.name);
+        for (const Rod& one : model.rods) names.push_back(one.name);
+        for (const ContactBody& one : model.contact.bodies)
+            names.push_back(model.bodies[static_cast<std::size_t>(one.body)].name);
+        context.add_fault(
+            table,
+            "with",
+            fmt::format("no obstacle and no rod \"{}\"{}", request.with, did_you_mean(request.with, names)));
+    }
+}
+
+HistoryRequest build_history(const CheckedTable& table,
+                             const HistoryPlace& point,
+                             const BuildContext& context) {
+    HistoryRequest request{.name = table.get<std::string>("name"),
+                           .at = table.get<std::string>("at"),
+                           .node = point.node,
+                           .body = point.body,
+                           .spring = point.spring,
+                           .bushing = point.bushing,
+                           .place = point.place,
+                           .joint = point.joint,
+                           .gear = point.gear,
+                           .tendon = point.tendon,
+                           .obstacle = point.obstacle};
+    // Values of sleeves come behind those of joints and gears.
+    if (point.sleeve >= 0) {
+        const std::size_t before = context.model.joints.size() + context.model.gears.size();
+        request.joint = static_cast<int>(before) + point.sleeve;
+    }
+    set_reference(table, request, context);
+    for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("quantities")) {
+        const Quantity quantity = value_of(quantity_choices, word.word);
+        const auto& listed = request.quantities;
+        if (std::find(listed.begin(), listed.end(), quantity) != listed.end()) {
+            context.faults.add(word.place, word.path, fmt::format("\"{}\" is listed twice", word.word));
+            continue;
+        }
+        std::string reason = explain_missing(quantity, point, context.model);
+        if (!reason.empty()) reason += suggest_quantity(word.word, point, context.model);
+        if (table.gives("relative_to") && (point.bushing >= 0 || point.tendon >= 0 || point.obstacle >= 0 ||
+                                           point.touching_rod >= 0 || !can_be_relative(quantity))) {
+            reason = "cannot be relative to a point; write another history for it";
+        }
+        if (!reason.empty()) {
+            context.faults.add(word.place, word.path, fmt::format("\"{}\": {}", word.word, reason));
+        }
+        request.quantities.push_back(quantity);
+    }
+    set_about(table, request, context);
+    set_contact(table, point, request, context);
+    return request;
+}
+
+}  // namespace
+
+OutputSettings build_output(const BuildContext& context) {
+    OutputSettings output;
+    output.every = context.stages.front().frame_interval;
+    const std::vector<CheckedTable>& tables = context.deck.tables("output");
+    if (!tables.empty()) {
+        const CheckedTable& table = tables.front();
+        build_output_times(table, context, output);
+        output.compression = value_of(compression_choices, table.get<std::string>("compression"));
+    }
+    std::set<std::string> taken;
+    for (const CheckedTable& table : context.deck.tables("history")) {
+        check_name(table, taken, context);
+        const std::optional<HistoryPlace> point = find_history_place(table.get<std::string>("at"), context);
+        if (point) output.histories.push_back(build_history(table, *point, context));
+    }
+    return output;
+}
+
+}  // namespace gxrod

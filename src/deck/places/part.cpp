@@ -1,0 +1,63 @@
+#include "deck/places/part.hpp"
+
+#include <fmt/format.h>
+
+#include "deck/schema/suggestion.hpp"
+
+namespace gxrod {
+
+std::optional<int> find_index(const std::vector<CheckedTable>& tables, std::string_view name) {
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+        if (tables[i].name == name) return static_cast<int>(i);
+    }
+    return std::nullopt;
+}
+
+namespace {
+
+// What is wrong with a name that is not one of the parts that the key takes.
+std::string explain(const std::string& text, const KeySpec& key, const CheckedTable& deck) {
+    std::vector<std::string> known;
+    for (const std::string& kind : key.refers_to) {
+        for (const CheckedTable& table : deck.tables(kind)) known.push_back(table.name);
+    }
+    const std::string name = text.substr(0, text.find_first_of(".@"));
+    if (name != text && find_index(deck.tables("rod"), name)) {
+        return fmt::format("\"{}\" is a point; expected the rod \"{}\"", text, name);
+    }
+    if (find_index(deck.tables("body"), text)) return fmt::format("\"{}\" is a body; expected a rod", text);
+    const std::string kinds = fmt::format("{}", fmt::join(key.refers_to, " or "));
+    const std::string nearest = did_you_mean(text, known);
+    const std::string hint = !nearest.empty() ? nearest
+                             : known.empty()  ? fmt::format("; the deck has no {}", kinds)
+                                              : "; the deck has " + plain_list(known);
+    return fmt::format("no {} \"{}\"{}", kinds, text, hint);
+}
+
+std::optional<Part> find_named(const CheckedWord& name, const KeySpec& key, const BuildContext& context) {
+    Part part;
+    for (const std::string& kind : key.refers_to) {
+        (kind == "rod" ? part.rod : part.body) =
+            find_index(context.deck.tables(kind), name.word).value_or(-1);
+    }
+    if (part.rod >= 0 || part.body >= 0) return part;
+    context.faults.add(name.place, name.path, explain(name.word, key, context.deck));
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Part> find_part(const CheckedTable& table, const KeySpec& key, const BuildContext& context) {
+    return find_named(
+        {table.get<std::string>(key.name), table.place_of(key.name), table.path_of(key.name)}, key, context);
+}
+
+std::vector<Part> find_parts(const CheckedTable& table, const KeySpec& key, const BuildContext& context) {
+    std::vector<Part> parts;
+    for (const CheckedWord& name : table.get<std::vector<CheckedWord>>(key.name)) {
+        if (const std::optional<Part> part = find_named(name, key, context)) parts.push_back(*part);
+    }
+    return parts;
+}
+
+}  // namespace gxrod

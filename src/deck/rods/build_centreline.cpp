@@ -1,0 +1,246 @@
+#include "deck/rods/build_centreline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "deck/surroundings/build_seabed.hpp"
+#include "geometry/helix_curve.hpp"
+#include "geometry/hung_line.hpp"
+#include "geometry/line_curve.hpp"
+#include "geometry/natural_spline.hpp"
+#include "mesh/rod_mesh.hpp"
+
+namespace gxrod {
+namespace {
+
+// Lengths relative to the coordinates that count as zero.
+constexpr double zero_length = 1e-12;
+// Sines of angles: three points on a line, a rod that turns back.
+constexpr double zero_angle = 1e-10;
+// How far the start of an arc may be off the plane of its centre, relative to its radius.
+constexpr double off_plane = 1e-6;
+
+using Piece = std::unique_ptr<Curve>;
+
+double size_of(const Vec3& a, const Vec3& b) {
+    return std::max(a.lpNorm<Eigen::Infinity>(), b.lpNorm<Eigen::Infinity>());
+}
+
+bool are_same(const Vec3& a, const Vec3& b) { return (b - a).stableNorm() <= zero_length * size_of(a, b); }
+
+Piece find_line(const CheckedTable& table, const BuildContext& context) {
+    const Vec3& from = table.get<Vec3>("from");
+    const Vec3& to = table.get<Vec3>("to");
+    if (!are_same(from, to)) return std::make_unique<LineCurve>(from, to);
+    context.add_fault(table, "to", "the rod has no length; expected an end away from its start");
+    return nullptr;
+}
+
+// The unit vector along a table's axis.
+std::optional<Vec3> find_axis(const CheckedTable& table, const BuildContext& context) {
+    const Vec3& axis = table.get<Vec3>("axis");
+    if (!axis.isZero(0.0)) return axis.stableNormalized();
+    context.add_fault(table, "axis", "expected a direction, found a vector of zero length");
+    return std::nullopt;
+}
+
+// The start as seen from the axis through the table's centre; nullopt if it is on it.
+std::optional<Vec3> find_radius(const CheckedTable& table, const Vec3& axis, const BuildContext& context) {
+    const Vec3& centre = table.get<Vec3>("centre");
+    const Vec3& from = table.get<Vec3>("from");
+    const Vec3 arm = from - centre;
+    const Vec3 radius = arm - arm.dot(axis) * axis;
+    if (radius.stableNorm() > zero_length * size_of(centre, from)) return radius;
+    context.add_fault(table, "from", "on the axis, so that the radius is zero; expected a point off it");
+    return std::nullopt;
+}
+
+Piece find_helix(const CheckedTable& table, const BuildContext& context) {
+    const std::optional<Vec3> axis = find_axis(table, context);
+    if (!axis) return nullptr;
+    const std::optional<Vec3> radius = find_radius(table, *axis, context);
+    const double turns = table.get<double>("turns");
+    if (turns == 0.0) context.add_fault(table, "turns", "expected a number other than 0");
+    if (!radius || turns == 0.0) return nullptr;
+    const double rise = table.get<double>("pitch") * std::abs(turns);
+    return std::make_unique<HelixCurve>(
+        HelixShape{table.get<Vec3>("from"), *axis, *radius, 2.0 * M_PI * turns, rise});
+}
+
+Piece find_arc_about_centre(const CheckedTable& table, const BuildContext& context) {
+    const std::optional<Vec3> axis = find_axis(table, context);
+    if (!axis) return nullptr;
+    const std::optional<Vec3> radius = find_radius(table, *axis, context);
+    const double angle = table.get<double>("angle");
+    if (angle == 0.0) context.add_fault(table, "angle", "expected a number other than 0");
+    if (!radius || angle == 0.0) return nullptr;
+    const double height = (table.get<Vec3>("from") - table.get<Vec3>("centre")).dot(*axis);
+    if (std::abs(height) > off_plane * radius->norm()) {
+        context.add_fault(
+            table,
+            "from",
+            fmt::format("{:.6g} off the plane through centre across axis; expected a point in it",
+                        std::abs(height)));
+        return nullptr;
+    }
+    return std::make_unique<HelixCurve>(HelixShape{table.get<Vec3>("from"), *axis, *radius, angle, 0.0});
+}
+
+Piece find_arc_through(const CheckedTable& table, const BuildContext& context) {
+    const Vec3& from = table.get<Vec3>("from");
+    const Vec3& through = table.get<Vec3>("through");
+    const Vec3& to = table.get<Vec3>("to");
+    if (are_same(from, to)) {
+        context.add_fault(
+            table, "to", "at the start; expected an end away from it, or centre, axis and angle");
+        return nullptr;
+    }
+    const Vec3 a = through - from;
+    const Vec3 b = to - from;
+    const Vec3 normal = a.cross(b);
+    if (normal.norm() <= zero_angle * a.norm() * b.norm() || are_same(through, to) ||
+        are_same(from, through)) {
+        context.add_fault(table, "through", "on a line with from and to; expected a point off it");
+        return nullptr;
+    }
+    // From `from` to the centre of the circle through the three points.
+    const Vec3 to_centre = (b.squaredNorm() * normal.cross(a) + a.squaredNorm() * b.cross(normal)) /
+                           (2.0 * normal.squaredNorm());
+    const Vec3 axis = normal.normalized();
+    const Vec3 radius = -to_centre;
+    const Vec3 end = b - to_centre;
+    double angle = std::atan2(axis.cross(radius).dot(end), radius.dot(end));
+    if (angle < 0.0) angle += 2.0 * M_PI;
+    return std::make_unique<HelixCurve>(HelixShape{from, axis, radius, angle, 0.0});
+}
+
+Piece find_arc(const CheckedTable& table, const BuildContext& context) {
+    return table.gives("through") ? find_arc_through(table, context) : find_arc_about_centre(table, context);
+}
+
+// Whether neighbours are apart, by more than points of a rod are.
+bool are_apart(const std::vector<CheckedVector>& points, const BuildContext& context) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        length += (points[i].value - points[i - 1].value).stableNorm();
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const double chord = (points[i].value - points[i - 1].value).stableNorm();
+        if (chord > 4.0 * same_fraction * length && !are_same(points[i].value, points[i - 1].value)) continue;
+        context.faults.add(points[i].place, points[i].path, "the same point as the one before");
+        return false;
+    }
+    return true;
+}
+
+// How a rod lies on the ground: from its line to what touches, and how deep it sinks in by its weight in
+// water.
+struct Lying {
+    double radius = 0.0;
+    double depth = 0.0;
+};
+
+Lying find_lying(const CheckedTable& rod, const BuildContext& context) {
+    if (!rod.gives("section")) return {};
+    const auto& sections = context.model.sections;
+    const auto found = std::ranges::find(sections, rod.get<std::string>("section"), &Section::name);
+    if (found == sections.end() || !found->fluid) return {};
+    const CheckedTable& deck = context.deck;
+    const double diameter = found->fluid->diameter;
+    const double density = deck.gives("fluid") ? deck.tables("fluid").front().get<double>("density") : 0.0;
+    const double gravity =
+        deck.gives("gravity") ? -deck.get<CheckedTimeVector>("gravity")[2].function(1.0) : 0.0;
+    const double weight = gravity * (found->mass(0, 0) - density * found->fluid->area);
+    const double stiffness = deck.tables("seabed").front().get<double>("stiffness");
+    return {0.5 * diameter, std::max(weight, 0.0) / (stiffness * diameter)};
+}
+
+// The height on which a hung line lies: nullopt, with a fault, if there is none and the table asks for one.
+std::optional<double> find_bed(const CheckedTable& catenary, const BuildContext& context) {
+    if (!catenary.gives("bed") || !catenary.get<bool>("bed")) return std::nullopt;
+    std::optional<double> bed = find_bed_height(context.deck);
+    if (!bed) {
+        context.add_fault(catenary,
+                          "bed",
+                          context.deck.gives("seabed")
+                              ? "a line can be laid on horizontal ground only, and this [seabed] is not"
+                              : "the deck has no [seabed]; expected one with a height z");
+    }
+    return bed;
+}
+
+Piece find_catenary(const CheckedTable& table, const CheckedTable& rod, const BuildContext& context) {
+    HungLineEnds ends{
+        .from = table.get<Vec3>("from"), .to = table.get<Vec3>("to"), .length = table.get<double>("length")};
+    ends.bed = find_bed(table, context);
+    if (ends.bed) {
+        // An end can be held a little lower, on the ground itself.
+        const Lying lying = find_lying(rod, context);
+        const double lowest = std::min(ends.from.z(), ends.to.z());
+        *ends.bed += lying.radius - lying.depth;
+        if (lowest < *ends.bed && lowest > *ends.bed - 4.0 * lying.radius) ends.bed = lowest;
+    }
+    try {
+        return std::make_unique<HungLine>(ends);
+    } catch (const std::invalid_argument& error) {
+        context.add_fault(table, "length", error.what());
+        return nullptr;
+    }
+}
+
+std::vector<Piece> find_polyline(const std::vector<CheckedVector>& points, const BuildContext& context) {
+    if (!are_apart(points, context)) return {};
+    std::vector<Piece> pieces;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        pieces.push_back(std::make_unique<LineCurve>(points[i - 1].value, points[i].value));
+        if (i < 2) continue;
+        const Vec3 before = pieces[i - 2]->tangent(0.0);
+        if ((before + pieces[i - 1]->tangent(0.0)).norm() > zero_angle) continue;
+        context.faults.add(
+            points[i].place, points[i].path, "goes straight back; expected a corner below 180°");
+        return {};
+    }
+    return pieces;
+}
+
+Piece find_spline(const std::vector<CheckedVector>& points, const BuildContext& context) {
+    if (!are_apart(points, context)) return nullptr;
+    std::vector<Vec3> places;
+    for (const CheckedVector& point : points) places.push_back(point.value);
+    const std::vector<Cubic> cubics = compute_natural_spline(places);
+    const std::optional<double> fold = find_fold(cubics);
+    if (!fold) return std::make_unique<PolynomialCurve>(cubics);
+    const std::size_t after = std::min(static_cast<std::size_t>(*fold) + 1, points.size() - 1);
+    context.faults.add(
+        points[after].place,
+        points[after].path,
+        "the spline turns back on itself before this point; expected points along a smooth curve");
+    return nullptr;
+}
+
+}  // namespace
+
+std::optional<Centreline> find_centreline(const CheckedTable& shape,
+                                          const CheckedTable& rod,
+                                          const BuildContext& context) {
+    std::vector<Piece> pieces;
+    if (shape.gives("polyline")) {
+        pieces = find_polyline(shape.get<std::vector<CheckedVector>>("polyline"), context);
+    } else if (shape.gives("line")) {
+        pieces.push_back(find_line(shape.tables("line").front(), context));
+    } else if (shape.gives("arc")) {
+        pieces.push_back(find_arc(shape.tables("arc").front(), context));
+    } else if (shape.gives("helix")) {
+        pieces.push_back(find_helix(shape.tables("helix").front(), context));
+    } else if (shape.gives("catenary")) {
+        pieces.push_back(find_catenary(shape.tables("catenary").front(), rod, context));
+    } else {
+        pieces.push_back(find_spline(shape.get<std::vector<CheckedVector>>("spline"), context));
+    }
+    if (pieces.empty() || pieces.front() == nullptr) return std::nullopt;
+    return Centreline(std::move(pieces));
+}
+
+}  // namespace gxrod

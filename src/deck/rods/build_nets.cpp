@@ -1,0 +1,141 @@
+#include "deck/rods/build_nets.hpp"
+
+#include <fmt/format.h>
+
+#include "deck/rods/element_turn.hpp"
+#include "deck/sections/section_axes.hpp"
+#include "geometry/curve.hpp"
+
+namespace gxrod {
+namespace {
+
+std::string name_node(const std::string& rod, const NetPoints& points, int position) {
+    for (const NetPoints::Group& group : points.groups) {
+        if (group.positions == std::vector{position}) return rod + "." + group.name;
+    }
+    if (!points.fractions.empty()) {
+        const double fraction = points.fractions[static_cast<std::size_t>(position)];
+        if (fraction == 0.0) return rod + ".start";
+        if (fraction == 1.0) return rod + ".end";
+    }
+    return fmt::format("{} node {}", rod, position);
+}
+
+// The axes at the start of each chain; empty, with a fault, if one cannot be.
+std::vector<Quat> find_chain_axes(const CheckedTable& table, const RodNet& net, BuildContext& context) {
+    std::vector<Quat> axes;
+    if (net.chains.size() > 1 && !table.gives("y_axis")) {
+        context.notes.push_back(fmt::format(
+            "{}: not given; section y at the start of each of {} lines is from the global axis least aligned "
+            "with it",
+            table.path_of("y_axis"),
+            net.chains.size()));
+        for (const NetChain& chain : net.chains) {
+            axes.push_back(choose_axes(chain.elements.front().start_tangent));
+        }
+        return axes;
+    }
+    for (const NetChain& chain : net.chains) {
+        const NetElement& first = chain.elements.front();
+        const bool is_given = table.gives("y_axis") && !table.get<Vec3>("y_axis").isZero(0.0);
+        if (is_given && net.chains.size() > 1 &&
+            !project_axes(first.start_tangent, table.get<Vec3>("y_axis"))) {
+            const Vec3& at = net.positions[static_cast<std::size_t>(first.nodes.front())];
+            context.add_fault(
+                table,
+                "y_axis",
+                fmt::format(
+                    "parallel to the line that starts at ({:.6g}, {:.6g}, {:.6g}), so that section y is "
+                    "not defined there; expected another direction, or rods of their own for its lines",
+                    at[0],
+                    at[1],
+                    at[2]));
+            return {};
+        }
+        const std::optional<Quat> start = find_start_axes(table, first.start_tangent, context);
+        if (!start) return {};
+        axes.push_back(*start);
+    }
+    return axes;
+}
+
+struct NetBuilder {
+    Rod& rod;
+    double twist;        // from start to end of each chain
+    double start = 0.0;  // arc length where the chain starts
+    double largest_turn = 0.0;
+
+    void add_chain(const NetChain& chain, Quat axes) {
+        double s = 0.0;
+        for (std::size_t e = 0; e < chain.elements.size(); ++e) {
+            const NetElement& element = chain.elements[e];
+            if (e > 0) {
+                axes = smallest_rotation(chain.elements[e - 1].end_tangent, element.start_tangent) * axes;
+            }
+            for (std::size_t i = 0; i < element.nodes.size(); ++i) {
+                const double at = s + element.arc_length[i];
+                rod.element_nodes.push_back(rod.nodes[static_cast<std::size_t>(element.nodes[i])]);
+                rod.arc_length.push_back(start + at);
+                rod.triads.push_back(twisted(element.transports[i] * axes, twist * at / chain.length));
+            }
+            largest_turn = std::max(
+                largest_turn, compute_element_turn(element.turn, twist * element.length() / chain.length));
+            axes = (element.transports.back() * axes).normalized();
+            s += element.length();
+        }
+        start += chain.length;
+    }
+};
+
+// Where a chain goes straight back, with a fault.
+bool has_reversal(const CheckedTable& table, const RodNet& net, const BuildContext& context) {
+    constexpr double zero_angle = 1e-10;
+    for (const NetChain& chain : net.chains) {
+        for (std::size_t e = 1; e < chain.elements.size(); ++e) {
+            const NetElement& element = chain.elements[e];
+            if ((chain.elements[e - 1].end_tangent + element.start_tangent).norm() > zero_angle) continue;
+            const Vec3& at = net.positions[static_cast<std::size_t>(element.nodes.front())];
+            const CheckedTable& mesh = table.tables("mesh").front();
+            context.add_fault(
+                mesh,
+                "group",
+                fmt::format("a line goes straight back at ({:.6g}, {:.6g}, {:.6g})", at[0], at[1], at[2]));
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+void check_meshed_rod(const CheckedTable& table, const BuildContext& context) {
+    for (const char* key : {"elements", "spacing", "order"}) {
+        if (table.gives(key)) context.add_fault(table, key, "comes from the mesh; leave it out");
+    }
+    if (table.gives("rest"))
+        context.add_fault(table, "rest", "a rod from a mesh is free of stress where the mesh has it");
+    if (std::holds_alternative<CheckedProfile>(table.find("twist")->value))
+        context.add_fault(table, "twist", "along a rod from a mesh twist is even; expected a number");
+}
+
+void build_net(const CheckedTable& table, const NamedNet& named, int index, BuildContext& context) {
+    const RodNet& net = named.net;
+    if (has_reversal(table, net, context)) return;
+    const std::vector<Quat> axes = find_chain_axes(table, net, context);
+    if (axes.empty()) return;
+    Rod& rod = context.model.rods[static_cast<std::size_t>(index)];
+    rod.order = net.order;
+    rod.length = net.length();
+    for (std::size_t i = 0; i < net.positions.size(); ++i) {
+        rod.nodes.push_back(static_cast<int>(context.model.nodes.size()));
+        context.model.nodes.push_back(
+            {name_node(rod.name, named.points, static_cast<int>(i)), net.positions[i]});
+    }
+    if (!std::holds_alternative<double>(table.find("twist")->value)) return;
+    NetBuilder builder{rod, table.get<double>("twist")};
+    for (std::size_t i = 0; i < net.chains.size(); ++i) builder.add_chain(net.chains[i], axes[i]);
+    check_element_turn(builder.largest_turn, net.order, table, "mesh", context);
+    context.rod_fractions[static_cast<std::size_t>(index)] = named.points.fractions;
+}
+
+}  // namespace gxrod

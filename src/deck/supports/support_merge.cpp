@@ -1,0 +1,113 @@
+#include "deck/supports/support_merge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "deck/loads/acting.hpp"
+#include "deck/places/axes.hpp"
+#include "deck/schema/choices.hpp"
+
+namespace gxrod {
+namespace {
+
+// Beyond which entries of the axes of two supports differ.
+constexpr double same_axes = 1e-9;
+
+using Components = std::array<bool, 6>;
+
+Components components_of(const std::string& word) {
+    if (word == "all") return {true, true, true, true, true, true};
+    if (word == "position") return {true, true, true, false, false, false};
+    if (word == "rotation") return {false, false, false, true, true, true};
+    Components components{};
+    const auto name = std::find(component_names.begin(), component_names.end(), word);
+    components[static_cast<std::size_t>(name - component_names.begin())] = true;
+    return components;
+}
+
+// Tables at one node have the same axes.
+void merge_axes(const CheckedTable& table, NodeSupport& merged, const BuildContext& context) {
+    const Quat axes = find_axes(table, context);
+    if (merged.tables.empty()) {
+        merged.support.axes = axes;
+        return;
+    }
+    const Mat3 difference = axes.toRotationMatrix() - merged.support.axes.toRotationMatrix();
+    if (difference.cwiseAbs().maxCoeff() <= same_axes) return;
+    context.add_fault(
+        table,
+        "axes",
+        fmt::format("{} is at the same node and has other axes; supports of one node share theirs",
+                    merged.tables.front()->path));
+}
+
+void fix(const CheckedTable& table,
+         const CheckedWord& word,
+         NodeSupport& merged,
+         const BuildContext& context) {
+    const Components components = components_of(word.word);
+    for (std::size_t i = 0; i < 6; ++i) {
+        if (!components[i]) continue;
+        if (merged.support.moved[i]) {
+            return context.faults.add(
+                word.place,
+                word.path,
+                fmt::format("{} moves {} here; a component is fixed or moved, never both",
+                            merged.holders[i]->path,
+                            component_names[i]));
+        }
+        merged.support.fixed[i] = true;
+        if (merged.holders[i] == nullptr) merged.holders[i] = &table;
+    }
+}
+
+void move(const CheckedTable& table,
+          std::size_t component,
+          const CheckedTimeFunction& value,
+          NodeSupport& merged,
+          const BuildContext& context) {
+    const bool is_fixed = merged.support.fixed[component];
+    if (is_fixed || merged.support.moved[component]) {
+        const CheckedTable* holder = merged.holders[component];
+        const std::string who = holder == &table ? "this support" : holder->path;
+        return context.faults.add(
+            value.place,
+            value.path,
+            is_fixed ? fmt::format("{} fixes {} here; a component is fixed or moved, never both",
+                                   who,
+                                   component_names[component])
+                     : fmt::format("{} moves {} here too", who, component_names[component]));
+    }
+    merged.support.moved[component] = true;
+    merged.support.motion[component] = find_acting(context).apply(value.function);
+    merged.holders[component] = &table;
+}
+
+}  // namespace
+
+std::array<const CheckedTimeFunction*, 6> moves_of(const CheckedTable& table) {
+    std::array<const CheckedTimeFunction*, 6> moves{};
+    if (!table.gives("move")) return moves;
+    const CheckedTable& given = table.tables("move").front();
+    for (std::size_t i = 0; i < 6; ++i) {
+        if (given.gives(component_names[i])) moves[i] = &given.get<CheckedTimeFunction>(component_names[i]);
+    }
+    return moves;
+}
+
+void merge_support(const CheckedTable& table, NodeSupport& merged, const BuildContext& context) {
+    merge_axes(table, merged, context);
+    merged.tables.push_back(&table);
+    if (table.gives("fix")) {
+        for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("fix")) {
+            fix(table, word, merged, context);
+        }
+    }
+    const std::array<const CheckedTimeFunction*, 6> moves = moves_of(table);
+    for (std::size_t i = 0; i < 6; ++i) {
+        if (moves[i] != nullptr) move(table, i, *moves[i], merged, context);
+    }
+}
+
+}  // namespace gxrod

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "model/time/time_function.hpp"
+
+namespace gxrod {
+
+// How an input goes from one value to the next.
+enum class InputHold {
+    step,   // at once: constant over the steps that follow
+    linear  // on a straight line over the steps until the next value is due
+};
+
+// What an input has been set to; part of what a run resumes from.
+struct InputState {
+    double is_set = 0.0;   // 1; otherwise the deck's value counts
+    double planned = 0.0;  // the deck's value at t = 0, by which a deck that has changed is known
+    // From one value to another between two times of the stage at hand.
+    double from_time = 0.0, from = 0.0;
+    double to_time = 0.0, to = 0.0;
+};
+
+// A number that whoever drives a run changes while it goes on, [input.NAME]: a function of time whose course
+// is not known beforehand. Expressions of a deck read it wherever they can use t. Each problem that is built
+// from a deck has its own, so each simulation has.
+class Input {
+  public:
+    explicit Input(std::string name) : name_(std::move(name)) {}
+
+    const std::string& name() const { return name_; }
+    InputHold hold() const { return hold_; }
+    // The deck's value, until it is set.
+    void plan(TimeFunction value, InputHold hold) {
+        planned_ = std::move(value);
+        hold_ = hold;
+    }
+
+    double operator()(double time) const {
+        if (state_.is_set == 0.0) return planned_(time);
+        if (time >= state_.to_time) return state_.to;
+        if (time <= state_.from_time) return state_.from;
+        const double part = (time - state_.from_time) / (state_.to_time - state_.from_time);
+        return state_.from + part * (state_.to - state_.from);
+    }
+
+    // At this time of the stage; one that changes linearly is there at `until`.
+    void set(double value, double time, double until) {
+        const double from = hold_ == InputHold::linear ? (*this)(time) : value;
+        state_ = {1.0, planned_(0.0), time, from, std::max(time, until), value};
+    }
+    // Where t begins again: in the next stage.
+    void begin_stage() {
+        if (state_.is_set != 0.0) state_ = {1.0, state_.planned, 0.0, state_.to, 0.0, state_.to};
+    }
+
+    InputState state() const {
+        InputState state = state_;
+        state.planned = planned_(0.0);
+        return state;
+    }
+    // A value of the deck that has changed since then counts instead.
+    void recall(const InputState& state) {
+        state_ = {};
+        if (state.planned == planned_(0.0)) state_ = state;
+    }
+
+  private:
+    std::string name_;
+    TimeFunction planned_;
+    InputHold hold_ = InputHold::step;
+    InputState state_;
+};
+
+}  // namespace gxrod

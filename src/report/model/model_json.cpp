@@ -1,0 +1,193 @@
+#include "report/model/model_json.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "model/joint_name.hpp"
+#include "numerics/eigenvalues.hpp"
+#include "report/model/wet_rods_json.hpp"
+
+namespace gxrod {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json to_json(const Vec3& v) { return {v[0], v[1], v[2]}; }
+
+Json to_json(const Quat& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+
+// Of the homogeneous cuboid with this mass and these principal moments; 0 if there is none.
+Vec3 half_sizes(double mass, const Vec3& moments) {
+    Vec3 sizes = Vec3::Zero();
+    if (!(mass > 0.0)) return sizes;
+    for (int i = 0; i < 3; ++i) {
+        const double square = 1.5 / mass * (moments.sum() - 2.0 * moments[i]);
+        sizes[i] = std::sqrt(std::max(0.0, square));
+    }
+    return sizes;
+}
+
+// The sphere or capsule of a body, in its axes; null without one.
+Json describe_shape(const Model& model, const Body& body) {
+    const auto own = std::ranges::find_if(model.contact.bodies, [&](const ContactBody& one) {
+        return &model.bodies[static_cast<std::size_t>(one.body)] == &body;
+    });
+    if (own == model.contact.bodies.end()) return nullptr;
+    return {{"ends", Json::array({to_json(own->ends[0]), to_json(own->ends[1])})}, {"radius", own->radius}};
+}
+
+Json describe_body(const Model& model, const Body& body, const NodeNumbers& number) {
+    const SymmetricEigen principal = find_symmetric_eigen(body.inertia);
+    // A diagonal tensor keeps its order, so that equal moments do not turn the cuboid.
+    const bool is_diagonal = body.inertia.isDiagonal(1e-12);
+    Mat3 axes = is_diagonal ? Mat3(Mat3::Identity()) : Mat3(principal.vectors);
+    if (axes.determinant() < 0.0) axes.col(2) *= -1.0;
+    const Vec3 moments = is_diagonal ? Vec3(body.inertia.diagonal()) : Vec3(principal.values);
+    return {{"name", body.name},
+            {"node", number(body.node)},
+            {"centre", to_json(body.centre_of_mass)},
+            {"attitude", to_json(body.attitude)},
+            {"axes", to_json(Quat(axes))},
+            {"half_sizes", to_json(half_sizes(body.mass, moments))},
+            {"shape", describe_shape(model, body)}};
+}
+
+Json describe_end(const Anchor& end, const NodeNumbers& number) {
+    return {{"node", end.is_ground() ? -1 : number(end.node)}, {"arm", to_json(end.arm)}};
+}
+
+Json describe_ends(const Anchor& a, const Anchor& b, const NodeNumbers& number) {
+    return Json::array({describe_end(a, number), describe_end(b, number)});
+}
+
+Json describe_joint(const Joint& joint, const NodeNumbers& number) {
+    Json json{{"name", joint.name},
+              {"type", name_of(joint.kind)},
+              {"ends", describe_ends(joint.a.anchor, joint.b.anchor, number)},
+              {"axes", to_json(Quat(joint.a.axes))},
+              {"moved", joint.turn.motion.has_value() || joint.slide.motion.has_value()}};
+    if (joint.kind == JointKind::universal) json["axis_b"] = to_json(Vec3(joint.b.axes.col(0)));
+    return json;
+}
+
+// At its point, on both sides; around a rod, one of whose nodes has the size.
+Json describe_sleeve(const Model& model, const Sleeve& sleeve, const NodeNumbers& number) {
+    return {{"name", sleeve.name},
+            {"type", name_of(JointKind::sleeve)},
+            {"ends", describe_ends(sleeve.point, sleeve.point, number)},
+            {"axes", to_json(Quat(Quat::Identity()))},
+            {"moved", sleeve.slide.motion.has_value()},
+            {"around", number(model.rods[sleeve.rod].nodes.front())}};
+}
+
+// Of the first `most` of these parts.
+template <class Part, class Describe>
+Json describe_first(const std::vector<Part>& parts, std::size_t most, Describe&& describe) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < std::min(parts.size(), most); ++i) list.push_back(describe(parts[i]));
+    return list;
+}
+
+// The first with waves; of the stages with time these go on from the first.
+const Water& find_sea(const Problem& problem) {
+    const std::optional<Water>& own = problem.model.surroundings.water;
+    if (!own->waves.empty()) return *own;
+    for (std::size_t i = 1; i < problem.stages.size(); ++i) {
+        const std::optional<Water>& water = problem.stages[i].actions.surroundings.water;
+        if (water && !water->waves.empty()) return *water;
+    }
+    return *own;
+}
+
+Json describe_water(const Water& water) {
+    Json waves = Json::array();
+    for (const WaveTrain& train : water.waves)
+        waves.push_back({train.amplitude,
+                         train.number * std::cos(train.direction),
+                         train.number * std::sin(train.direction),
+                         train.frequency,
+                         train.phase});
+    return {{"surface", *water.surface},
+            {"ramp", water.ramp},
+            {"ramp_start", water.ramp_start},
+            {"waves", waves}};
+}
+
+Json describe_ground(const Seabed& seabed) {
+    if (seabed.grid)
+        return {
+            {"x", seabed.grid->x}, {"y", seabed.grid->y}, {"z", seabed.grid->z}, {"turn", seabed.grid->turn}};
+    return {{"point", to_json(seabed.point)}, {"normal", to_json(seabed.normal)}};
+}
+
+}  // namespace
+
+Json describe_surroundings(const Problem& problem) {
+    const Surroundings& around = problem.model.surroundings;
+    Json json = Json::object();
+    if (around.water && around.water->surface) json["water"] = describe_water(find_sea(problem));
+    if (around.water || around.air) json["wet"] = describe_wet_rods(problem);
+    if (!around.seabed) return json;
+    json["ground"] = describe_ground(*around.seabed);
+    Json radii = Json::array();
+    for (const Rod& rod : problem.model.rods) {
+        const std::optional<SectionInFluid>& fluid =
+            problem.model.sections[static_cast<std::size_t>(rod.section)].fluid;
+        radii.push_back(fluid ? 0.5 * fluid->diameter : 0.0);
+    }
+    json["ground"]["radii"] = radii;
+    return json;
+}
+
+Json describe_bodies(const Model& model, const NodeNumbers& number, std::size_t most) {
+    return describe_first(
+        model.bodies, most, [&](const Body& body) { return describe_body(model, body, number); });
+}
+
+Json describe_supports(const Model& model, const NodeNumbers& number, std::size_t most) {
+    return describe_first(model.supports, most, [&](const Support& support) -> Json {
+        return {{"name", model.nodes[support.node].name},
+                {"node", number(support.node)},
+                {"axes", to_json(support.axes)},
+                {"fixed", support.fixed},
+                {"moved", support.moved}};
+    });
+}
+
+Json describe_joints(const Model& model, const NodeNumbers& number, std::size_t most) {
+    Json joints =
+        describe_first(model.joints, most, [&](const Joint& joint) { return describe_joint(joint, number); });
+    for (const Sleeve& sleeve : model.sleeves) {
+        if (joints.size() == most) break;
+        joints.push_back(describe_sleeve(model, sleeve, number));
+    }
+    return joints;
+}
+
+Json describe_springs(const Model& model, const NodeNumbers& number, std::size_t most) {
+    return describe_first(model.springs, most, [&](const Spring& spring) -> Json {
+        return {{"name", spring.name},
+                {"ends", describe_ends(spring.ends[0], spring.ends[1], number)},
+                {"pulls", spring.stiffness != 0.0 || spring.law != nullptr}};
+    });
+}
+
+Json describe_bushings(const Model& model, const NodeNumbers& number, std::size_t most) {
+    return describe_first(model.bushings, most, [&](const Bushing& bushing) -> Json {
+        return {{"name", bushing.name},
+                {"ends", describe_ends(bushing.ends[0], bushing.ends[1], number)},
+                {"axes", to_json(bushing.axes)}};
+    });
+}
+
+std::size_t count_unknowns(const Model& model) {
+    std::size_t count = 6 * model.nodes.size();
+    for (const Support& support : model.supports) {
+        for (int i = 0; i < 6; ++i) count -= support.holds(i) ? 1 : 0;
+    }
+    return count;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,221 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "deck/schema/choices.hpp"
+#include "model/joint_name.hpp"
+#include "model/settings/analysis_traits.hpp"
+#include "model/settings/newton_choice.hpp"
+#include "numerics/eigenvalues.hpp"
+#include "report/model/centres_json.hpp"
+#include "report/model/model_json.hpp"
+
+namespace gxrod {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr std::size_t most_rows = 50;  // of a table
+
+template <class Part>
+std::span<const Part> first_of(const std::vector<Part>& parts) {
+    return std::span(parts).first(std::min(parts.size(), most_rows));
+}
+
+// Says that a table has not all rows; "" if it has.
+template <class Part>
+std::string tell_rest(const std::vector<Part>& parts) {
+    return parts.size() > most_rows ? fmt::format("The first {} of {}.", most_rows, parts.size()) : "";
+}
+
+std::string vector(const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]); }
+
+bool is_diagonal(const Mat6& matrix) { return matrix.isDiagonal(1e-12); }
+
+Json describe_sections(const Model& model) {
+    Json rows = Json::array();
+    bool has_coupling = false;
+    for (const Section& section : first_of(model.sections)) {
+        const bool is_coupled = !is_diagonal(section.stiffness) || !is_diagonal(section.mass);
+        has_coupling = has_coupling || is_coupled;
+        Json row{section.name + (is_coupled ? " *" : "")};
+        for (int i = 0; i < 6; ++i) row.push_back(section.stiffness(i, i));
+        row.push_back(section.mass(0, 0));
+        for (int i = 3; i < 6; ++i) row.push_back(section.mass(i, i));
+        rows.push_back(row);
+    }
+    std::string note = tell_rest(model.sections);
+    if (has_coupling) note += " * has couplings outside this diagonal: see the deck.";
+    return {{"title", "Sections"},
+            {"columns", {"", "EA", "GAy", "GAz", "GJ", "EIy", "EIz", "rhoA", "rhoJ", "rhoIy", "rhoIz"}},
+            {"rows", rows},
+            {"note", note}};
+}
+
+Json describe_rods(const Model& model) {
+    Json rows = Json::array();
+    for (const Rod& rod : first_of(model.rods)) {
+        rows.push_back({rod.name,
+                        model.sections[rod.section].name,
+                        word_of(element_kind_choices, rod.kind),
+                        rod.element_count(),
+                        rod.order,
+                        rod.length});
+    }
+    return {{"title", "Rods"},
+            {"columns", {"", "section", "element", "elements", "order", "length"}},
+            {"rows", rows},
+            {"note", tell_rest(model.rods)}};
+}
+
+Json describe_body_table(const Model& model) {
+    Json rows = Json::array();
+    for (const Body& body : first_of(model.bodies)) {
+        rows.push_back({body.name,
+                        model.nodes[body.node].name,
+                        body.mass,
+                        vector(find_symmetric_eigen(body.inertia).values),
+                        vector(body.centre_of_mass)});
+    }
+    return {{"title", "Rigid bodies"},
+            {"columns", {"", "node", "mass", "principal inertia", "centre of mass, body axes"}},
+            {"rows", rows},
+            {"note", tell_rest(model.bodies)}};
+}
+
+std::string name_end(const Model& model, const Anchor& end) {
+    return end.is_ground() ? std::string("ground") : model.nodes[end.node].name;
+}
+
+Json describe_spring_table(const Model& model) {
+    Json rows = Json::array();
+    for (const Spring& spring : first_of(model.springs)) {
+        rows.push_back({spring.name,
+                        name_end(model, spring.ends[0]),
+                        name_end(model, spring.ends[1]),
+                        spring.stiffness,
+                        spring.damping,
+                        spring.length});
+    }
+    return {{"title", "Springs"},
+            {"columns", {"", "from", "to", "stiffness", "damping", "free length"}},
+            {"rows", rows},
+            {"note", tell_rest(model.springs)}};
+}
+
+Json describe_bushing_table(const Model& model) {
+    Json rows = Json::array();
+    for (const Bushing& bushing : first_of(model.bushings)) {
+        Json row{bushing.name, name_end(model, bushing.ends[0]), name_end(model, bushing.ends[1])};
+        for (int i = 0; i < 6; ++i) row.push_back(bushing.stiffness(i, i));
+        rows.push_back(row);
+    }
+    return {{"title", "Bushings"},
+            {"columns", {"", "from", "to", "k x", "k y", "k z", "k rx", "k ry", "k rz"}},
+            {"rows", rows},
+            {"note", tell_rest(model.bushings)}};
+}
+
+Json describe_joint_table(const Model& model) {
+    Json rows = Json::array();
+    for (const Joint& joint : first_of(model.joints)) {
+        const bool has_axis = joint.has_turn() || joint.has_slide();
+        rows.push_back({joint.name,
+                        name_of(joint.kind),
+                        name_end(model, joint.a.anchor),
+                        name_end(model, joint.b.anchor),
+                        vector(find_place(model, joint.a.anchor)),
+                        has_axis ? vector(joint.a.axes.col(0)) : std::string()});
+    }
+    return {{"title", "Joints"},
+            {"columns", {"", "type", "from", "to", "at", "axis"}},
+            {"rows", rows},
+            {"note", tell_rest(model.joints)}};
+}
+
+Json describe_gear_table(const Model& model) {
+    Json rows = Json::array();
+    for (const Gear& gear : first_of(model.gears)) {
+        const auto name = [&](const GearSide& side) {
+            return fmt::format("{} of {}", side.is_turn ? "turn" : "slide", model.joints[side.joint].name);
+        };
+        rows.push_back({gear.name, gear.ratio, name(gear.sides[0]), name(gear.sides[1])});
+    }
+    return {{"title", "Gears"},
+            {"columns", {"", "ratio", "first", "second"}},
+            {"rows", rows},
+            {"note", tell_rest(model.gears)}};
+}
+
+std::string describe_components(const std::array<bool, 6>& components) {
+    std::string text;
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        if (components[i]) text += fmt::format("{}{}", text.empty() ? "" : " ", component_names[i]);
+    }
+    return text;
+}
+
+Json describe_support_table(const Model& model) {
+    Json rows = Json::array();
+    for (const Support& support : first_of(model.supports)) {
+        rows.push_back({model.nodes[support.node].name,
+                        describe_components(support.fixed),
+                        describe_components(support.moved)});
+    }
+    return {{"title", "Supports"},
+            {"columns", {"", "fixed", "moved"}},
+            {"rows", rows},
+            {"note", tell_rest(model.supports)}};
+}
+
+Json describe_analysis(const AnalysisSettings& analysis) {
+    Json rows = Json::array();
+    const auto add_newton = [&](const NewtonSettings& newton) {
+        rows.push_back({"Newton's tolerance", choose_newton_tolerance(analysis)});
+        rows.push_back({"most iterations", newton.max_iterations});
+    };
+    if (const auto* dynamic = std::get_if<DynamicSettings>(&analysis)) {
+        rows.push_back({"integrator",
+                        word_of(scheme_choices, dynamic->scheme) +
+                            (dynamic->chosen_for.empty() ? "" : " (auto: " + dynamic->chosen_for + ")")});
+        rows.push_back({"end time", dynamic->end_time});
+        if (dynamic->steps > 0) {
+            const double step = dynamic->time_step();
+            rows.push_back({dynamic->adaptive ? "first step" : "time step", step});
+        }
+        if (dynamic->adaptive) rows.push_back({"tolerance of a step", dynamic->adaptive->tolerance});
+        add_newton(dynamic->newton);
+    } else if (has_steps(analysis)) {
+        if (is_path(analysis)) {
+            rows.push_back({"kind", "path"});
+        } else if (steps_of(analysis) > 0) {
+            rows.push_back({"load steps", steps_of(analysis)});
+        }
+        add_newton(newton_of(analysis));
+    } else {
+        rows.push_back({"kind", kind_of(analysis)});
+    }
+    return {{"title", "Analysis"}, {"columns", Json::array()}, {"rows", rows}};
+}
+
+}  // namespace
+
+Json describe_tables(const Problem& problem) {
+    const Model& model = problem.model;
+    Json tables = Json::array({describe_analysis(problem.analysis)});
+    if (!model.sections.empty()) tables.push_back(describe_sections(model));
+    if (Json centres = describe_centre_table(model); !centres["rows"].empty()) tables.push_back(centres);
+    if (!model.rods.empty()) tables.push_back(describe_rods(model));
+    if (!model.bodies.empty()) tables.push_back(describe_body_table(model));
+    if (!model.springs.empty()) tables.push_back(describe_spring_table(model));
+    if (!model.bushings.empty()) tables.push_back(describe_bushing_table(model));
+    if (!model.joints.empty()) tables.push_back(describe_joint_table(model));
+    if (!model.gears.empty()) tables.push_back(describe_gear_table(model));
+    if (!model.supports.empty()) tables.push_back(describe_support_table(model));
+    return tables;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,149 @@
+#include "results/histories/history_table.hpp"
+
+#include "results/histories/quantity.hpp"
+#include "results/tables/stage_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+namespace gxrod {
+namespace {
+
+constexpr int most_columns = 4;
+
+// "[1, 0, 2]", or "" where moments are about the support's point.
+std::string describe_about(const HistoryRequest& request) {
+    if (!request.about) return "";
+    const Vec3& point = *request.about;
+    return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", point[0], point[1], point[2]);
+}
+
+QuantityForm form_of(Quantity quantity, PointKind kind, const HistoryRequest& request) {
+    if (!request.relative_to.empty()) return relative_quantity_form(quantity, kind, request.relative_to);
+    QuantityForm form = quantity_form(quantity, kind);
+    if (quantity == Quantity::reaction_moment && request.about)
+        form.label.description += ", about " + describe_about(request);
+    return form;
+}
+
+// What an attribute of a group says, "" without it.
+std::string read_label(const Hdf5Handle& group, const char* name) {
+    return H5Aexists(group.id(), name) > 0 ? read_text_attribute(group.id(), name) : "";
+}
+
+RowShape shape_of(const Hdf5Handle& group, const std::string& name) {
+    const Hdf5Handle dataset(H5Dopen2(group.id(), name.c_str(), H5P_DEFAULT), H5Dclose, "opening a dataset");
+    const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose, "dataspace");
+    std::array<hsize_t, 2> size{0, 1};
+    const bool is_vector = H5Sget_simple_extent_dims(space.id(), size.data(), nullptr) > 1;
+    return {static_cast<int>(size[1]), is_vector};
+}
+
+// Writes which point a history is of; throws if it already belongs to another.
+void label_group(const Hdf5Handle& group, const HistoryRequest& request) {
+    const bool is_new = H5Aexists(group.id(), "at") <= 0;
+    const std::string about = describe_about(request);
+    if (is_new) {
+        write_attribute(group.id(), "at", request.at);
+        if (!request.relative_to.empty()) write_attribute(group.id(), "relative_to", request.relative_to);
+        if (!about.empty()) write_attribute(group.id(), "about", about);
+        if (!request.with.empty()) write_attribute(group.id(), "with", request.with);
+        return;
+    }
+    if (read_label(group, "at") == request.at && read_label(group, "relative_to") == request.relative_to &&
+        read_label(group, "about") == about && read_label(group, "with") == request.with) {
+        return;
+    }
+    throw std::runtime_error("its history " + request.name +
+                             " is of another point; give this one another name");
+}
+
+}  // namespace
+
+HistoryTable::HistoryTable(const Hdf5Handle& histories,
+                           const Model& model,
+                           const std::vector<HistoryRequest>& requests,
+                           hsize_t rows) {
+    std::vector<std::string> ended = list_members(histories.id());
+    std::erase_if(ended, [](const std::string& name) { return !is_history_name(name); });
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+        std::erase(ended, requests[i].name);
+        add_history(
+            require_group(histories, requests[i].name), HistoryPoint(model, requests, i), requests[i], rows);
+    }
+    for (const std::string& name : ended) add_ended(require_group(histories, name), {}, rows);
+}
+
+void HistoryTable::add_history(const Hdf5Handle& group,
+                               const HistoryPoint& point,
+                               const HistoryRequest& request,
+                               hsize_t rows) {
+    label_group(group, request);
+    History history{point, {}};
+    std::vector<std::string> recorded;
+    for (const Quantity quantity : request.quantities) {
+        QuantityForm form = form_of(quantity, history.point.kind(), request);
+        if (point.is_force_of_slide(quantity)) form.label.dimension = "force";
+        const bool goes_on = has_link(group, form.label.name);
+        history.columns.push_back(
+            {quantity, form.shape.columns, AppendDataset<double>(group, form.label, form.shape, rows)});
+        recorded.push_back(form.label.name);
+        const std::vector<double> last = history.columns.back().values.last_row();
+        if (goes_on && !last.empty()) history.point.go_on_from(quantity, last);
+    }
+    histories_.push_back(std::move(history));
+    add_ended(group, recorded, rows);
+}
+
+void HistoryTable::add_ended(const Hdf5Handle& group,
+                             const std::vector<std::string>& recorded,
+                             hsize_t rows) {
+    for (const std::string& name : list_members(group.id())) {
+        if (std::find(recorded.begin(), recorded.end(), name) != recorded.end()) continue;
+        const RowShape shape = shape_of(group, name);
+        ended_.push_back({shape.columns, AppendDataset<double>(group, {name, "", "", ""}, shape, rows)});
+    }
+}
+
+void HistoryTable::append(const Snapshot& snapshot) {
+    for (History& history : histories_) {
+        for (Column& column : history.columns) {
+            const HistoryPoint::Row row = history.point.compute(column.quantity, snapshot);
+            column.values.append(std::span(row).first(static_cast<std::size_t>(column.width)));
+        }
+    }
+    std::array<double, most_columns> missing;
+    missing.fill(std::numeric_limits<double>::quiet_NaN());
+    for (Ended& ended : ended_)
+        ended.values.append(std::span(missing).first(static_cast<std::size_t>(ended.width)));
+}
+
+template <class Action>
+void HistoryTable::for_each_dataset(Action&& action) {
+    for (History& history : histories_) {
+        for (Column& column : history.columns) action(column.values);
+    }
+    for (Ended& ended : ended_) action(ended.values);
+}
+
+void HistoryTable::flush() {
+    for_each_dataset([](AppendDataset<double>& values) { values.flush(); });
+}
+
+void HistoryTable::trim() {
+    for_each_dataset([](AppendDataset<double>& values) { values.trim(); });
+}
+
+std::size_t HistoryTable::buffered_bytes() const {
+    std::size_t bytes = 0;
+    for (const History& history : histories_) {
+        for (const Column& column : history.columns) bytes += column.values.buffered_bytes();
+    }
+    for (const Ended& ended : ended_) bytes += ended.values.buffered_bytes();
+    return bytes;
+}
+
+}  // namespace gxrod

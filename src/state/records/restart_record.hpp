@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/time/input.hpp"
+#include "state/energy_jump.hpp"
+#include "state/state.hpp"
+#include "state/step_memory.hpp"
+
+namespace gxrod {
+
+// The books of a run at an accepted step.
+struct LedgerMemory {
+    double initial_energy = 0.0;     // kinetic and strain
+    double initial_potential = 0.0;  // of gravity
+    double work = 0.0;               // of loads and moving supports
+    double dissipated = 0.0;
+    double dissipated_by_scheme = 0.0;
+    double fluid_work = 0.0;
+    double contact_loss = 0.0;
+    double contact_energy = 0.0;
+    double initial_contact_energy = 0.0;
+    // Schemes of several stages: the powers at the end of the last step.
+    double driving_power = 0.0;
+    double damping_power = 0.0;
+    // Schemes of one stage: forces and moments per node that do work, at the end of the last step.
+    std::vector<Vec6> forces;
+    std::vector<Vec6> fluid_forces;  // of water, air and ground per node, at the end of the last step
+    // In statics after the first step: the last one's changes of these forces, its movements, its length.
+    std::vector<Vec6> force_change, movement;
+    double load_step = 0.0;
+    double strain_energy = 0.0;   // in statics, at the end of that step
+    double largest_energy = 0.0;  // in statics: strain energy or work, so far
+};
+
+// What a run has done so far.
+struct RunTotals {
+    std::int64_t steps = 0;  // accepted
+    std::int64_t rejected_steps = 0;
+    std::int64_t newton_iterations = 0;
+    double largest_energy = 0.0;        // kinetic and strain, or external work
+    double largest_energy_error = 0.0;  // of the ledger
+    EnergyJumps jumps;                  // in statics
+};
+
+// Where a path of equilibria stands at an accepted step, whose time is its arc length.
+struct PathMemory {
+    double load_factor = 0.0;
+    double load_scale = 0.0;  // of load factors against displacements; 0: no path
+    // The unit tangent of the path.
+    double load_rate = 0.0;
+    std::vector<Vec6> tangent;    // (δr, δφ) of each node
+    std::int64_t load_sense = 1;  // 1 if the load factor grows beyond, −1 if it falls
+    std::int64_t points = 0;      // critical ones so far
+};
+
+// All that a run needs to resume from an accepted step as if it had never stopped.
+struct RestartRecord {
+    std::vector<NodeMotion> nodes;                // there, theta zero
+    std::vector<SectionHistory> sections;         // State::sections
+    std::vector<double> law_memory;               // State::law_memory
+    std::vector<BedContact> bed_contacts;         // State::bed_contacts
+    std::vector<Vec3> contact_tractions;          // ContactMemory::on_obstacles
+    std::vector<PairTractionRow> pair_tractions;  // ContactMemory::of_pairs
+    std::vector<JointState> joints;               // State::joints_previous
+    std::vector<CarriedAcceleration> carried;     // State::carried_previous; can be empty
+    LedgerMemory ledger;
+    StepMemory steps;
+    RunTotals totals;
+    std::int64_t negative_pivots = -1;  // of the tangent there, in statics
+    bool is_framed = false;             // whether the last frame shows this state
+    std::int64_t stage = 0;             // the last one that took a step or found shapes, from 0
+    double axis_start = 0.0;            // of its t, on the axis that the stages share
+    PathMemory path;                    // of a path, or empty
+    std::vector<double> stage_ends;     // t where each stage ended, or will as far as is known
+    std::vector<InputState> inputs;     // of Model::inputs
+};
+
+// Where in a results file a restart record belongs.
+struct RestartPlace {
+    RestartRecord record;
+    std::uint64_t steps = 0;    // rows of the histories up to it
+    std::uint64_t frames = 0;   // frames up to it
+    std::uint64_t samples = 0;  // rows of the sampled histories up to it
+};
+
+}  // namespace gxrod
