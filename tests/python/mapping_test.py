@@ -173,6 +173,6 @@ def test_tables_of_pandas():
 def test_without_pandas_it_says_so_before_it_runs(absent):
     absent("pandas")
     deck = Deck()
-    with pytest.raises(ImportError, match="python3 -m pip install pandas"):
+    with pytest.raises(ImportError, match='python3 -m pip install "?pandas'):
         gxrod.map(deck, CASES, {"end": end}, simulation=Simulation)
     assert deck.builds == 0

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from .decks import Deck, Model, add_points, schema
 from .errors import ConvergenceError, Error, EvaluationError, unknown_name
+from .installing import pip_install
 from .results.display import Shown
 from .typed import AnyPath, Array, Names, WholeArray
 from .variations import vary_all
@@ -333,7 +334,7 @@ class Simulation(Shown):
         try:
             from scipy import sparse
         except ImportError as missing:
-            raise ImportError("matrices of a simulation need SciPy: python3 -m pip install scipy") from missing
+            raise ImportError(f"matrices of a simulation need SciPy: {pip_install('scipy')}") from missing
         values, rows, columns, size = self._core.matrices()[which]
         return sparse.coo_matrix((values, (rows, columns)), shape=(size, size)).tocsc()
 

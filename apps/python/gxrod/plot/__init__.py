@@ -2,6 +2,8 @@
 
 from types import SimpleNamespace
 
+from ..installing import pip_install
+
 
 def draw(results, what="shapes", history=(), times=None, frames=None, view=None, size=None, title=None):
     """A matplotlib Figure of opened results, as gxrod-plot draws it.
@@ -15,7 +17,7 @@ def draw(results, what="shapes", history=(), times=None, frames=None, view=None,
         import matplotlib
         import matplotlib.pyplot
     except ImportError as missing:
-        raise ImportError("pictures of gxrod need matplotlib: python3 -m pip install matplotlib") from missing
+        raise ImportError(f"pictures of gxrod need matplotlib: {pip_install('matplotlib')}") from missing
     from .errors import UsageError
     from .page import draw_page
     from .results import Results

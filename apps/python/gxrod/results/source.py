@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from ..errors import Error, FileError
+from ..installing import pip_install
 from ..plot.units import read_units, unit_of
 
 # What h5py raises, and what follows where a damaged file has other things than expected.
@@ -19,6 +20,8 @@ def import_h5py():
     except ImportError as missing:
         raise ImportError("reading results of gxrod needs h5py: python3 -m pip install h5py, or on Debian apt install "
                           "python3-h5py") from missing
+    except ValueError as other:  # "numpy.dtype size changed"
+        raise ImportError(f"h5py was compiled for another NumPy: {pip_install('h5py')}") from other
     return h5py
 
 

@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from ..installing import pip_install
+
 
 def as_objects(values):
     """A column [n] of anything, also of lists."""
@@ -15,7 +17,7 @@ def import_pandas():
     try:
         import pandas
     except ImportError as missing:
-        raise ImportError("tables of gxrod as DataFrames need pandas: python3 -m pip install pandas") from missing
+        raise ImportError(f"tables of gxrod as DataFrames need pandas: {pip_install('pandas')}") from missing
     return pandas
 
 
@@ -23,5 +25,5 @@ def import_xarray():
     try:
         import xarray
     except ImportError as missing:
-        raise ImportError("results of gxrod as Datasets need xarray: python3 -m pip install xarray") from missing
+        raise ImportError(f"results of gxrod as Datasets need xarray: {pip_install('xarray')}") from missing
     return xarray
