@@ -6,10 +6,10 @@
 
 namespace gxrod {
 
-// CRC-32 (that of gzip) of bytes that follow others with the checksum `before`.
+// Returns the CRC-32 (as gzip computes it) of all bytes so far: `before` is the checksum of the earlier ones.
 std::uint32_t checksum(std::span<const std::byte> bytes, std::uint32_t before = 0);
 
-// The same of numbers, as they lie in memory.
+// Returns the checksum of numbers, as they lie in memory.
 template <class Number>
 std::uint32_t checksum(std::span<const Number> numbers, std::uint32_t before = 0) {
     return checksum(std::as_bytes(numbers), before);

@@ -8,11 +8,11 @@ namespace gxrod {
 
 // Limits of a child process.
 struct ChildLimits {
-    // After which it is ended, counted from its start or from the last restart_processor_clock(); 0: no
-    // limit.
+    // Processor time after which the child is ended, counted from its start or from the last
+    // restart_processor_clock(); 0: no limit.
     int processor_seconds = 0;
-    // It is ended after so long if it computed next to nothing meanwhile: it waits for what does not come.
-    // 0: no limit, as for a slow disk.
+    // The child is ended if it computes next to nothing for so long: it waits for what does not come. 0: no
+    // limit, for slow disks.
     int waiting_seconds = 0;
     bool reads_only = false;  // as machine/confinement.hpp has it
 };
@@ -23,18 +23,19 @@ class ChildError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// It ran out of memory.
+// The child ran out of memory.
 class ChildMemoryError : public ChildError {
   public:
     using ChildError::ChildError;
 };
 
-// Does work in a copy of this process and returns the bytes that it returns. Where a library breaks down over
-// what it is to read, or does not come back, only the copy is lost. Throws ChildError if that happens, and
-// where the work throws; std::system_error if there can be no child.
+// Does work in a copy of this process and returns the bytes that it returns. If a library crashes or hangs on
+// the data that it reads, only the copy is lost. Throws ChildError if that happens or if the work throws;
+// std::system_error if no child can be started.
 std::string run_in_child(const std::function<std::string()>& work, const ChildLimits& limits);
 
-// Within such work: it comes along, and has all of its time again. Elsewhere nothing.
+// Gives the child all of its processor time again: the work calls it when it makes progress. Does nothing
+// elsewhere.
 void restart_processor_clock();
 
 }  // namespace gxrod

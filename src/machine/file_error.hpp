@@ -9,7 +9,7 @@ namespace gxrod {
 // A file could not be read or written. what() is one line: the path, what failed, and a hint if there is one.
 class FileError : public std::runtime_error {
   public:
-    // What another FileError said, when that itself is gone.
+    // The line that another FileError reported.
     struct Line {
         std::string text;
     };

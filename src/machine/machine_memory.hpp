@@ -2,8 +2,8 @@
 
 namespace gxrod {
 
-// Bytes of memory that the processes of this one's group can use in all: those of the machine, or of the
-// control group that a container or a cluster's job puts them in, and this one by its own limits (ulimit).
+// Returns the bytes of memory that this process can use: the least of the machine's memory, the limit of the
+// control group that a container or a cluster's job puts it in, and its own limits (ulimit).
 double count_usable_bytes();
 
 }  // namespace gxrod

@@ -5,14 +5,14 @@
 
 namespace gxrod {
 
-// A text from a file as a message shows it: control characters, which a terminal would obey, as \n, \t or
-// \x1b. Of UTF-8 only those below U+00A0 are changed; bytes that are no UTF-8 are shown as \xd6.
+// Returns a text from a file as messages show it. Control characters, which a terminal would obey, become \n,
+// \t or \x1b; other characters from U+00A0 on stay. Bytes that are not UTF-8 become, for example, \xd6.
 std::string printable(std::string_view text);
 
-// A text of UTF-8 of any length, as a message quotes it: its beginning and "…" if it is long.
+// Returns a UTF-8 text as messages quote it: a long one is cut and ends with "…".
 std::string shorten(std::string_view text);
 
-// The place of the first control character but newline, carriage return and tab; npos if there is none.
+// Finds the first control character other than newline, carriage return and tab; npos if there is none.
 std::size_t find_control_character(std::string_view text);
 
 }  // namespace gxrod

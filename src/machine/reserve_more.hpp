@@ -5,8 +5,8 @@
 
 namespace gxrod {
 
-// Makes room for so many entries more: for exactly these where they are most of all, and for growth by halves
-// where they are few.
+// Makes room for `count` more entries: for exactly these if they are many, and for half as many again as
+// there are now if they are few.
 template <class T>
 void reserve_more(std::size_t count, std::vector<T>& entries) {
     const std::size_t size = entries.size() + count;

@@ -5,10 +5,10 @@
 
 namespace gxrod {
 
-// A new folder where temporary files go; `purpose` is part of its name. Throws FileError.
+// Creates a folder for temporary files; `purpose` is part of its name. Throws FileError.
 std::filesystem::path make_temporary_folder(const std::string& purpose);
 
-// Such a folder, which ends with this.
+// A temporary folder, which the destructor removes with all that it holds.
 class TemporaryFolder {
   public:
     explicit TemporaryFolder(const std::string& purpose) : path_(make_temporary_folder(purpose)) {}

@@ -19,7 +19,7 @@ struct LegendreValue {
     double slope;
 };
 
-// P_n(ξ) and its derivative, |ξ| < 1, by the three-term recurrence.
+// Computes P_n(ξ) and its derivative for |ξ| < 1, by the three-term recurrence.
 inline LegendreValue compute_legendre(int n, double xi) {
     double before = 1.0;
     double value = xi;
@@ -31,8 +31,8 @@ inline LegendreValue compute_legendre(int n, double xi) {
     return {value, n * (xi * value - before) / (xi * xi - 1.0)};
 }
 
-// The n-point Gauss-Legendre rule, ascending, exact for polynomials of degree 2n − 1: roots of P_n by
-// Newton's method from the usual asymptotic guess.
+// Computes the n-point Gauss-Legendre rule, ascending, exact for polynomials of degree 2n − 1: roots of P_n
+// by Newton's method from the usual asymptotic guess.
 template <int Points>
 std::array<QuadraturePoint, Points> compute_gauss_rule() {
     static_assert(Points >= 1);
@@ -50,7 +50,7 @@ std::array<QuadraturePoint, Points> compute_gauss_rule() {
     return rule;
 }
 
-// The same of a number of points, from 1 to 5, that is known at run time.
+// Returns the rule with a number of points, from 1 to 5, that is known at run time.
 inline std::vector<QuadraturePoint> list_gauss_rule(int points) {
     const auto list = [](const auto& rule) { return std::vector<QuadraturePoint>(rule.begin(), rule.end()); };
     switch (points) {

@@ -9,8 +9,8 @@ namespace gxrod {
 template <int Nodes>
 using NodeValues = Eigen::Matrix<double, Nodes, 1>;
 
-// Where the nodes of an element lie: the Gauss-Lobatto points, ±1 and the roots of P′ of degree Nodes − 1;
-// equally spaced up to three nodes.
+// Computes where the nodes of an element lie: the Gauss-Lobatto points, ±1 and the roots of P′ of degree
+// Nodes − 1; equally spaced up to three nodes.
 template <int Nodes>
 NodeValues<Nodes> compute_node_positions() {
     static_assert(Nodes >= 2 && Nodes <= 5);
@@ -27,7 +27,7 @@ NodeValues<Nodes> compute_node_positions() {
     return at;
 }
 
-// The Lagrange polynomials of any points: one at its own, zero at the others.
+// Computes the Lagrange polynomials of any points: each is one at its own point and zero at the others.
 template <int Points>
 NodeValues<Points> compute_lagrange(const NodeValues<Points>& at, double xi) {
     NodeValues<Points> values = NodeValues<Points>::Ones();
@@ -39,13 +39,13 @@ NodeValues<Points> compute_lagrange(const NodeValues<Points>& at, double xi) {
     return values;
 }
 
-// N_I(ξ).
+// Computes N_I(ξ).
 template <int Nodes>
 NodeValues<Nodes> compute_shape_functions(double xi) {
     return compute_lagrange<Nodes>(compute_node_positions<Nodes>(), xi);
 }
 
-// dN_I/dξ.
+// Computes dN_I/dξ.
 template <int Nodes>
 NodeValues<Nodes> compute_shape_slopes(double xi) {
     const NodeValues<Nodes> at = compute_node_positions<Nodes>();

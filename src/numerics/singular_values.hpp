@@ -4,16 +4,16 @@
 
 namespace gxrod {
 
-// A = U Σ Vᵀ; those of Aᵀ have V for U.
+// Singular values of A = U Σ Vᵀ. Pass Aᵀ to get V in place of U.
 struct SingularValues {
     Eigen::VectorXd values;  // descending
     Eigen::MatrixXd left;    // U, square
 
-    // How many values exceed a share of the largest.
+    // Counts the values that exceed a share of the largest.
     Eigen::Index rank(double share) const;
 };
 
-// Compiled once, as SymmetricEigen.
+// Computes them; compiled once, as the solvers of eigenvalues.hpp.
 SingularValues find_singular_values(const Eigen::MatrixXd& A);
 
 }  // namespace gxrod

@@ -7,16 +7,17 @@
 namespace gxrod {
 
 // A line through points given at arc lengths, r(s) = Σ M_i(s) r_i, whose tangent is continuous: between two
-// points the polynomials of degree 4 (of a lower one through fewer points) around each of them are blended,
-// from the one to the other. Its error is O(h⁵) where points lie h apart, that of its tangent O(h⁴).
+// neighbouring points, the polynomial of degree 4 around the first (of lower degree if there are fewer
+// points) is blended into the polynomial around the second. For points h apart the error of the line is
+// O(h⁵), the error of its tangent O(h⁴).
 class SmoothLine {
   public:
     static constexpr int degree = 4;
     static constexpr int most_points = degree + 2;
-    // Of a piece's points, by powers of the position u in it, from 0 to 1.
+    // Coefficients of a piece's points, by powers of the position u in the piece, from 0 to 1.
     using Coefficients = Eigen::Matrix<double, most_points, most_points>;
 
-    // Between two neighbouring points.
+    // The part of the line between two neighbouring points.
     struct Piece {
         double start = 0.0;                                // arc length
         double length = 0.0;                               // of the piece
@@ -24,17 +25,17 @@ class SmoothLine {
         int count = 0;                                     // of its points
         Coefficients coefficients = Coefficients::Zero();  // a row a point
 
-        // M_i, or a derivative by s, of all orders below `Orders`: by order, then by point. Number: double,
-        // or one that carries derivatives.
+        // Computes M_i and its derivatives by s, of all orders below `Orders`: by order, then by point.
+        // Number: double, or a type that carries derivatives.
         template <int Orders, class Number>
         std::array<std::array<Number, most_points>, Orders> compute_weights(const Number& s) const;
     };
 
-    // At least two arc lengths, ascending.
+    // Takes at least two arc lengths, ascending.
     explicit SmoothLine(const std::vector<double>& arc_lengths);
 
     const std::vector<Piece>& pieces() const { return pieces_; }
-    // The piece at s; the first or the last one beyond the line's ends.
+    // Finds the piece at s; beyond the line's ends the first or the last one.
     int find_piece(double s) const;
     double start() const { return pieces_.front().start; }
     double end() const { return pieces_.back().start + pieces_.back().length; }

@@ -2,7 +2,7 @@
 
 namespace gxrod {
 
-// Cores that this process can use; at least 1.
+// Counts the cores that this process can use; at least 1.
 int count_cores();
 
 }  // namespace gxrod

@@ -8,14 +8,14 @@
 namespace gxrod {
 
 // Threads that share the work of one loop after the other; between loops they wait, at first without
-// sleeping. What a loop computes must not depend on who does which part of it, nor when.
+// sleeping. Results of a loop must not depend on which thread does which part of it, nor when.
 class ThreadTeam {
   public:
-    // The calling thread and `size` − 1 others, which live as long as this; at least 1. Throws
-    // std::system_error if there cannot be so many.
+    // Makes a team of the calling thread and `size` − 1 others, which live as long as the team; size ≥ 1.
+    // Throws std::system_error if the system cannot start so many.
     explicit ThreadTeam(int size = 1);
     ~ThreadTeam();
-    // The calling thread.
+    // Returns a team of the calling thread alone.
     static const ThreadTeam& alone();
     ThreadTeam(const ThreadTeam&) = delete;
     ThreadTeam& operator=(const ThreadTeam&) = delete;
@@ -23,7 +23,7 @@ class ThreadTeam {
     int size() const { return size_; }
 
     // Calls work(i) once for each i = 0 … count − 1 and returns when all are done; throws one of the
-    // exceptions that were thrown, if any. By one thread at a time, and not from within `work`.
+    // exceptions that were thrown, if any. Only one thread at a time may call it, and `work` may not.
     template <class Work>
     void for_each(std::size_t count, const Work& work) const {
         if (size_ == 1 || count < 2) {
@@ -33,7 +33,7 @@ class ThreadTeam {
         share(count, {[](const void* own, std::size_t i) { (*static_cast<const Work*>(own))(i); }, &work});
     }
 
-    // Calls work(first, last) for parts of 0 … count − 1 that are together all of it.
+    // Calls work(first, last) for ranges that together cover 0 … count − 1.
     template <class Work>
     void for_each_range(std::size_t count, const Work& work) const {
         const std::size_t length = range_length(count);
@@ -41,8 +41,8 @@ class ThreadTeam {
                  [&](std::size_t part) { work(part * length, std::min((part + 1) * length, count)); });
     }
 
-    // What work(first, last) returns for each of these parts, from the first to the last. How many there are
-    // depends on the number of threads.
+    // Returns what work(first, last) returns for each of these ranges, in order. The number of ranges depends
+    // on the number of threads.
     template <class Result, class Work>
     std::vector<Result> collect(std::size_t count, const Work& work) const {
         const std::size_t length = range_length(count);
@@ -53,7 +53,7 @@ class ThreadTeam {
         return results;
     }
 
-    // The largest of 0 and number(i), i = 0 … count − 1.
+    // Returns the largest of 0 and number(i), i = 0 … count − 1.
     template <class Number>
     double find_largest(std::size_t count, const Number& number) const {
         const auto find = [&](std::size_t first, std::size_t last) {

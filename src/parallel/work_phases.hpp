@@ -9,9 +9,9 @@
 
 namespace gxrod {
 
-// Items 0 … count − 1 that add to nodes, in parts of `part_size`, and these in phases: no two parts of a
-// phase touch the same node, so they can add to them at the same time. Parts and phases are the same whatever
-// works on them, so sums at nodes are the same to the last bit.
+// Items 0 … count − 1 that add to nodes, in parts of `part_size`; parts are grouped in phases. No two parts
+// of a phase touch the same node, so they can add at the same time. Parts and phases do not depend on the
+// number of threads, so sums at nodes are the same to the last bit.
 class WorkPhases {
   public:
     static constexpr std::size_t part_size = 128;
@@ -37,7 +37,7 @@ class WorkPhases {
     std::size_t first(std::size_t part) const { return part * part_size; }
     std::size_t last(std::size_t part) const { return std::min(count_, (part + 1) * part_size); }
 
-    // Calls work(part) for each, phase after phase.
+    // Calls work(part) for each part, phase after phase.
     template <class Work>
     void run(const ThreadTeam& team, const Work& work) const {
         for (const std::vector<std::size_t>& phase : phases_) {
@@ -49,7 +49,7 @@ class WorkPhases {
   private:
     static constexpr std::size_t most_phases = 64;
 
-    // Puts a part into the first phase that is not taken; the bit of that phase.
+    // Puts a part into the first phase that is not taken, and returns the bit of that phase.
     std::uint64_t add(std::size_t part, std::uint64_t taken);
 
     std::size_t count_ = 0;

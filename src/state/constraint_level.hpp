@@ -2,7 +2,7 @@
 
 namespace gxrod {
 
-// At which of their derivatives by time the equations of joints are asked to hold.
+// The derivative by time at which the equations of joints are to hold.
 enum class ConstraintLevel { position, velocity, acceleration };
 
 }  // namespace gxrod

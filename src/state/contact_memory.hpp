@@ -6,17 +6,18 @@
 
 namespace gxrod {
 
-// Friction of two pieces of rods: on the first, spatial.
+// Friction between two pieces of rods, as it acts on the first; spatial.
 struct PairTraction {
     NearPieces pieces;
     Vec3 traction = Vec3::Zero();
 };
 
-// What contact remembers: friction at the last accepted step.
+// Memory of contact: friction at the last accepted step.
 struct ContactMemory {
-    // On obstacles per place and length, spatial: places of the first obstacle, then of the next one.
+    // Friction from obstacles at each place, per length, spatial: places of the first obstacle, then of the
+    // next.
     std::vector<Vec3> on_obstacles;
-    std::vector<PairTraction> of_pairs;  // of those that touch, sorted
+    std::vector<PairTraction> of_pairs;  // pairs that touch, sorted
 };
 
 // Pairs as rows of numbers: both pieces, then the traction; rows of zeros fill up to a power of two.

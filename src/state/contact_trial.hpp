@@ -8,38 +8,38 @@
 
 namespace gxrod {
 
-// Two pieces of rods that are so near that they can touch, by their index among all of them.
+// Two pieces of rods, by their indices among all pieces, so near to each other that they can touch.
 struct NearPieces {
     std::uint32_t first = 0, second = 0;  // first < second
 
     auto operator<=>(const NearPieces&) const = default;
 };
 
-// What Newton's method knows of contact in addition to motions, found anew for each equilibrium.
+// State of contact within Newton's method in addition to motions, found anew for each equilibrium.
 struct ContactTrial {
-    // Whether tangents are those of forces as unknowns of their own, by the parameters; else by gaps.
+    // Whether tangents treat contact forces as unknowns of their own, by the parameters; if not, by gaps.
     bool has_parameters = false;
-    // The gap of the point that each place has on the curve of force and gap (contact/impact_law.hpp): with
-    // these the tangent is that of forces as unknowns of their own.
+    // The gap of each place's point on the curve of force over gap (contact/impact_law.hpp), from which
+    // tangents with forces as unknowns of their own are computed.
     std::vector<double> parameters;
-    // Whether each place is taken to slide there, and the direction of its traction then; zero where it is
-    // taken to stick. Empty without friction.
+    // The direction of traction at each place that is taken to slide; zero where it is taken to stick. Empty
+    // without friction.
     std::vector<Vec3> sliding;
-    // How far moved obstacles are on their way from the last accepted step, 0 … 1.
+    // The fraction, 0 … 1, of their way since the last accepted step that moving obstacles have covered.
     double progress = 1.0;
-    // Pieces that were nearer than `margin` where the trial was, sorted; since then it has moved by no more
-    // than `travelled`. All that touch are among them.
+    // Pairs of pieces that were nearer than `margin` when they were sought, sorted. Since then the trial has
+    // moved by at most `travelled`. All pairs that touch are among them.
     std::vector<NearPieces> pieces;
-    std::vector<Vec3> pieces_sliding;  // of each of these, as `sliding`
-    // Of each of these, that increments have taken into touch before it touches: the parameter ζ of its force
-    // (contact/contact_law.hpp), no_contact of others.
+    std::vector<Vec3> pieces_sliding;  // for each of these pairs, as `sliding`
+    // For each of these pairs, the parameter ζ of its force (contact/contact_law.hpp) if an increment has
+    // taken it into contact before its gap closes; else no_contact.
     std::vector<double> pieces_expected;
     double margin = 0.0;
     double travelled = 0.0;
-    // Of pieces at the start of a step.
+    // Energy of pairs at the start of a step.
     double energy_before = 0.0;
-    // Force by the way of pieces that touch past each other since the start of a step, where their impulses
-    // would give energy (docs/theory/contact.md, (C22)).
+    // Force per distance that pieces in contact moved past each other since the start of a step, where their
+    // impulses would add energy (docs/theory/contact.md, (C22)).
     double drag = 0.0;
 };
 

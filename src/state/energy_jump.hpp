@@ -3,23 +3,25 @@
 #include <cstdint>
 #include <optional>
 
-// Whether a series of equilibria follows one path: then strain energy changes by the work of the loads.
+// Checks whether a series of equilibria follows one path: if so, strain energy changes by the work of the
+// loads.
 namespace gxrod {
 
-// Between two load factors strain energy and work part by so much more than the uncertainty of the work.
+// An energy by which, between two load factors, the change of strain energy differs from the work, beyond the
+// uncertainty of the work.
 struct EnergyJump {
     double from = 0.0;
     double to = 0.0;
     double energy = 0.0;
 };
 
-// Of a run; the largest of them.
+// The jumps of a run, and the largest of them.
 struct EnergyJumps {
     std::int64_t count = 0;
     EnergyJump largest;
 };
 
-// What is looked at of an equilibrium: the ledger's row at its load factor.
+// Energies of an equilibrium, from the ledger's row at its load factor.
 struct EnergyPoint {
     double load_factor = 0.0;
     double strain_energy = 0.0;
@@ -27,7 +29,7 @@ struct EnergyPoint {
     double work_uncertainty = 0.0;  // of the load step that led to it
 };
 
-// Of the largest energy of a run so far: smaller jumps are not reported.
+// Share of the largest energy of a run so far; smaller jumps are not reported.
 inline constexpr double energy_worth_a_word = 0.01;
 
 std::optional<EnergyJump> find_jump(const EnergyPoint& before,

@@ -4,13 +4,13 @@
 
 namespace gxrod {
 
-// What evolves of a joint.
+// The variables of a joint that evolve in time.
 struct JointState {
     std::array<double, 6>
         multipliers{};   // one for each of its equations: forces and moments that A exerts on B
     double turn = 0.0;   // of B against A about the axis, whole turns included
     double slide = 0.0;  // of a sleeve: along its rod, from where it was at t = 0
-    double turn_slip = 0.0, slide_slip = 0.0;  // where the friction of turn and slide exerts nothing
+    double turn_slip = 0.0, slide_slip = 0.0;  // values of turn and slide where their friction is zero
 };
 
 }  // namespace gxrod

@@ -5,7 +5,7 @@
 // The treaty between elements and integrators: the only two structs that pass between them.
 namespace gxrod {
 
-// What an integrator gives an element about a node at the time of an equilibrium. All spatial.
+// The motion of a node at the time of an equilibrium, as integrators give it to elements. All spatial.
 struct NodeMotion {
     Vec3 r = Vec3::Zero();           // position
     Quat Lambda = Quat::Identity();  // rotation since the reference configuration (identity at the start)
@@ -16,7 +16,7 @@ struct NodeMotion {
     Vec3 alpha = Vec3::Zero();
 };
 
-// How that motion follows the node's Newton unknowns, the displacement δr and the spatial spin δφ:
+// Derivatives of that motion by the node's Newton unknowns, the displacement δr and the spatial spin δφ:
 //   δv = rate δr, δa = acceleration δr, δω = d_omega δφ, δα = d_alpha δφ.
 // placement (1 or 0) multiplies every term of a tangent that comes from δr, δφ directly.
 struct NodeLinearization {

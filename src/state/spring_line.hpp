@@ -8,13 +8,13 @@
 
 namespace gxrod {
 
-// From A to B, two points that nodes carry or of which one is fixed.
+// The vector from A to B, which nodes or the ground carry.
 struct PointDistance {
     Vec3 d = Vec3::Zero();
     Vec3 rate = Vec3::Zero();  // of d
 };
 
-// `a`, `b`: of the nodes that carry A and B; nullptr for the ground.
+// Computes it from the motions `a`, `b` of the nodes that carry A and B; nullptr for the ground.
 PointDistance compute_distance(const std::array<Anchor, 2>& ends, const NodeMotion* a, const NodeMotion* b);
 
 // The line of a spring from its point A to its point B at a motion (docs/theory/springs.md).
@@ -24,16 +24,16 @@ struct SpringLine : PointDistance {
     Vec3 direction = Vec3::Zero();  // e, from A to B; not a number at length 0
 };
 
-// Likewise.
+// Computes the line from the motions of the nodes that carry A and B, likewise.
 SpringLine compute_spring_line(const Spring& spring, const NodeMotion* a, const NodeMotion* b);
-// Of motions of all nodes.
+// Computes it from the motions of all nodes.
 SpringLine compute_spring_line(const Spring& spring, const std::vector<NodeMotion>& nodes);
 
-// What the spring pulls with at this length at rest: k (ℓ − ℓ₀) + f(ℓ, 0), f its law.
+// Computes the tension at this length at rest: k (ℓ − ℓ₀) + f(ℓ, 0), f the spring's law.
 double compute_elastic_tension(const Spring& spring, double length);
-// What it pulls with in addition as its length changes: c ℓ̇ + f(ℓ, ℓ̇) − f(ℓ, 0).
+// Computes the tension in addition while the length changes: c ℓ̇ + f(ℓ, ℓ̇) − f(ℓ, 0).
 double compute_damper_tension(const Spring& spring, double length, double length_rate);
-// N, the sum of both.
+// Computes N, the sum of both.
 double compute_axial_force(const Spring& spring, const SpringLine& line);
 
 }  // namespace gxrod

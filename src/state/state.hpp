@@ -10,7 +10,7 @@
 
 namespace gxrod {
 
-// What a section of a rod remembers between steps at one of its force points (Simo & Vu-Quoc 1986).
+// Memory of a section of a rod at a force point between steps (Simo & Vu-Quoc 1986).
 struct SectionHistory {
     Quat Lambda;  // section axes at the last accepted step
     Vec3 K;       // curvature Λᵀ Λ′ (material, total) at the last accepted step
@@ -25,40 +25,41 @@ struct StageRates {
     Eigen::Vector4d quaternion_dot = Eigen::Vector4d::Zero();  // (x, y, z, w)
 };
 
-// What a scheme carries from step to step: generalized-α its algorithmic accelerations, schemes with coupled
-// stages the coefficients by which accelerations go on (docs/theory/newmark.md, (R7)).
+// Accelerations that a scheme carries from step to step: the algorithmic ones for generalized-α, the
+// coefficients that extrapolate accelerations for schemes with coupled stages (docs/theory/newmark.md, (R7)).
 struct CarriedAcceleration {
     Vec3 a = Vec3::Zero();
     Vec3 alpha = Vec3::Zero();
 };
 
-// What evolves. Copying it is all that is needed to come back to it; a step that is not to be committed needs
-// less, see undo_trial.
+// All variables that evolve. A copy is enough to come back to this state; to drop a step that is not
+// committed, undo_trial is enough.
 struct State {
     double time = 0.0;                     // of `previous`
     double trial_time = 0.0;               // of `trial`
     std::vector<NodeMotion> previous;      // per node, at the last accepted step
-    std::vector<NodeMotion> trial;         // per node, where equilibrium is asked
+    std::vector<NodeMotion> trial;         // per node, where equilibrium is sought
     std::vector<SectionHistory> sections;  // per force point, in element order
-    // Per force point with a law, then the tensions of tendons with friction; of `previous`.
+    // Memory per force point with a law, then the tensions of tendons with friction; of `previous`.
     std::vector<double> law_memory;
     std::vector<BedContact> bed_contacts;                   // per piece that can touch, of `previous`
     ContactMemory contact_memory;                           // of `previous`
     std::vector<JointState> joints_previous, joints_trial;  // per joint
-    // Resultants (N, M) per force point, material, that the mixed tangent is made of; empty with any other.
+    // Resultants (N, M) per force point, material, from which the mixed tangent is computed; empty with other
+    // tangents.
     std::vector<Vec6> resultants;
     ContactTrial contact;
-    // Integrator::carried_count() per node, one node after the other.
+    // Integrator::carried_count() entries per node, one node after the other.
     std::vector<CarriedAcceleration> carried_previous, carried_trial;
     std::vector<std::vector<StageRates>> stages;  // [stage][node]; Runge-Kutta schemes only
-    // [stage][node] and [stage][joint]; schemes whose stages are found together only. In their turn they are
-    // the trial.
+    // [stage][node] and [stage][joint], only for schemes whose stages are found together. Each stage becomes
+    // the trial in turn.
     std::vector<std::vector<NodeMotion>> stage_motions;
     std::vector<std::vector<JointState>> stage_joints;
 };
 
-// Returns to the last accepted step: between commits nothing changes but the trial values, and the rates of
-// stages, which every step finds again.
+// Returns to the last accepted step. Between commits only the trial values change, and the rates of stages,
+// which every step finds again.
 inline void undo_trial(State& state) {
     state.trial = state.previous;
     state.trial_time = state.time;

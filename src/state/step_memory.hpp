@@ -6,13 +6,14 @@ namespace gxrod {
 
 // The place in a sequence of steps, enough to resume it.
 struct StepMemory {
-    bool has_failed = false;   // even with the shortest step after `time`
-    double time = 0.0;         // of the last accepted step's end
-    bool is_off_grid = false;  // whether that is between the times of equal steps: a step was to land there
-    double lead = 0.0;         // the part of the next step for which a state that settled has crept already
-    // Of steps chosen by their error:
-    double step = 0.0;           // to try next, before it is fitted to what is left; 0: not known
-    double error_before = -1.0;  // of the last accepted step relative to its tolerance; negative: not known
+    bool has_failed = false;  // even with the shortest step after `time`
+    double time = 0.0;        // of the last accepted step's end
+    bool is_off_grid =
+        false;          // whether `time` lies between the times of equal steps, as a step had to end there
+    double lead = 0.0;  // part of the next step for which a settled state has crept already
+    // If steps are chosen by their error:
+    double step = 0.0;           // to try next, before it is fitted to the time that is left; 0: not known
+    double error_before = -1.0;  // error of the last accepted step over its tolerance; negative: not known
     bool just_rejected = false;
     std::int64_t accepted = 0;  // steps
 };

@@ -7,7 +7,7 @@
 #include "model/settings/settings.hpp"
 #include "rotation/types.hpp"
 
-// What is found of small motions about a state: vibrations, and shapes in which it gives way.
+// Results on small motions about a state: vibrations and buckling shapes.
 namespace gxrod {
 
 // A small motion of the model.
@@ -25,10 +25,11 @@ struct Mode {
     double omega = 0.0;      // rad per time; 0 where ω² < 0
     double frequency = 0.0;  // cycles per time
     double growth = 0.0;     // per time: √−ω² where ω² < 0, and the state is unstable
-    // Some eigenvalue lies so near to ω², relative to its distance from a shift below all of them.
+    // Distance within which an eigenvalue lies from ω², relative to its distance from a shift below all of
+    // them.
     double residual = 0.0;
-    // Moved along x, y, z and turned about the axes through the origin as one piece, the model meets this
-    // mode with such a mass, or moment of inertia.
+    // Effective mass of this mode if the model moves along x, y, z as one piece, and effective moment of
+    // inertia if it turns about the axes through the origin.
     Vec6 effective_mass = Vec6::Zero();
     Shape shape;
 };
@@ -39,10 +40,10 @@ struct ModesRecord {
     double time = 0.0;        // at which loads were taken
     std::vector<Mode> modes;  // by rising ω²
 
-    Vec6 total_mass = Vec6::Zero();       // of the model, held nodes too, in the same six directions
-    Vec6 effective_share = Vec6::Zero();  // of the modes together in it
+    Vec6 total_mass = Vec6::Zero();       // of the model with held nodes, in the same six directions
+    Vec6 effective_share = Vec6::Zero();  // of all modes together in the total
 
-    // Below ω² = limit lie so many, as counted by pivots, and so many were found.
+    // Numbers of modes below ω² = limit: as counted by pivots, and as found.
     double limit = 0.0;
     std::int64_t counted = -1;  // −1: not known
     std::int64_t found = 0;
@@ -50,11 +51,11 @@ struct ModesRecord {
     bool is_all = false;        // the model has no others, whatever their frequency
     std::int64_t unstable = 0;  // with ω² < 0 beyond round-off
 
-    // How much the part of K that is not symmetric, which modes leave out, couples them: largest |φᵢᵀ(K −
-    // Kᵀ)φⱼ| over the larger |ω²|.
+    // Coupling of the modes by the unsymmetric part of K, which they leave out: the largest |φᵢᵀ(K − Kᵀ)φⱼ|
+    // over the larger |ω²|.
     double unsymmetry = 0.0;
-    bool is_symmetric = true;  // but for round-off and what is out of balance
-    std::string cause;         // of that part where it is not: "load[0] follows its point"
+    bool is_symmetric = true;  // except for round-off and forces out of balance
+    std::string cause;         // why it is not symmetric: "load[0] follows its point"
 };
 
 struct BucklingFactor {
@@ -66,13 +67,13 @@ struct BucklingFactor {
 struct BucklingRecord {
     std::string failure;
     Linearization linearization = Linearization::elastic;
-    double mesh_error = 0.0;  // by how much elements make the first factor too large, about, relative
-    std::string coarse_rod;   // whose elements do most of that
+    double mesh_error = 0.0;  // relative error, about, by which the mesh makes the first factor too large
+    std::string coarse_rod;   // whose elements cause most of that
     double load_time = 0.0;   // the load that is multiplied is the deck's at this time
     std::vector<BucklingFactor> factors;   // positive, rising
-    std::vector<BucklingFactor> reversed;  // negative, falling: of the load turned round
+    std::vector<BucklingFactor> reversed;  // negative, falling: for the reversed load
 
-    // From −limit to limit lie so many, as counted by pivots.
+    // Numbers of factors from −limit to limit, as counted by pivots.
     double limit = 0.0;
     std::int64_t counted_positive = -1, counted_negative = -1;
     bool is_complete = false;

@@ -7,13 +7,13 @@
 #include "rotation/types.hpp"
 #include "state/motion.hpp"
 
-// What is known of a path of equilibria beyond its states.
+// Results on a path of equilibria beyond its states.
 namespace gxrod {
 
-// Of an accepted equilibrium of a path.
+// An accepted equilibrium of a path.
 struct PathRow {
     double load_factor = 0.0;
-    double load_rate = 0.0;  // of the unit tangent: how the load factor grows with the arc length
+    double load_rate = 0.0;  // derivative of the load factor by the arc length, from the unit tangent
 };
 
 enum class CriticalKind {
@@ -22,7 +22,7 @@ enum class CriticalKind {
     divergence    // the same where loads have no potential: a real eigenvalue of the tangent passes zero
 };
 
-// How the branch lies to the path.
+// The kind of a branch by how its load factor changes.
 enum class Branching {
     unknown,        // not a bifurcation, or a multiple one, or no branch was found
     transcritical,  // the load factor grows to one side of the branch and falls to the other
@@ -30,8 +30,8 @@ enum class Branching {
     subcritical     // a pitchfork whose branch is where the path is more stable
 };
 
-// A critical point of a path. The step that leads to it ends on it where it was located; where not, it lies
-// within that step.
+// A critical point of a path. If it was located, the step that leads to it ends on it; if not, it lies within
+// that step.
 struct CriticalPoint {
     CriticalKind kind = CriticalKind::limit;
     Branching branching = Branching::unknown;
@@ -39,29 +39,29 @@ struct CriticalPoint {
     std::int64_t step = 0;  // accepted steps of the path up to it
     double arc_length = 0.0;
     double load_factor = 0.0;
-    // Of the tangent before and after it; −1: not counted.
+    // Negative pivots of the tangent before and after it; −1: not counted.
     std::int64_t pivots_before = -1, pivots_after = -1;
     int multiplicity = 1;  // of the tangent's eigenvalue zero
-    // As many shapes (δr, δφ of each node) without stiffness, orthonormal; of several, any basis.
+    // As many shapes (δr, δφ of each node) without stiffness, orthonormal; any basis if there are several.
     std::vector<std::vector<Vec6>> kernel;
     std::string shape;              // the first of them in words
-    std::vector<NodeMotion> nodes;  // where it is; of a point that was not located, where the step ends
+    std::vector<NodeMotion> nodes;  // at the point, or at the end of the step if it was not located
 };
 
 // A path, or a branch of one, as it was followed.
 struct FollowedPath {
-    std::string name;            // "path" of the main one, "path.2+" of a branch at its second critical point
-    int parent = -1;             // index of the path that it leaves; −1 of the main one
-    std::size_t point = 0;       // index of the parent's critical point where it begins
-    int side = 0;                // 1 or −1, of the kernel's shape; 0 of the main path
-    std::int64_t first_row = 0;  // of the histories that belongs to it
+    std::string name;       // "path" for the main one, "path.2+" for a branch at its second critical point
+    int parent = -1;        // index of the path that it leaves; −1 for the main one
+    std::size_t point = 0;  // index of the parent's critical point where it begins
+    int side = 0;           // 1 or −1, along the kernel's shape; 0 for the main path
+    std::int64_t first_row = 0;  // of its rows in the histories
     std::vector<CriticalPoint> points = {};
-    std::vector<std::int64_t> rows = {};     // of the histories, of each point
+    std::vector<std::int64_t> rows = {};     // rows of the histories, one for each point
     std::vector<std::string> findings = {};  // the points in words
     std::string cause = {};                  // why it was not followed to its end; "" if it was
 };
 
-// Of a stage: the main path, then its branches in the order in which they were followed.
+// The paths of a stage: the main one, then its branches in the order in which they were followed.
 using PathRecord = std::vector<FollowedPath>;
 
 }  // namespace gxrod

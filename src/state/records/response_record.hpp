@@ -5,7 +5,7 @@
 
 #include "model/settings/response_settings.hpp"
 
-// How a model answers to forces that swing steadily.
+// The response of a model to harmonic forces.
 namespace gxrod {
 
 // Amplitudes of nodes, Re((real + i imaginary) e^(iωt)); displacements and spins, or forces and moments;
@@ -16,16 +16,16 @@ struct ComplexVectors {
 
 struct Response {
     double omega = 0.0;        // rad per time
-    std::string failure;       // "" if it was found; at a frequency of an undamped model there is none
+    std::string failure;       // "" if it was found; an undamped model has none at its natural frequencies
     ComplexVectors motion;     // of each node, about the state
-    ComplexVectors reactions;  // what supports exert, in addition to what they do in the state
-    double error = 0.0;        // of the motion, relative: what round-off in the equations makes of it
+    ComplexVectors reactions;  // of supports, in addition to their reactions in the state
+    double error = 0.0;        // relative error of the motion by round-off in the equations
 };
 
 struct ResponseRecord {
     double time = 0.0;  // at which loads were taken
     std::vector<Response> responses;
-    std::vector<ResponsePoint> points;  // whose answers are recorded
+    std::vector<ResponsePoint> points;  // whose responses are recorded
 };
 
 }  // namespace gxrod

@@ -10,7 +10,7 @@
 
 namespace gxrod {
 
-// The books of a run at an accepted step.
+// The energy ledger of a run at an accepted step.
 struct LedgerMemory {
     double initial_energy = 0.0;     // kinetic and strain
     double initial_potential = 0.0;  // of gravity
@@ -21,20 +21,21 @@ struct LedgerMemory {
     double contact_loss = 0.0;
     double contact_energy = 0.0;
     double initial_contact_energy = 0.0;
-    // Schemes of several stages: the powers at the end of the last step.
+    // Powers at the end of the last step, for schemes with several stages.
     double driving_power = 0.0;
     double damping_power = 0.0;
-    // Schemes of one stage: forces and moments per node that do work, at the end of the last step.
+    // Forces and moments per node that do work, at the end of the last step, for schemes with one stage.
     std::vector<Vec6> forces;
-    std::vector<Vec6> fluid_forces;  // of water, air and ground per node, at the end of the last step
-    // In statics after the first step: the last one's changes of these forces, its movements, its length.
+    std::vector<Vec6> fluid_forces;  // from water, air and ground per node, at the end of the last step
+    // In statics after the first step: changes of these forces in the last step, its movements and its
+    // length.
     std::vector<Vec6> force_change, movement;
     double load_step = 0.0;
     double strain_energy = 0.0;   // in statics, at the end of that step
     double largest_energy = 0.0;  // in statics: strain energy or work, so far
 };
 
-// What a run has done so far.
+// Counts and largest values of a run so far.
 struct RunTotals {
     std::int64_t steps = 0;  // accepted
     std::int64_t rejected_steps = 0;
@@ -44,10 +45,10 @@ struct RunTotals {
     EnergyJumps jumps;                  // in statics
 };
 
-// Where a path of equilibria stands at an accepted step, whose time is its arc length.
+// The place on a path of equilibria at an accepted step, whose time is the arc length.
 struct PathMemory {
     double load_factor = 0.0;
-    double load_scale = 0.0;  // of load factors against displacements; 0: no path
+    double load_scale = 0.0;  // scale of load factors relative to displacements; 0: no path
     // The unit tangent of the path.
     double load_rate = 0.0;
     std::vector<Vec6> tangent;    // (δr, δφ) of each node
@@ -55,9 +56,9 @@ struct PathMemory {
     std::int64_t points = 0;      // critical ones so far
 };
 
-// All that a run needs to resume from an accepted step as if it had never stopped.
+// All data that a run needs to resume from an accepted step as if it had never stopped.
 struct RestartRecord {
-    std::vector<NodeMotion> nodes;                // there, theta zero
+    std::vector<NodeMotion> nodes;                // at that step, theta zero
     std::vector<SectionHistory> sections;         // State::sections
     std::vector<double> law_memory;               // State::law_memory
     std::vector<BedContact> bed_contacts;         // State::bed_contacts
@@ -68,16 +69,16 @@ struct RestartRecord {
     LedgerMemory ledger;
     StepMemory steps;
     RunTotals totals;
-    std::int64_t negative_pivots = -1;  // of the tangent there, in statics
+    std::int64_t negative_pivots = -1;  // of the tangent at that step, in statics
     bool is_framed = false;             // whether the last frame shows this state
-    std::int64_t stage = 0;             // the last one that took a step or found shapes, from 0
-    double axis_start = 0.0;            // of its t, on the axis that the stages share
-    PathMemory path;                    // of a path, or empty
-    std::vector<double> stage_ends;     // t where each stage ended, or will as far as is known
+    std::int64_t stage = 0;             // the last stage that took a step or found shapes, from 0
+    double axis_start = 0.0;            // time, on the axis that the stages share, at which its own t is 0
+    PathMemory path;                    // empty without a path
+    std::vector<double> stage_ends;     // t at which each stage ended, or will end as far as is known
     std::vector<InputState> inputs;     // of Model::inputs
 };
 
-// Where in a results file a restart record belongs.
+// A restart record with its place in a results file.
 struct RestartPlace {
     RestartRecord record;
     std::uint64_t steps = 0;    // rows of the histories up to it

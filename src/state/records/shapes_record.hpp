@@ -9,11 +9,11 @@
 
 namespace gxrod {
 
-// What a stage that finds shapes has found.
+// The results of a stage that finds shapes.
 using ShapesRecord =
     std::variant<ModesRecord, BucklingRecord, EigenvaluesRecord, ResponseRecord, SweepRecord>;
 
-// A response has none of its own, and a sweep keeps none.
+// Returns whether the record holds shapes: responses have none, and sweeps keep none.
 inline bool has_shapes(const ShapesRecord& record) {
     return !std::holds_alternative<ResponseRecord>(record) && !std::holds_alternative<SweepRecord>(record);
 }

@@ -11,17 +11,17 @@
 #include "state/values/section_values.hpp"
 #include "state/values/tendon_values.hpp"
 
-// What an analysis hands to the results at an accepted step.
+// The data that an analysis passes to the results at an accepted step.
 namespace gxrod {
 
 struct LedgerRow {
     double kinetic_energy = 0.0;
     double strain_energy = 0.0;
-    double external_work = 0.0;          // of loads, gravity included, since t = 0
-    double fluid_work = 0.0;             // the part of it that water, air and the ground do
-    double contact_energy = 0.0;         // stored between rods and what they touch
-    double contact_loss = 0.0;           // by contact since t = 0: of impacts and of friction
-    double work_uncertainty = 0.0;       // of the work of the last load step; 0 in dynamics
+    double external_work = 0.0;          // by loads with gravity since t = 0
+    double fluid_work = 0.0;             // the part of it by water, air and the ground
+    double contact_energy = 0.0;         // stored in contact of rods
+    double contact_loss = 0.0;           // lost by impacts and friction of contact since t = 0
+    double work_uncertainty = 0.0;       // of the work in the last load step; 0 in dynamics
     double dissipated_energy = 0.0;      // by material and mass-proportional damping since t = 0
     double numerical_dissipation = 0.0;  // by the scheme itself since t = 0
     // (kinetic + strain + contact) − its value at t = 0 − external work + dissipated + numerical dissipation
@@ -34,15 +34,15 @@ struct LedgerRow {
 struct SolverRow {
     double time_step = 0.0;
     int newton_iterations = 0;  // over all stages of the step
-    double residual = 0.0;      // scaled, of the last equilibrium
+    double residual = 0.0;      // scaled, at the last equilibrium
     int rejected_steps = 0;     // trials cut before this step was accepted
-    // Of models with contact: places that touch; the least gap that any iteration came to; iterations whose
-    // increment contact has shortened.
+    // With contact: number of places that touch; least gap in any iteration; iterations whose increment
+    // contact has shortened.
     std::int64_t contacts = 0;
     double least_gap = 0.0;
     int shortened = 0;
-    // Of the tangent at a static equilibrium: unstable shapes. −1: not known, as where loads have no
-    // potential.
+    // Negative pivots of the tangent at a static equilibrium: the number of unstable shapes. −1: not known,
+    // for example if loads have no potential.
     std::int64_t negative_pivots = -1;
 };
 
@@ -50,23 +50,24 @@ struct SolverRow {
 struct Snapshot {
     double time;  // on the axis that stages share
     std::span<const NodeMotion> nodes;
-    // Of all rods, in the order of Model::rods, from start to end; for frames, empty without one.
+    // Elements of all rods, in the order of Model::rods, from start to end; for frames, empty without one.
     std::span<const SectionValues> elements;
     std::span<const Vec6> reactions;  // per node: force and moment that its support exerts; zero if free
     std::span<const PointValues> points = {};  // as list_rod_places orders them
     int stage = 0;
-    double load_factor = 0.0;  // t of the stage: of a path it may fall
-    int branch = 0;            // of a path: 0 of the main one
-    // Of a stage that follows limit points, of the limit point; of others, t, too.
+    double load_factor = 0.0;  // t of the stage; on a path it may fall
+    int branch = 0;            // of a path; 0: the main one
+    // Load factor of the limit point in a stage that follows limit points; in other stages t, too.
     double limit_load_factor = 0.0;
     std::span<const JointValues> joints = {};  // in the order of Model::joints, then of Model::gears
     std::span<const double> inputs = {};       // of Model::inputs
-    // Of Model::bodies; empty where nothing is around.
+    // Surroundings of Model::bodies; empty if the model has none.
     std::span<const PointSurroundings> bodies = {};
     std::span<const TendonValues> tendons = {};  // in the order of Model::tendons; empty if no history asks
-    std::span<const ObstacleValues> obstacles = {};         // of Contact::obstacles; empty without contact
-    std::span<const ObstacleValues> watched_contacts = {};  // on rods, as list_contact_watches orders them
-    // For frames of models with contact: all that touch, the forces on the nodes, and the least gap of each.
+    std::span<const ObstacleValues> obstacles = {};         // as Contact::obstacles; empty without contact
+    std::span<const ObstacleValues> watched_contacts = {};  // on rods, in the order of list_contact_watches
+    // For frames of models with contact: all places that touch, the forces on nodes, and the least gap of
+    // each node.
     std::span<const ContactTouch> touches = {};
     std::span<const Vec6> contact_forces = {};
     std::span<const double> contact_gaps = {};

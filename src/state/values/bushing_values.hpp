@@ -13,7 +13,7 @@ struct BushingValues {
     Vec3 moment = Vec3::Zero();
 };
 
-// `a`, `b`: of the nodes that carry A and B; nullptr for the ground.
+// Computes them from the motions `a`, `b` of the nodes that carry A and B; nullptr for the ground.
 BushingValues compute_bushing_values(const Bushing& bushing, const NodeMotion* a, const NodeMotion* b);
 
 }  // namespace gxrod

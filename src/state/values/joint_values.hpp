@@ -4,10 +4,10 @@
 
 namespace gxrod {
 
-// What a history records of a joint at a step. Forces and moments are those that A exerts on B, moments about
-// the joint's point.
+// Values of a joint at a step that histories record. A exerts the forces and moments on B, moments about the
+// joint's point.
 struct JointValues {
-    double turn = 0.0;  // of B against A, any number of turns; 0 of a joint without one
+    double turn = 0.0;  // of B against A, any number of turns; 0 if the joint has none
     double turn_rate = 0.0;
     double slide = 0.0;  // likewise
     double slide_rate = 0.0;
@@ -15,7 +15,7 @@ struct JointValues {
     Vec3 moment = Vec3::Zero();
     Vec3 force_in_joint = Vec3::Zero();  // in the axes of A's side, the joint's own first
     Vec3 moment_in_joint = Vec3::Zero();
-    double drive_turn = 0.0;   // moment that drives the turn: a motor's, or one that is given
+    double drive_turn = 0.0;   // moment that drives the turn: from a motor, or given
     double drive_slide = 0.0;  // force that drives the slide, likewise
     double friction = 0.0;     // moment or force of it
     double gap = 0.0;          // how far the joint's equations are from being satisfied, a length

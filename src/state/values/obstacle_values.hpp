@@ -4,11 +4,11 @@
 
 namespace gxrod {
 
-// What a history records of an obstacle at a step.
+// Values of an obstacle at a step that histories record.
 struct ObstacleValues {
     Vec3 force = Vec3::Zero();     // that rods exert on it
     Vec3 friction = Vec3::Zero();  // the part of it along its surface
-    double least_gap = 0.0;        // to the surface of a rod; of a bed below 0 where it is pressed in
+    double least_gap = 0.0;        // to the surface of a rod; negative where a bed is pressed in
 };
 
 }  // namespace gxrod
