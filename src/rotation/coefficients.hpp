@@ -7,7 +7,7 @@
 // Over [0, π] each value has a relative error below 1e-15.
 namespace gxrod::coefficients {
 
-// a = sinΦ/Φ, b = (Φ − sinΦ)/Φ³, c = (1 − cosΦ)/Φ²: those of Rubin (2007), (3.6a).
+// a = sinΦ/Φ, b = (Φ − sinΦ)/Φ³, c = (1 − cosΦ)/Φ²: Rubin (2007), (3.6a).
 double a(double angle);
 double b(double angle);
 double c(double angle);
@@ -22,11 +22,11 @@ double a2(double angle);
 double b2(double angle);
 double c2(double angle);
 
-// d = (1 − (Φ/2) cot(Φ/2))/Φ², of the inverse tangent map (3.7a), and d1 = D d. Both are singular at Φ = 2π.
+// d = (1 − (Φ/2) cot(Φ/2))/Φ² in the inverse tangent map (3.7a), and d1 = D d. Both are singular at Φ = 2π.
 double d(double angle);
 double d1(double angle);
 
-// The angle from which a coefficient takes its closed form; below it, its series. `a` and `c` have no switch.
+// Angles from which coefficients use their closed forms; below, their series. `a` and `c` have no switch.
 struct Switches {
     double b = 2.0;
     double a1 = 2.25, b1 = 3.5, c1 = 3.25;

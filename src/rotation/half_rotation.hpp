@@ -7,8 +7,8 @@
 
 #include "rotation/series.hpp"
 
-// A rotation exp(Φ) in two halves, and how they follow a change of it: all that an element with two nodes
-// needs of finite rotations. Real is double, or several of them that are worked on at once.
+// A rotation exp(Φ) in two halves, with the derivatives that an element with two nodes needs. Real is double,
+// or several of them that are worked on at once.
 //
 // Legend: θ = |Φ| ≤ π, z = θ², h = θ/2; x = h/sin h, y = (1 − x)/z, t = tan(θ/4)/θ; x1, y1, t1 are 2 d/dz of
 // these, so that ∇x = x1 Φ. X = x I + y Φ Φᵀ takes the difference of the spins of both ends, seen from
@@ -95,7 +95,7 @@ inline constexpr auto t1_series = derive(t_series);
 
 }  // namespace half_rotation
 
-// Of exp(Φ) as a unit quaternion with w ≥ 0, for θ < 0.51.
+// Splits exp(Φ), a unit quaternion with w ≥ 0, for θ < 0.51.
 template <class Real>
 void fill_small(const Eigen::Quaternion<Real>& q, HalfRotation<Real>& rotation) {
     namespace series = half_rotation;
@@ -109,7 +109,7 @@ void fill_small(const Eigen::Quaternion<Real>& q, HalfRotation<Real>& rotation) 
     rotation.t1 = evaluate_series<Real>(series::t1_series, z);
 }
 
-// τ and exp(Φ/2), of a unit quaternion with w ≥ 0.
+// Computes τ and exp(Φ/2) from a unit quaternion with w ≥ 0.
 template <class Real>
 void split_half(const Eigen::Quaternion<Real>& q, HalfRotation<Real>& rotation) {
     using std::sqrt;
@@ -119,11 +119,11 @@ void split_half(const Eigen::Quaternion<Real>& q, HalfRotation<Real>& rotation) 
     rotation.half.vec() = q.vec() * (Real(0.5) / cosine);
 }
 
-// The rotation of a unit quaternion of either sign.
+// Splits the rotation of a unit quaternion of either sign.
 HalfRotation<double> split_rotation(Eigen::Quaterniond q);
 
-// For kernels that work on several rotations at once: Φ, x, y, t, x1, y1, t1 of one of them, a unit
-// quaternion (x, y, z, w) with w ≥ 0. From value to value it is `stride` to the next, in both.
+// Computes Φ, x, y, t, x1, y1, t1 of a unit quaternion (x, y, z, w) with w ≥ 0, for kernels that work on
+// several rotations at once. `stride` separates consecutive values of a rotation in both arrays.
 inline constexpr int half_rotation_values = 9;
 void fill_lane(const double* quaternion, int stride, double* values);
 

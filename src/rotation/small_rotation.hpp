@@ -5,9 +5,9 @@
 #include "rotation/series.hpp"
 #include "rotation/tangent_map_formulas.hpp"
 
-// exp(φ), T(φ) and derivatives of T (tangent_map.hpp) of rotations of less than 1 rad, by series alone, so
-// that several can be worked on at once: Real is double, or several of them. The coefficients are those of
-// coefficients.hpp.
+// exp(φ), T(φ) and derivatives of T (tangent_map.hpp) for rotations of less than 1 rad, by series alone, so
+// that several rotations can be computed at once: Real is double, or several of them. For the coefficients
+// see coefficients.hpp.
 namespace gxrod {
 
 template <class Real>
@@ -38,7 +38,7 @@ class SmallRotation {
                b_phi * phi_prime.transpose() + phi_prime * b_phi.transpose() +
                cross_matrix<Real>(slopes_.c * phi_prime);
     }
-    // The derivative of that by time where φ has the rate φ° and φ′ the rate φ′°.
+    // The derivative of this slope by time where φ has the rate φ° and φ′ the rate φ′°.
     Mat3 tangent_map_slope_rate(const Vec3& phi_prime, const Vec3& phi_rate, const Vec3& slope_rate) const {
         const auto& [a1, b, b1, c, c1] = slopes_;
         const auto [a2, b2, c2] = compute_curvatures();
@@ -53,7 +53,7 @@ class SmallRotation {
                    phi_, a2 * p * q + a1 * first, c2 * p * q + c1 * first, b2 * p * q + b1 * first) +
                half + half.transpose() + cross_matrix<Real>(c1 * u + c * slope_rate);
     }
-    // Of T(φ) v, and of T(φ)ᵀ v, by φ at fixed v.
+    // The derivatives of T(φ) v and of T(φ)ᵀ v by φ at fixed v.
     Mat3 tangent_map_derivative(const Vec3& v) const { return formulas::derive<Real>(phi_, v, slopes_); }
     Mat3 tangent_map_transpose_derivative(const Vec3& v) const {
         const auto& [a1, b, b1, c, c1] = slopes_;
@@ -81,7 +81,7 @@ class SmallRotation {
     formulas::Slopes<Real> slopes_;
 };
 
-// Of d = Σ 2 ζ(2j + 2) (x/4π²)^j/4π²; truncated below 1e-17 for x ≤ 1.
+// The series d = Σ 2 ζ(2j + 2) (x/4π²)^j/4π²; truncated below 1e-17 for x ≤ 1.
 constexpr std::array<double, 11> make_small_rotation_series() {
     constexpr std::array<long double, 11> zeta = {1.64493406684822643647L,
                                                   1.08232323371113819152L,
@@ -102,7 +102,7 @@ constexpr std::array<double, 11> make_small_rotation_series() {
     return factors;
 }
 
-// Of its derivative.
+// The series of its derivative.
 constexpr std::array<double, 10> make_slope_series(const std::array<double, 11>& series) {
     std::array<double, 10> factors{};
     for (std::size_t j = 0; j < factors.size(); ++j)
@@ -110,7 +110,7 @@ constexpr std::array<double, 10> make_slope_series(const std::array<double, 11>&
     return factors;
 }
 
-// T(φ)⁻¹ and derivatives of it, of rotations of less than 1 rad.
+// T(φ)⁻¹ and its derivatives for rotations of less than 1 rad.
 template <class Real>
 class SmallInverseRotation {
   public:
@@ -133,7 +133,7 @@ class SmallInverseRotation {
                d_phi * phi_rate.transpose() + phi_rate * d_phi.transpose() -
                cross_matrix<Real>(Real(0.5) * phi_rate);
     }
-    // Of T(φ)⁻ᵀ v by φ at fixed v.
+    // The derivative of T(φ)⁻ᵀ v by φ at fixed v.
     Mat3 tangent_map_inverse_transpose_derivative(const Vec3& v) const {
         return formulas::derive_inverse<Real>(phi_, v, Real(-1.0), d_, d1_);
     }

@@ -4,7 +4,7 @@
 
 #include "rotation/cross_products.hpp"
 
-// T(φ), its inverse and their derivatives by given coefficients (coefficients.hpp). Real is double, or
+// T(φ), its inverse and their derivatives from given coefficients (coefficients.hpp). Real is double, or
 // several of them that are worked on at once.
 namespace gxrod::formulas {
 
@@ -56,7 +56,7 @@ Matrix3<Real> derive_inverse(
     return result;
 }
 
-// Those of the slopes: a₂ φ, b₂ φ and c₂ φ.
+// The gradients of the slopes are a₂ φ, b₂ φ and c₂ φ.
 template <class Real>
 struct Curvatures {
     Real a2, b2, c2;

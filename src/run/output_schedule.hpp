@@ -12,10 +12,10 @@ namespace gxrod {
 class TimeSeries {
   public:
     explicit TimeSeries(double interval) : grid_(std::in_place, interval, 1) {}
-    // Times of an axis on which 0 is at `origin`.
+    // Takes times relative to `origin` of the axis.
     TimeSeries(std::vector<double> times, double origin) : times_(std::move(times)), origin_(origin) {}
 
-    // How many of them have been reached at this time; but for rounding, so that one at which a step ends
+    // Counts the times that have been reached at this time. Rounding is ignored: a time at which a step ends
     // belongs to that step.
     std::int64_t count(double time) const;
     double at(std::int64_t index) const;
@@ -26,30 +26,30 @@ class TimeSeries {
     double origin_ = 0.0;
 };
 
-// What is due at a time.
+// Output that is due at a time.
 struct DueOutput {
     double time;
     bool is_frame;
     bool is_sample;  // of histories
 };
 
-// Frames and samples of histories that a deck asks for at times of its own, in t of a stage. They depend on
-// the times alone, so that a run that was resumed has the same.
+// Frames and samples of histories that a deck asks for at given times, in t of a stage. They depend on the
+// times alone, so a resumed run has the same ones.
 class OutputSchedule {
   public:
-    // Nothing is due by default.
+    // Makes a schedule on which nothing is due.
     OutputSchedule() = default;
-    // Of a stage with time that begins there on the axis that stages share.
+    // Makes the schedule of a stage with time that begins at `axis_start` on the axis that stages share.
     OutputSchedule(const OutputSettings& output, double axis_start);
 
     bool is_empty() const { return !frames_ && !samples_; }
     bool has_frames() const { return frames_.has_value(); }
-    // What is due where it begins, if a stage with time before it does not end there.
+    // Returns what is due at its beginning, unless an earlier stage with time ends there.
     DueOutput list_start() const;
-    // Within a step between these times, its end included, in order; that is the last entry, whether anything
-    // is due or not.
+    // Lists what is due within a step between these times, in order. The last entry is the end of the step,
+    // whether anything is due there or not.
     std::vector<DueOutput> list(double from, double to) const;
-    // Whether something is due before the end.
+    // Returns whether something is due before the end.
     bool has_inner(double from, double to) const { return list(from, to).size() > 1; }
 
   private:

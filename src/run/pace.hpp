@@ -4,13 +4,13 @@
 
 namespace gxrod {
 
-// How long a run still takes, from how much of it was done in the latter half of the time that it has taken:
-// what a resumed run began with does not count, nor a quick beginning.
+// Estimates the time that a run still takes, from the progress in the latter half of the time so far: neither
+// the part before a resumption nor a quick beginning counts.
 class Pace {
   public:
-    // That `part` of all, from 0 to 1, was done after so many seconds. Seconds do not fall.
+    // Records that `part` of the run, from 0 to 1, was done after so many seconds. Seconds must not fall.
     void record(double seconds, double part);
-    // Seconds; negative if not known.
+    // Returns seconds; negative if not known.
     double seconds_left() const;
 
   private:
@@ -18,7 +18,7 @@ class Pace {
         double seconds;
         double part;
     };
-    std::deque<Mark> marks_;  // the first one is the last before half of the time
+    std::deque<Mark> marks_;  // the first one is the last mark before half of the time
 };
 
 }  // namespace gxrod

@@ -7,23 +7,23 @@
 
 namespace gxrod {
 
-// What a stage that goes along a path has found, and which branches are still to be followed.
+// The paths that a stage has found, and the branches that are still to be followed.
 class PathFollower {
   public:
-    // From a start to a number of generations; `name` is the main path's.
+    // Starts with the main path, called `name`; the settings bound the generations of branches.
     PathFollower(const PathSettings& settings, std::string name);
 
-    // The path at hand begins with this row of the histories.
+    // Notes that the current path begins with this row of the histories.
     void begin(std::int64_t row) { record_.back().first_row = row; }
-    // The last accepted step of the path at hand is this row.
+    // Notes the row of the last accepted step of the current path.
     void note(const PathAnalysis& path, std::int64_t row);
-    // The path at hand is over, or was given up; its branches are queued.
+    // Ends the current path, or gives it up because of `cause`, and queues its branches.
     void end(const PathAnalysis& path, const std::string& cause);
-    // The start of the next branch, which is then the path at hand; nullopt if there are no more.
+    // Makes the next branch the current path and returns its start; nullopt if there are no more.
     std::optional<BranchStart> enter_next();
 
     const PathRecord& record() const { return record_; }
-    // Whether any path has met a critical point.
+    // Returns whether any path has met a critical point.
     bool has_points() const;
 
   private:
@@ -35,9 +35,9 @@ class PathFollower {
 
     PathSettings settings_;
     PathRecord record_;
-    int generation_ = 0;  // of the path at hand
+    int generation_ = 0;  // of the current path
     std::deque<Waiting> waiting_;
-    std::vector<std::vector<NodeMotion>> origins_;  // where branches begin that were queued
+    std::vector<std::vector<NodeMotion>> origins_;  // starts of branches that were queued
 };
 
 }  // namespace gxrod

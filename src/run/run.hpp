@@ -21,10 +21,10 @@
 namespace gxrod {
 
 struct Progress {
-    std::string stage;  // its name; "" of a run of one
+    std::string stage;  // its name; "" if the run has only one
     long step;          // steps done
-    long steps;         // of the whole run; 0 if not known beforehand
-    double part;        // of the run done, 0 … 1
+    long steps;         // of the whole run; 0 if not known in advance
+    double part;        // share of the run that is done, 0 … 1
     double time;
     double time_step;  // of the last step
     int newton_iterations;
@@ -35,45 +35,45 @@ struct RunRequest {
     const AnalysisSettings& analysis;
     const OutputSettings& output;
     const DeckRecord& deck;
-    std::optional<ResultsFileOptions> results;  // nowhere, if neither this nor `resumed` is given
-    ResumableFile* resumed = nullptr;           // taken over, to resume it instead of writing a new file
+    std::optional<ResultsFileOptions> results;  // no file is written if neither this nor `resumed` is given
+    ResumableFile* resumed = nullptr;           // a file to resume instead of writing a new one
     std::function<void(const Progress&)> report_progress = [](const Progress&) {};
-    // From where it resumes.
+    // Called with the record from which a run resumes.
     std::function<void(const RestartRecord&)> report_resumption = [](const RestartRecord&) {};
     std::function<bool()> is_interrupted = [] { return false; };  // asked after each step
     int threads = 1;                                              // their number changes no result
-    // Each accepted step, t = 0 included; without frames' values of elements.
+    // Called at each accepted state, t = 0 included, without values of elements for frames.
     std::function<void(const Snapshot&, const LedgerRow&)> observe = {};
     // All stages, if there are several; the first one is `analysis` on `model`.
     std::span<const StagePlan> stages = {};
-    // What was found of the model beforehand: the warnings among them are the first ones of the run.
+    // Findings of the checks of the model; their warnings are the first ones of the run.
     std::vector<Finding> examined = {};
 };
 
 struct RunSummary {
     RunStatus status = RunStatus::running;
     std::string reason;                      // of a failure
-    std::vector<std::int64_t> reason_nodes;  // that it names
-    std::optional<Failure> failure;          // of a step
-    std::string cuts;                        // if steps were cut more than a few times: how often and why
-    std::string newton_limit;                // that Newton's tolerance bounds the accuracy, or ""
-    bool deck_fault = false;                 // whether the deck is to blame: a load without a finite value
+    std::vector<std::int64_t> reason_nodes;  // nodes that it names
+    std::optional<Failure> failure;          // of the step that failed
+    std::string cuts;                        // how often and why steps were cut, if more than a few times
+    std::string newton_limit;                // says if Newton's tolerance bounds the accuracy; else ""
+    bool deck_fault = false;                 // whether the deck is the cause: a load without a finite value
     bool out_of_memory = false;
-    std::vector<std::string> notes;   // what a user may want to know of how stages begin, a sentence each
+    std::vector<std::string> notes;   // remarks on how stages begin, a sentence each
     std::vector<FoundShapes> shapes;  // in the order of the stages
-    std::vector<PathRecord> paths;    // of stages that go along one, in their order
-    // Critical points of paths, and what statics relaxed to, a sentence each.
+    std::vector<PathRecord> paths;    // of stages that follow one, in their order
+    // Critical points of paths and states to which statics relaxed, a sentence each.
     std::vector<std::string> findings;
-    // All that is to be known before the results are trusted, a sentence each: of the model, of equilibria,
-    // shapes and paths, `cuts`, `newton_limit` and what energies say.
+    // Warnings to read before the results are trusted, a sentence each: on the model, equilibria, shapes,
+    // paths and energies, with `cuts` and `newton_limit`.
     std::vector<std::string> warnings;
-    bool is_unstable = false;  // whether equilibria were accepted that no structure would stay at
+    bool is_unstable = false;  // whether unstable equilibria were accepted
     long nodes = 0;
     long elements = 0;
     long unknowns = 0;
     bool is_static = false;
-    std::string integrators;  // as DeckRecord's
-    RunTotals totals;         // since t = 0, also of a resumed run
+    std::string integrators;  // as in DeckRecord
+    RunTotals totals;         // since t = 0, also if the run was resumed
     double time = 0.0;        // reached
     std::string place;        // the same for messages: "t = 1", "λ = 2 of path.1+"
     int threads = 1;
@@ -85,8 +85,8 @@ struct RunSummary {
     }
 };
 
-// Runs and leaves a closed results file, whatever happens. Not converging, running out of memory, or a load
-// that is NaN, is a failed summary. Throws FileError if the file cannot be created, or cannot be
+// Runs, and closes the results file whatever happens. The summary reports a failure if a step does not
+// converge, memory runs out or a load is NaN. Throws FileError if the file cannot be created, or cannot be
 // resumed with this analysis; WriteError if it cannot be written, and std::bad_alloc if there is too little
 // memory for that: what was written stays.
 RunSummary run_analysis(const RunRequest& request);

@@ -11,34 +11,35 @@
 
 namespace gxrod {
 
-// What a run sums up about itself: its summary, while it goes on.
+// Keeps the summary of a run while it proceeds.
 class RunBooks {
   public:
-    // `examined` is what was found of the model beforehand.
+    // Takes the findings of the checks of the model.
     RunBooks(const Model& model, const std::vector<Finding>& examined);
 
     RunSummary& summary() { return summary_; }
     const RunSummary& summary() const { return summary_; }
 
-    // Nothing comes any more, though nothing failed. Nothing if that is known.
+    // Marks the run as complete unless it has ended otherwise.
     void complete();
-    // Back at an earlier state: what ended the run is no longer so.
+    // Marks the run as running again, after a return to an earlier state.
     void reopen();
     void fail(const std::string& reason);
     void fail(const Failure& failure, const std::string& prefix = "");
-    // At the start of a stage after the first, or where the run was resumed.
+    // Begins a stage after the first, or a resumed run.
     void begin(const StageSequence& stages);
     void begin_branch(const StageSequence& stages);
-    // Of an accepted state; in statics work that parts from the strain energy counts as a jump.
+    // Checks the energies of an accepted state: in statics, work that differs from strain energy counts as a
+    // jump.
     void watch_energy(const StageSequence& stages, const LedgerRow& ledger, bool is_first);
-    // Sums up the stage whose steps led to the state, once, at its end or the end of the run: often cut
-    // steps, steps shorter than Newton's method bears.
+    // Sums up the stage whose steps led to the state, once, at its end or the end of the run: whether steps
+    // were cut often, or are too short for Newton's tolerance.
     void sum_up_stage(const StageSequence& stages, std::int64_t stage_count);
     void add_paths(const PathRecord& paths);
     void add_warning(std::string warning) { warnings_.push_back(std::move(warning)); }
-    // The run is over: the list of warnings is complete.
+    // Ends the run and completes the list of warnings.
     void close(const StageSequence& stages, std::int64_t stage_count);
-    // For the file, a line each.
+    // Returns the warnings for the file, one per line.
     std::string join_warnings() const;
 
   private:
@@ -50,12 +51,12 @@ class RunBooks {
     RunSummary summary_;
     std::vector<std::string> examined_;     // warnings of the model
     std::vector<std::string> warnings_;     // of shapes and paths
-    long first_step_ = 0;                   // steps done where the stage was begun or resumed
-    EnergyPoint last_point_;                // in statics, of the last step
-    std::optional<std::size_t> summed_up_;  // the last stage that was
+    long first_step_ = 0;                   // steps done when the stage began or was resumed
+    EnergyPoint last_point_;                // last step in statics
+    std::optional<std::size_t> summed_up_;  // last stage that was summed up
 };
 
-// Before a sentence about the stage at hand.
+// Returns the words that precede a sentence about the current stage.
 std::string name_stage(const StageSequence& stages, std::int64_t stage_count);
 
 }  // namespace gxrod

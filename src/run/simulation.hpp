@@ -18,48 +18,51 @@ struct Checkpoint {
     std::int64_t rows = 0;
 };
 
-// A run that whoever holds it drives, step by step, through all stages of its deck; into a results file if
-// the request has one. run_analysis drives one to its end.
+// A run that its owner drives step by step through all stages of its deck, with a results file if the request
+// has one. run_analysis drives one to its end.
 class Simulation {
   public:
-    // Builds the system, and creates the file or takes it over. What the request refers to must outlive this;
-    // of the request itself a copy is kept. Throws FileError as run_analysis does.
+    // Builds the system, and creates the file or takes it over. The request is copied, but the objects that
+    // it refers to must outlive this. Throws FileError as run_analysis does.
     explicit Simulation(RunRequest request);
     ~Simulation();
 
-    // The start: the state at t = 0, accepted; before anything else, also of a run that is resumed. False if
-    // there is none, and the summary has the reason.
+    // Accepts the state at t = 0. Call it first, also for a run that is resumed. Returns false if there is no
+    // such state; the summary has the reason.
     bool start();
-    // The next accepted step. On the way stages without steps find their shapes, and branches of paths are
-    // begun. False if the run has come to its end, or failed: then the state is the last accepted one.
+    // Takes the next step until it is accepted. On the way stages without steps find their shapes, and
+    // branches of paths begin. Returns false if the run has ended or failed; then the state is the last
+    // accepted one.
     bool step();
-    // Whether no step comes any more.
+    // Returns whether the run has taken its last step.
     bool has_ended() const { return phase_ == Phase::ended; }
-    // The run ends here, as one that was interrupted. Nothing if it has ended.
+    // Ends the run here as interrupted. Does nothing if it has ended.
     void interrupt();
     // Completes the summary and closes the file; nothing comes after it.
     void close();
     const RunSummary& summary() const { return books_.summary(); }
 
-    // As StepSequence::land_on, for the stage at hand, on the axis that stages share. nullopt on a path.
+    // As StepSequence::land_on in the current stage, on the axis that stages share. nullopt on a path.
     std::optional<double> land_on(double time);
 
-    // Sets an input of the deck; at the start, or between steps. One that changes linearly is there at
-    // `until` on the axis that stages share. Throws std::invalid_argument if the deck has none of this name.
+    // Sets an input of the deck; at the start, or between steps. An input that changes linearly reaches
+    // `value` at `until` on the axis that stages share. Throws std::invalid_argument if the deck has none of
+    // this name.
     void set_input(const std::string& name, double value, double until);
 
-    // To return to. Throws std::logic_error on a path that has met critical points.
+    // Returns a checkpoint of the last accepted state. Throws std::logic_error on a path that has met
+    // critical points.
     Checkpoint save() const;
-    // Of a run without a file. Throws std::logic_error if it has one, std::invalid_argument if the state is
-    // of another model.
+    // Returns to a checkpoint. Throws std::logic_error if the run writes a file, std::invalid_argument if the
+    // state belongs to another model.
     void restore(const Checkpoint& checkpoint);
 
     const RunRequest& request() const { return request_; }
     const SteppedAnalysis& analysis() const { return stages_->analysis(); }
     const StageSequence& stages() const { return *stages_; }
-    // On the axis that stages share, of the last accepted step.
+    // Returns the time of the last accepted step on the axis that stages share.
     double time() const { return stages_->axis(); }
-    // Of the last accepted state; valid until the next step.
+    // Returns the last accepted state; valid until the next step.
     Snapshot take_snapshot(bool with_elements = true);
 
   private:
@@ -69,7 +72,7 @@ class Simulation {
     StageSequence::Plan make_plan() const;
     std::int64_t stage_count() const { return static_cast<std::int64_t>(request_.stages.size()); }
     long frame_interval() const;
-    // Calls what may throw; of an error that ends the run the summary has the reason, and the result is
+    // Calls an action that may throw. If an error ends the run, puts the reason into the summary and returns
     // false.
     template <class Action>
     bool guard(const Action& action);
@@ -81,7 +84,7 @@ class Simulation {
     void begin_path();
     bool enter_next_branch();
     bool find_shapes();
-    // False if it failed; of a branch, cause_ says why it cannot be followed further.
+    // Returns false if the step failed; on a branch, cause_ says why it cannot be followed further.
     bool take_step();
     void show_last();
     void write_paths();
@@ -95,7 +98,7 @@ class Simulation {
     void record_within();
     DueOutput find_due() const;
     bool is_frame_due() const;
-    // Sets what an analysis does not know, of a state at this time of the stage.
+    // Adds to a snapshot, at this time of the stage, the values that analyses do not set.
     void complete(Snapshot& snapshot, double time);
     RestartRecord restart_record() const;
     std::string describe_place() const;
@@ -108,14 +111,14 @@ class Simulation {
     double output_seconds_ = 0.0;
     std::unique_ptr<StageSequence> stages_;
     std::unique_ptr<ResultsFile> file_;
-    OutputSchedule schedule_;  // of the stage at hand
+    OutputSchedule schedule_;  // of the current stage
     Phase phase_ = Phase::new_run;
     bool is_closed_ = false;
     std::string cause_;              // why a branch of a path was given up
-    std::string entering_;           // "stage NAME: " while that stage starts
+    std::string entering_;           // "stage NAME: " while the stage starts
     std::size_t written_paths_ = 0;  // number of the last stage whose paths were written, from 1
     std::int64_t rows_ = 0;          // of the histories
-    RunTotals accepted_totals_;      // without what a step that failed has cost
+    RunTotals accepted_totals_;      // without the cost of a step that failed
     bool has_started_ = false;       // has recorded an accepted state
     bool last_framed_ = false;
     double recorded_time_ = 0.0;  // of the last step that is a row of the results

@@ -10,28 +10,28 @@
 
 namespace gxrod {
 
-// The equilibria in which the stages of a deck leave its model, for one value of the deck after another.
+// The equilibria at the end of the stages of a deck, for one value of a key after another.
 class SweptEquilibria {
   public:
-    // `plan` is of the stage that sweeps, number `index`; the stages before it are static or steady.
+    // Takes the plan of the stage that sweeps, number `index`; the stages before it are static or steady.
     SweptEquilibria(const StagePlan& plan, std::size_t index, int threads)
         : plan_(plan), index_(index), threads_(threads) {}
 
-    // From the last equilibrium by Newton's method if that is near and of the same reference shape, otherwise
-    // through all stages. Valid until the next one.
+    // Finds the equilibrium by Newton's method from the last one if that is near and has the same reference
+    // shape, otherwise through all stages. Valid until the next call.
     SweepState find(double value);
 
   private:
     struct Equilibrium {
-        std::unique_ptr<Model> model;  // with what acts in the last stage
+        std::unique_ptr<Model> model;  // with the loads of the last stage
         std::unique_ptr<SteppedAnalysis> analysis;
     };
 
-    // The last stage before that takes steps; the first one if there is none.
+    // Finds the last stage before it that takes steps; the first stage if there is none.
     std::size_t find_last(const StagedModel& deck) const;
     Equilibrium prepare(const StagedModel& deck, std::size_t stage) const;
     bool settle(const StagedModel& deck, Equilibrium& found) const;
-    // Why a stage failed, "" if none did.
+    // Runs the stages and returns why one failed, "" if none did.
     std::string run_stages(const StagedModel& deck, Equilibrium& found) const;
 
     const StagePlan& plan_;

@@ -10,17 +10,18 @@
 
 namespace gxrod {
 
-// How one quantity of an equilibrium depends on numbers of the deck: with the multipliers λ of the
-// equilibrium's equations, Kᵀ λ = (∂q/∂y)ᵀ, each number takes two more residuals but no solution
+// Derivatives of one quantity of an equilibrium by numbers of the deck. With the multipliers λ of the
+// equilibrium's equations, Kᵀ λ = (∂q/∂y)ᵀ, each number costs two more residuals but no solution
 // (docs/theory/sensitivities.md, (G6), (G7)).
 class EquilibriumAdjoint {
   public:
-    // Of a system and trial motions of it; sides as of ForwardSensitivity::sides, −1 for the system itself.
+    // A function of a system and its trial motions; `side` is an index of ForwardSensitivity::sides, −1 the
+    // system itself.
     using Quantity = std::function<double(const System& system, const State& state, int side)>;
 
-    // Of an accepted equilibrium under the loads at `time`, which must outlive this. The quantity depends on
-    // the motion of these nodes alone. Throws std::invalid_argument if the state depends on how it was
-    // reached, std::runtime_error if its tangent is singular.
+    // Takes an accepted equilibrium under the loads at `time`, which must outlive this. The quantity depends
+    // on the motions of these nodes alone. Throws std::invalid_argument if the state depends on its history,
+    // std::runtime_error if its tangent is singular.
     EquilibriumAdjoint(const System& system,
                        const State& state,
                        double time,
@@ -28,7 +29,7 @@ class EquilibriumAdjoint {
                        const std::vector<int>& nodes,
                        const Quantity& quantity);
 
-    // dq/dp. Throws std::invalid_argument if the models do not fit the system.
+    // Computes dq/dp. Throws std::invalid_argument if the models do not fit the system.
     double differentiate(const VariedModels& models, const Quantity& quantity) const;
 
   private:

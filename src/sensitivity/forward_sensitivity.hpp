@@ -12,54 +12,54 @@
 
 namespace gxrod {
 
-// A model for two values of a number p of its deck, p + step and p − step; both have the nodes, elements and
-// equations of the model at p.
+// The models for p + step and p − step, p a number of the deck; both have the nodes, elements and equations
+// of the model at p.
 struct ModelPair {
     const Model& up;
     const Model& down;
     double step;
 };
 
-// Of a step and of twice that step, whose differences are extrapolated.
+// Model pairs for a step and for twice that step; their differences are extrapolated.
 struct VariedModels {
     ModelPair near, far;
 };
 
-// A number that depends on p at a state.
+// Functions of a system, a state and the side, each of which has a value that depends on p.
 using Quantities =
     std::function<std::vector<double>(const System& system, const State& state, std::size_t side)>;
 
-// How the accepted states of an analysis change with a number p of its deck: the derivative of the state, and
-// the systems next to the analysis' own by which it is found (docs/theory/sensitivities.md).
+// The derivative of an analysis' accepted states by a number p of its deck, and the varied systems by which
+// it is found (docs/theory/sensitivities.md).
 class ForwardSensitivity {
   public:
     // Throws std::invalid_argument if the models do not fit each other.
     ForwardSensitivity(const System& base, const VariedModels& models);
 
-    // Of the start of an analysis with this integrator; with initial velocities that joints allow, if it
-    // projects them.
+    // Finds the derivative at the start of an analysis with this integrator; initial velocities are projected
+    // onto the joints if the analysis does so.
     void start(const Integrator& integrator,
                const TimeSpan& first_step,
                LinearSolverKind solver,
                bool projects_start,
                bool settles);
-    // What the inputs of the model at p are set to.
+    // Takes over the values of the inputs of the model at p.
     void take_inputs(const Model& base);
-    // Gives the varied systems the states next to this one, and lists them: near up, near down, far up, far
-    // down. Afterwards takes what their states have become.
+    // Moves the varied systems to the states next to this one. sides() lists them: near up, near down, far
+    // up, far down; take_sides() takes over the states that they reach.
     void place_sides(const State& before);
     std::array<VariedSystem*, 4> sides();
     void take_sides();
-    // Finds out whether their states are next to this one of the analysis as they are if it depends smoothly
-    // on the number. Otherwise there is no derivative from then on. `time_step`: of the step they have taken.
+    // Checks that the varied states lie about this state of the analysis as they do if it depends smoothly on
+    // p. If not, there is no derivative from then on. `time_step` is the length of the last step.
     void check_smoothness(const State& centre, double time_step);
-    // Places the ends of the step next to that of the analysis along their derivative: a single iteration
-    // leaves small strains, which stiff sections multiply.
+    // Moves the varied ends of the step onto the line along their derivative through the analysis' own: a
+    // single iteration leaves small strains, which stiff sections multiply.
     void straighten_ends(const State& centre);
 
     const StateDirection& direction() const { return direction_; }
 
-    // What is known of an accepted state, to return to with it.
+    // The derivative at an accepted state, to return to that state.
     struct Record {
         StateDirection direction;
         std::array<State, 4> ended;
@@ -68,8 +68,8 @@ class ForwardSensitivity {
     Record record() const;
     void recall(const Record& record, const Pieces& pieces);
 
-    // The derivative of quantities of a system and the end of the last step as its trial motions; sides as of
-    // sides(). Throws std::runtime_error where there is none.
+    // Computes the derivatives of quantities of a system with the end of the last step as its trial motions;
+    // sides as in sides(). Throws std::runtime_error if there is no derivative.
     std::vector<double> differentiate(const Quantities& quantities) const;
 
   private:
@@ -82,7 +82,7 @@ class ForwardSensitivity {
 
     std::array<VariedSystem, 4> sides_;
     StateDirection direction_;
-    std::string kink_;  // why there is no derivative any more; "" where there is
+    std::string kink_;  // why there is no longer a derivative; "" if there is one
 };
 
 }  // namespace gxrod

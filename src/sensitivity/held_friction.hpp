@@ -7,14 +7,14 @@
 
 namespace gxrod {
 
-// Friction of joints and tendons exerts a force that does not depend, while it slips, on where it began to.
-// So what it remembers can be moved by as much as it sticks at most: then it slips next to a state, too, at
-// whose limit it is, and is smooth there.
+// While friction of joints and tendons slips, its force does not depend on where slipping began. So its
+// memory can be moved by as much as it sticks at most. Friction exactly at its limit then slips in
+// neighbouring states, too, and is smooth there.
 class HeldFriction {
   public:
-    // Of the trial motions at `time`. What is at its limit to rounding slips.
+    // Takes the trial motions at `time`. Friction slips if it is at its limit to rounding.
     HeldFriction(const System& system, const State& state, double time);
-    // Moves what the friction that slips remembers, of this state or of one next to it.
+    // Moves the memory of the friction that slips, in this state or in one next to it.
     void move(State& state) const;
 
   private:
@@ -26,7 +26,7 @@ class HeldFriction {
     void find_tensions(const System& system, const State& state, double time);
 
     std::vector<Slip> slips_;
-    std::vector<double> tensions_;  // of the last entries of State::law_memory
+    std::vector<double> tensions_;  // for the last entries of State::law_memory
 };
 
 }  // namespace gxrod

@@ -9,11 +9,11 @@
 
 namespace gxrod {
 
-// The sensitivities of an analysis in steps by several numbers, carried along from step to step.
+// The derivatives of an analysis in steps by several numbers, carried along from step to step.
 class Sensitivities {
   public:
-    // Throws std::invalid_argument if the analysis is not one whose steps can be differentiated: along a
-    // path, or of steady rotation. The analysis and the models must outlive it.
+    // Throws std::invalid_argument if the steps of the analysis cannot be differentiated: along a path, or in
+    // steady rotation. The analysis and the models must outlive it.
     Sensitivities(const SteppedAnalysis& analysis,
                   const AnalysisSettings& settings,
                   const std::vector<VariedModels>& models);
@@ -23,13 +23,13 @@ class Sensitivities {
     void follow(const SteppedAnalysis& analysis);
 
     void start();
-    // Before each step, and after it has been accepted.
+    // Call these before each step, and after it has been accepted.
     void note_before() { before_ = analysis_->state(); }
     void advance();
 
     const ForwardSensitivity& by(std::size_t number) const { return all_[number]; }
 
-    // What is known of the accepted state, to return to with it.
+    // The derivatives at an accepted state, to return to that state.
     struct Record {
         std::vector<ForwardSensitivity::Record> all;
         Pieces pieces;
@@ -38,10 +38,10 @@ class Sensitivities {
     void recall(const Record& record);
 
   private:
-    // Carries them through the analysis' settling from this accepted state.
+    // Carries the derivatives along while the analysis settles from this accepted state.
     void settle(const State& before);
-    // Gives the varied systems the states next to this one, lets `take` carry them on, and takes what these
-    // become.
+    // Moves the varied systems to the states next to this one, lets `take` advance them, and takes over the
+    // states that they reach.
     template <class Take>
     void carry(const State& before, const Take& take);
 

@@ -6,8 +6,8 @@
 
 namespace gxrod {
 
-// How an accepted state changes with a number: the derivatives of what State keeps from step to step.
-// Rotations change by spins: Λ ← exp(δφ) Λ.
+// The derivative of an accepted state by a number, for all that State keeps from step to step. Rotations
+// change by spins: Λ ← exp(δφ) Λ.
 struct StateDirection {
     struct OfNode {
         Vec3 r = Vec3::Zero(), phi = Vec3::Zero();
@@ -21,17 +21,17 @@ struct StateDirection {
     std::vector<OfNode> nodes;
     std::vector<OfSection> sections;
     std::vector<double> law_memory;
-    std::vector<Vec3> bed_targets;  // of State::bed_contacts
+    std::vector<Vec3> bed_targets;  // for State::bed_contacts
     std::vector<CarriedAcceleration> carried;
     std::vector<JointState> joints;
 };
 
-// Moves the accepted state along a direction, by so much.
+// Moves the accepted state along a direction by `amount`.
 void move_along(const StateDirection& direction, double amount, State& state);
 
-// (up − down)/(2 step), of their accepted states.
+// Computes (up − down)/(2 step) from accepted states.
 StateDirection differentiate(const State& up, const State& down, double step);
-// (4 near − far)/3: differences of a step and of twice the step, extrapolated.
+// Computes (4 near − far)/3, extrapolated from the differences with a step and with twice the step.
 StateDirection extrapolate(StateDirection near, const StateDirection& far);
 
 }  // namespace gxrod

@@ -11,8 +11,8 @@
 
 namespace gxrod {
 
-// A model next to the one that is analysed, for a number of the deck that differs by `amount`, and what of
-// its own goes through a step.
+// A model that differs from the analysed one by `amount` in a number of the deck, and its state within a
+// step.
 struct VariedSystem {
     VariedSystem(const Model& model, double by) : held(model), system(held.model()), amount(by) {}
 
@@ -20,68 +20,70 @@ struct VariedSystem {
     System system;
     double amount;
     State state;
-    // The end of a step as its trial motions, before they become the last accepted ones: what a run records
-    // of a step is computed there, because forces of `simo` elements and of laws depend on where it began.
+    // The end of a step as its trial motions, before they are accepted. Recorded quantities of a step are
+    // computed there, because forces of `simo` elements and of laws depend on the start of the step.
     State ended;
-    std::vector<double> values;  // of its matrix at its trial motions, where joints ask for it
-    // What stages begin with, of State.
+    std::vector<double> values;  // of its matrix at its trial motions, if joints need it
+    // Joints and law memory of State at the start of stages.
     std::vector<JointState> joints_before;
     std::vector<double> memory_before;
 };
 
-// A step of an analysis once more, together with the same step of varied systems: to each equation that the
-// analysis solves they solve theirs by one iteration of Newton's method, from the analysis' solution and with
-// its matrix there. What they end with is theirs to first order in what they vary by
-// (docs/theory/sensitivities.md, (G1) to (G5)). What has kinks is held on the pieces on which the analysis
-// is: where it yields or slips at its limit, it is taken to flow on.
+// Repeats a step of an analysis together with the same step of varied systems. For each equation that the
+// analysis solves, they solve their own by one Newton iteration from the analysis' solution with its matrix
+// there. Their end states are right to first order in the variation (docs/theory/sensitivities.md, (G1) to
+// (G5)). Laws with kinks are held on the pieces that the analysis uses: if they yield or slip at their limit,
+// they are taken to flow on.
 class TangentLinearStep {
   public:
-    // What it is given must outlive it.
+    // The arguments must outlive it.
     TangentLinearStep(const System& base,
                       const Integrator& integrator,
                       const NewtonSettings& newton,
                       LinearSolverKind linear_solver);
 
-    // From one accepted state of the analysis to the next. The states of the varied systems are next to
-    // `before`, and become accepted ones next to `after`. Throws std::runtime_error if an equation has no
+    // Advances from one accepted state of the analysis to the next. The states of the varied systems lie next
+    // to `before` and become accepted states next to `after`. Throws std::runtime_error if an equation has no
     // solution.
     void advance(const Stage& first_stage,
                  const State& before,
                  const State& after,
                  std::span<VariedSystem* const> varied);
 
-    // The same where the analysis settles at an instant, after which nothing has a rate.
+    // Advances likewise where the analysis settles at an instant, after which nothing has a rate.
     void settle(const Stage& stage,
                 const State& before,
                 const State& after,
                 std::span<VariedSystem* const> varied);
 
     LinearSolverKind linear_solver() const { return workspace_.linear_solver->kind(); }
-    // The analysis itself, as it comes out of the same step as the varied systems; and the pieces at its end.
+    // Return the analysis itself after the same step as the varied systems, and the pieces of its laws at the
+    // end.
     const VariedSystem& centre() const { return centre_; }
     const Pieces& pieces() const { return pieces_; }
 
   private:
-    // Lets the base find its pieces again; and holds it and the varied systems on those of its trial motions.
+    // Let the base find its pieces again, and hold it and the varied systems on the pieces at its trial
+    // motions.
     void release();
     void hold(double time, std::span<VariedSystem* const> varied);
     void solve_stage(const Stage& stage, std::span<VariedSystem* const> varied);
     void solve_stage_explicitly(const Stage& stage, std::span<VariedSystem* const> varied);
-    // Their matrices are those of the equilibrium.
+    // Finds accelerations; the varied systems have the matrices of the equilibrium.
     void find_accelerations(double time, const TimeSpan& step, std::span<VariedSystem* const> varied);
     void meet_positions(double time, std::span<VariedSystem* const> varied);
     void meet_velocities(double time, const TimeSpan& step, std::span<VariedSystem* const> varied);
 
     void place_next_to_base(double time, VariedSystem& varied) const;
-    // Of one varied system, next to the solution of base_.
+    // Solves the equilibrium of one varied system from the solution of base_.
     void follow_equilibrium(const Stage& stage, VariedSystem& varied);
-    // How often it is solved with the one matrix: with joints also for what their regularization leaves, and
-    // for rates of their equations, which the matrix of accelerations leaves out; with laws that yield
-    // because their response bends strongly.
+    // Counts the solutions with the one matrix. Joints need more for their regularization, and for rates of
+    // their equations, which the matrix of accelerations leaves out; laws that yield because their response
+    // is strongly curved.
     int count_iterations(const ConstraintRequest& request) const;
     void iterate(const System& system, State& state);
     void follow_accelerations(double time, const TimeSpan& step, VariedSystem& varied);
-    // Takes `total`, the solution of the base's projection, and corrects it: compute_rows(rows) finds the
+    // Applies `total`, the solution of the base's projection, and corrects it: compute_rows(rows) finds the
     // equations, move(node, increment) moves a node.
     template <class ComputeRows, class Move>
     void follow_projection(const Eigen::VectorXd& total,

@@ -6,8 +6,8 @@
 namespace gxrod {
 
 // Applies a Newton increment to a trial motion: r += δr, Λ ← exp(δφ) Λ, and θ becomes the vector with
-// exp(θ) = Λ Λ_nᵀ that is nearest to θ + T(θ)⁻¹ δφ; close to whole turns, where none may be near, to θ + δφ.
-// δφ is a spatial spin; `previous` holds Λ_n.
+// exp(θ) = Λ Λ_nᵀ that is nearest to θ + T(θ)⁻¹ δφ; close to whole turns, where none may be near, it becomes
+// θ + δφ. δφ is a spatial spin; `previous` holds Λ_n.
 void apply_spin(const NodeMotion& previous, const Vec3& delta_r, const Vec3& delta_phi, NodeMotion& trial);
 
 // Puts a trial motion at position r and at the rotation θ since `previous`: Λ = exp(θ) Λ_n. For predictors,

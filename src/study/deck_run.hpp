@@ -11,19 +11,19 @@
 
 namespace gxrod {
 
-// A deck's text run in memory, without a results file, for studies.
+// Runs a deck's text in memory, without a results file, for studies.
 class DeckRun {
   public:
     // Throws DeckError. `name` is what messages call the deck.
     DeckRun(const std::string& name, const std::string& text, const std::vector<std::string>& overrides);
 
     const Problem& problem() const { return problem_; }
-    // Of the stage at hand.
+    // Returns the analysis of the current stage.
     SteppedAnalysis& analysis() { return stages_->analysis(); }
     std::string stage() const { return stages_->name(); }
-    // Of a stage that follows limit points; NaN of others.
+    // Returns the load factor of a stage that follows limit points; NaN in other stages.
     double limit_load_factor() const;
-    // On the axis that stages share.
+    // Returns the time on the axis that stages share.
     double time() const { return stages_->axis(); }
     double end_time() const { return find_axis_end(problem_.stages); }
 
@@ -31,23 +31,24 @@ class DeckRun {
     // std::runtime_error if a step fails.
     void run(const std::function<void()>& visit);
 
-    // A quantity of one of the deck's histories, now. Throws std::runtime_error if there is no such.
+    // Returns the present value of a quantity of one of the deck's histories. Throws std::runtime_error if
+    // there is none.
     HistoryPoint::Row value(const std::string& history, const std::string& quantity);
 
-    // What stages along paths have found, in their order: each begins with the main path, of the stage's
-    // name.
+    // Returns the records of stages that follow paths, in order: each begins with the main path, which has
+    // the stage's name.
     const std::vector<PathRecord>& paths() const { return paths_; }
-    // What stages without steps have found, in their order.
+    // Returns the results of stages without steps, in order.
     const std::vector<FoundShapes>& shapes() const { return shapes_; }
 
     long steps() const { return steps_; }
     long newton_iterations() const { return newton_iterations_; }
-    double seconds() const { return seconds_; }  // of run, less what visit took
+    double seconds() const { return seconds_; }  // of run, without the time in visit
 
   private:
     void check(const EquilibriumReport& report);
     void find_shapes();
-    // To the end of the stage, and of the branches of a path.
+    // Runs to the end of the stage and of the branches of its path.
     void run_steps(const std::function<void()>& visit);
 
     std::string name_;

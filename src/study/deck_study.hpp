@@ -10,23 +10,23 @@
 #include "study/error_estimate.hpp"
 #include "study/motion_trace.hpp"
 
-// `gxrod verify DECK`: a user's own deck, run in several ways that must agree, or differ as the order of the
-// method says.
+// `gxrod verify DECK`: runs a user's own deck in several ways whose results must agree, or differ as the
+// order of the method predicts.
 namespace gxrod {
 
-// One of the runs, as it went.
+// The course and outcome of one of the runs.
 struct VariantRun {
     DeckVariant variant;
     long elements = 0;
     long unknowns = 0;
     long steps = 0;
-    std::vector<long> steps_at;  // up to each sample
+    std::vector<long> steps_at;  // taken up to each sample
     long rejected_steps = 0;
-    bool is_cut_alike = true;  // of turned runs: where the steps of the run before it were
+    bool is_cut_alike = true;  // of turned runs: whether they cut the same steps as the run before
     long newton_iterations = 0;
     double seconds = 0.0;
-    std::string untried;  // why there was nothing to try, or to compare with: it is whole then
-    std::string failure;  // why it ended before its end; of the resumed and threaded runs, how they differ
+    std::string untried;  // why there was nothing to run or to compare with; it counts as whole then
+    std::string failure;  // why it stopped early; for the resumed and threaded runs, how they differ
     TraceBooks books;
     std::vector<std::string> warnings;
     bool is_unstable = false;  // whether unstable equilibria were accepted
@@ -42,28 +42,28 @@ struct UnrefinedPart {
     long fine_steps = 0;
 };
 
-// What is known of one series.
+// Errors and differences of one series.
 struct SeriesReport {
     Series series;
-    double scale = 0.0;             // the largest change of it in the run; of rotations 1 rad at most
-    bool is_still = false;          // it does not change: errors are by the scale of its like
-    ErrorEstimate steps;            // what the step adds
-    ErrorEstimate mesh;             // what the mesh adds
-    double order_difference = 0.0;  // to elements of the next order, at most
+    double scale = 0.0;             // its largest change in the run; for rotations at most 1 rad
+    bool is_still = false;          // it does not change; its scale is that of similar series
+    ErrorEstimate steps;            // error by the step
+    ErrorEstimate mesh;             // error by the mesh
+    double order_difference = 0.0;  // largest difference with elements of the next order
     double turned_difference = 0.0;
-    double round_off = 0.0;  // what turning the model a little more changes
+    double round_off = 0.0;  // largest change when the model is turned a little more
     double simo_difference = 0.0;
-    double error = 0.0;          // of step, mesh and round-off together, at most; infinite if it is not known
-    double trusted_until = 0.0;  // the time up to which it is within the tolerance
+    double error = 0.0;          // bound for step, mesh and round-off together; infinite if not known
+    double trusted_until = 0.0;  // time up to which the error is within the tolerance
 
-    // Infinite if there is nothing to judge it by: nothing of its kind changes.
+    // Returns a value relative to the scale; infinite if the scale is 0, as nothing of its kind changes.
     double relative(double value) const;
     bool is_right(double tolerance) const { return error <= tolerance * scale; }
 };
 
 struct DeckStudyOptions {
     unsigned seed = 1;        // of the random rotation
-    double tolerance = 0.01;  // of errors, by the scale of each series, that the user calls right
+    double tolerance = 0.01;  // of errors relative to the scale of each series
     std::function<bool()> is_interrupted = [] { return false; };
     std::function<void(const VariantRun&)> report_run = [](const VariantRun&) {};
 };
@@ -73,68 +73,71 @@ struct DeckStudy {
     std::string deck;
     double end_time = 1.0;
     bool is_static = false;
-    bool depends_on_steps = true;  // statics of elements objective do not
+    bool depends_on_steps = true;  // false in statics with `objective` elements
     bool is_adaptive = false;
-    double expected_order = 2.0;  // of the scheme, in the step
-    int element_order = 1;        // the lowest
+    double expected_order = 2.0;  // order of the scheme in the step
+    int element_order = 1;        // the lowest order
     bool has_own_histories = true;
-    std::vector<std::string> unrefined_rods;  // of meshes
+    std::vector<std::string> unrefined_rods;  // rods of meshes
     Vec3 rotation = Vec3::Zero();             // rotation vector of the turned run
     double tolerance = 0.01;
-    // How far the deck as it is moves, by the model's length: √(2 T/m), at most, times the time. Infinite in
-    // statics, where it is not known.
+    // Movement of the unchanged deck relative to the model's length: the largest √(2 T/m) times the time.
+    // Infinite in statics, where it is not known.
     double motion = std::numeric_limits<double>::infinity();
-    std::vector<DeckVariant> variants;  // that were to be run
+    std::vector<DeckVariant> variants;  // planned
     std::vector<VariantRun> runs;
     std::vector<SeriesReport> series;
     std::vector<double> times;                              // of samples
-    std::vector<std::vector<HistoryPoint::Row>> base_rows;  // of each series, the deck as it is
+    std::vector<std::vector<HistoryPoint::Row>> base_rows;  // of each series, for the unchanged deck
     bool is_interrupted = false;
 
     const VariantRun* find(VariantKind kind, int level = 0) const;
-    // The first part of the run in which a run with finer steps took hardly more of them. Where steps are cut
-    // since they do not converge they may take the same ones, and equal results are then no sign of small
+    // Finds the first part of the run in which a run with finer steps took hardly more of them. If steps are
+    // cut as they do not converge, both runs may take the same steps, and equal results do not show small
     // errors.
     std::optional<UnrefinedPart> find_unrefined_part() const;
     bool has_finer_steps() const { return !find_unrefined_part(); }
-    // Of a series: nodes converge with order 2p of elements of order p, what their middles have with p.
+    // Returns the order of a series in the mesh: with elements of order p, values at nodes converge with
+    // order 2p, values at their middles with p.
     double mesh_order_of(const Series& of) const;
-    // Whether runs of this kind were asked for and none reached its end.
+    // Returns whether runs of this kind were planned and none reached its end.
     bool lacks(VariantKind kind) const;
-    // Whether something is known of what step and mesh add, as far as the deck can be refined.
+    // Returns whether errors by step and mesh are known, as far as the deck can be refined.
     bool knows_errors() const;
-    // Whether the two turned runs show what round-off changes.
+    // Returns whether the two turned runs show the effect of round-off.
     bool knows_round_off() const;
-    // Whether steps of the turned runs were cut where those of the deck as it is were. If round-off decides
-    // otherwise, they differ by the error of the step, which says nothing of orientation.
+    // Returns whether turned runs cut the same steps as the unchanged deck. If round-off leads to other cuts,
+    // results differ by the error of the step, which shows nothing about orientation.
     bool is_turned_cut_alike() const;
-    // Whether steps were cut and finer runs show no error of them. What turning changes may be that error.
+    // Returns whether steps were cut and finer runs do not show their error; changes by turning may be that
+    // error.
     bool is_error_of_cuts_unknown() const;
-    // Whether the model moves by no more than what steps add up of round-off in places.
+    // Returns whether the model moves by no more than the round-off that steps accumulate in positions.
     bool hardly_moves() const;
-    // Whether the turned runs say something about orientation.
+    // Returns whether the turned runs show something about orientation.
     bool is_orientation_judged() const;
-    // The largest of all series, by their scales.
+    // Returns the largest of a difference among all series, relative to their scales.
     double largest_difference(double SeriesReport::*difference) const;
-    // How far a series may differ once the model is turned.
+    // Returns by how much a series may change when the model is turned.
     double turned_limit(const SeriesReport& report) const;
-    // Whether a turned model moves otherwise, by more than that, or fails where as it is it does not.
+    // Returns whether the turned model differs by more than this limit, or fails where the unchanged one does
+    // not.
     bool depends_on_orientation() const;
-    // Whether all planned variants were run.
+    // Returns whether all planned variants were run.
     bool is_whole() const;
-    // Whether nothing was seen of what must not be for any step and mesh: that it depends on the orientation,
-    // on stopping, on threads.
+    // Returns whether results depend neither on the orientation nor on stopping nor on threads, as they must
+    // not for any step and mesh.
     bool is_sound() const;
-    // Whether each equilibrium of the deck as it is was stable.
+    // Returns whether each equilibrium of the unchanged deck was stable.
     bool is_stable() const { return runs.empty() || !runs.front().is_unstable; }
-    // Whether what step and mesh add to each series is within the tolerance …
+    // Returns whether errors by step and mesh are within the tolerance in each series.
     bool has_small_errors() const;
-    // … and the equilibria are stable.
+    // Returns whether errors are small and the equilibria stable.
     bool is_accurate() const;
 };
 
-// Runs all. A variant that fails is reported in its run; a deck that is wrong, or files that cannot be
-// written, throw as ever. If the deck as it is does not converge, that is its only run.
+// Runs all variants. A failed variant is reported in its run; a wrong deck, or files that cannot be written,
+// throw as usual. If the unchanged deck does not converge, it is the only run.
 DeckStudy study_deck(const DeckTemplate& deck,
                      const std::vector<std::string>& overrides,
                      const std::vector<DeckVariant>& variants,

@@ -14,12 +14,12 @@ namespace gxrod {
 // A quantity of a point that is followed through several runs of a model.
 struct Series {
     std::string point;  // the history's name
-    std::string name;   // of the quantity; "rotation" of a rotation_vector, which is followed as a quaternion
+    std::string name;  // of the quantity; "rotation" for a rotation_vector, which is followed as a quaternion
     std::size_t history;  // in OutputSettings::histories
     Quantity quantity;
     Turning turning;
 
-    // Of rotations rows are unit quaternions (w x y z), and differences angles.
+    // Rows of rotations are unit quaternions (w x y z), and their differences are angles.
     bool is_rotation() const { return quantity == Quantity::quaternion || quantity == Quantity::orientation; }
     bool is_length() const {
         return quantity == Quantity::position || quantity == Quantity::displacement ||
@@ -28,16 +28,16 @@ struct Series {
     std::string title() const { return point + " " + name; }
 };
 
-// All quantities that the problem's histories record. Of a rotation's two forms, one is followed.
+// Lists all quantities that the problem's histories record; only one of a rotation's two forms.
 std::vector<Series> list_series(const OutputSettings& output);
 
-// Histories of rods' ends and bodies, for a problem without any.
+// Makes histories of the ends of rods and of bodies, for a problem that has none.
 std::vector<HistoryRequest> make_end_histories(const Model& model);
 
 // Reads the series of a snapshot.
 class SeriesReader {
   public:
-    // Of a problem with the histories of these series; all must outlive the reader.
+    // Takes a problem with the histories of these series; all must outlive the reader.
     SeriesReader(const Problem& problem, const std::vector<Series>& series);
 
     std::vector<HistoryPoint::Row> read(const Snapshot& snapshot);
@@ -47,40 +47,40 @@ class SeriesReader {
     std::vector<HistoryPoint> points_;
 };
 
-// How well the books of a run close, over all of its steps.
+// Errors of the balances of a run over all its steps.
 struct TraceBooks {
-    double largest_energy = 0.0;  // kinetic and strain energy, or work
+    double largest_energy = 0.0;  // kinetic + strain energy, or work
     double largest_strain_energy = 0.0;
     double largest_energy_error = 0.0;
-    // Of the momenta: the largest of what is left of p(t) − p(0) − ∫ F dt, by the trapezoidal rule.
+    // Imbalances of momenta: the largest |p(t) − p(0) − ∫ F dt|, by the trapezoidal rule.
     double linear_imbalance = 0.0;
     double angular_imbalance = 0.0;
-    double momentum_scale = 0.0;  // √(2 m T), the most that all mass at the kinetic energy could have
-    double angular_scale = 0.0;   // the same times the model's length
+    double momentum_scale = 0.0;  // √(2 m T), the largest momentum of the mass at this kinetic energy
+    double angular_scale = 0.0;   // momentum_scale times the model's length
 };
 
-// What one run of a model gave.
+// The results of one run of a model.
 struct MotionTrace {
     std::vector<std::vector<HistoryPoint::Row>> rows;  // of each series, at the sample times
-    std::size_t samples = 0;                           // that were reached
+    std::size_t samples = 0;                           // samples that were reached
     TraceBooks books;
-    double length = 0.0;  // of the model, as System has it
+    double length = 0.0;  // of the model, as in System
     double mass = 0.0;
     long unknowns = 0;
     long elements = 0;
     long steps = 0;
-    std::vector<long> steps_at;       // those that were taken up to each sample
-    std::vector<double> rejected_at;  // of each trial that was cut, the time it began at
+    std::vector<long> steps_at;       // steps taken up to each sample
+    std::vector<double> rejected_at;  // start times of the trials that were cut
     long newton_iterations = 0;
     double seconds = 0.0;
-    std::string failure;                // or why it ended before its end
-    std::vector<std::string> warnings;  // as SteppedAnalysis lists them
+    std::string failure;                // why it stopped early, or ""
+    std::vector<std::string> warnings;  // as in SteppedAnalysis
     bool is_unstable = false;           // whether unstable equilibria were accepted
 
     bool is_whole() const { return failure.empty(); }
 };
 
-// Thrown where the user ends a study.
+// Thrown if the user ends a study.
 struct StudyInterrupted : std::runtime_error {
     StudyInterrupted() : std::runtime_error("interrupted") {}
 };
@@ -92,8 +92,8 @@ struct TraceRequest {
     std::function<bool()> is_interrupted = [] { return false; };
 };
 
-// Runs the problem in memory. Values between steps are those of a cubic through four of them. Not converging
-// is a trace with a failure. Throws StudyInterrupted.
+// Runs the problem in memory. Values between steps lie on a cubic through four of them. If a step does not
+// converge, the trace has a failure. Throws StudyInterrupted.
 MotionTrace trace_motion(const Problem& problem, const TraceRequest& request);
 
 }  // namespace gxrod

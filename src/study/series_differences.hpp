@@ -6,19 +6,20 @@
 
 namespace gxrod {
 
-// Between two rows of a series: the length of the difference; of rotations the angle between them.
+// Computes the distance of two rows of a series: the length of their difference; for rotations the angle
+// between them.
 double distance(const Series& series, const HistoryPoint::Row& one, const HistoryPoint::Row& other);
 
-// Between two runs, at each sample that both have.
+// Computes the distances of two runs at each sample that both have.
 std::vector<double> compute_differences(const Series& series,
                                         const std::vector<HistoryPoint::Row>& one,
                                         const std::vector<HistoryPoint::Row>& other);
 
-// Whether two rows are the same to the last bit; of quaternions both signs are the same rotation.
+// Returns whether two rows are the same to the last bit; quaternions of either sign are the same rotation.
 bool is_same(const Series& series, const HistoryPoint::Row& one, const HistoryPoint::Row& other);
 
-// What is large in a model: its length, the speed of all mass at its largest kinetic energy, its largest
-// strain energy, or without any its largest energy.
+// Large values in a model: its length, the speed of all its mass at the largest kinetic energy, and its
+// largest strain energy, or its largest energy if it has none.
 struct NaturalScales {
     double length = 0.0;
     double speed = 0.0;
@@ -27,10 +28,10 @@ struct NaturalScales {
     double of(Quantity quantity) const;  // 0 if nothing is known
 };
 
-// How much each series changes in a run, the length by which its errors are to be judged: of places the way
-// from the start, of rotations at most 1 rad, of the rest the largest value. A series is_still if it
-// is small compared with the same quantity elsewhere or with the model's own, or within ten times what
-// round-off alone changes, such as the moment at a free end; its scale is then that larger quantity.
+// The change of a series in a run, with which its errors are compared: for positions the distance from the
+// start, for rotations at most 1 rad, for the rest the largest value. A series is_still if it is small
+// compared with the same quantity elsewhere or with the model's natural scale, or within ten times the effect
+// of round-off, such as the moment at a free end; its scale is then the larger quantity.
 struct SeriesScale {
     double scale = 0.0;
     bool is_still = false;

@@ -7,18 +7,18 @@
 
 namespace gxrod {
 
-// Values at given times of rows that come step by step: the row itself where a step ends at the time, else
-// the cubic through the four steps around it, those before it at the end.
+// Computes values at given times of rows that come step by step: the row itself if a step ends at the time,
+// else the cubic through the four steps around it, at the end the four before it.
 class TraceSampler {
   public:
-    using Rows = std::vector<HistoryPoint::Row>;  // of all series
+    using Rows = std::vector<HistoryPoint::Row>;  // a row for each series
 
     // The times ascend; `end_time` sets what is near.
     TraceSampler(const std::vector<double>& times, double end_time);
 
     void add(double time, const Rows& rows);
 
-    // Of each sample so far, the rows of all series.
+    // Returns, for each sample so far, the rows of all series.
     const std::vector<Rows>& samples() const { return samples_; }
 
   private:

@@ -11,16 +11,16 @@ namespace gxrod {
 struct Check {
     std::string what;               // "position of tip, t = 1"
     std::vector<double> reference;  // a NaN entry is not compared
-    double uncertainty = 0.0;       // of the reference; 0: exact
+    double uncertainty = 0.0;       // uncertainty of the reference; 0: exact
     std::vector<double> value;
     double error = 0.0;  // as the study measures it
     double tolerance = 0.0;
-    std::optional<double> order = {};  // with which the error fell, if it was refined
+    std::optional<double> order = {};  // observed order of the error, if the study refines
 
     bool passed() const { return error <= tolerance; }  // false if the error is NaN
 };
 
-// That an order was seen: at most `allowance` below the one that theory has.
+// Makes a check that the observed order is at most `allowance` below the theoretical one.
 Check make_order_check(const std::string& of, double expected, double observed, double allowance);
 
 nlohmann::ordered_json to_json(const Check& check);

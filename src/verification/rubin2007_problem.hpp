@@ -24,7 +24,7 @@ double exact_kinetic_energy(double time);
 // ω(t) = J⁻¹ H.
 Vec3 exact_angular_velocity(double time);
 
-// The body, its moment and nothing else.
+// Makes a model of only the body and its moment.
 Model make_model();
 
 // The errors (6.14): orientation by the Frobenius norm, momentum and energy relative to their values at t =

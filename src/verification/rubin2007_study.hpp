@@ -21,20 +21,20 @@ enum class StudyScheme {
     gauss_4,
     quaternion_rk4
 };
-// "S", "I", "RK4", "SDIRK4", "RADAU5", "GAUSS4", "RK4Q".
+// Returns "S", "I", "RK4", "SDIRK4", "RADAU5", "GAUSS4" or "RK4Q".
 std::string name_of(StudyScheme scheme);
 
-// One scheme over the whole cycle in a number of steps: maxima over the ends of the steps.
+// Results of a scheme over the whole cycle in a number of steps: maxima over the ends of the steps.
 struct Row {
     StudyScheme scheme;
     long steps;
-    bool diverged = false;                // then the rest is empty
-    std::optional<double> max_theta_deg;  // rotation within a step; not of RK4
+    bool diverged = false;                // if true, the rest is empty
+    std::optional<double> max_theta_deg;  // rotation within a step; not for RK4
     std::optional<Errors> errors;
     std::optional<double> iterations_per_step;  // linear solves; implicit schemes
 };
 
-// The state at the end of one step, as errors see it.
+// The state at the end of one step from which errors are computed.
 struct Sample {
     double time;
     Errors errors;
@@ -44,11 +44,11 @@ struct Trace {
     std::vector<Sample> samples;  // t = 0 and the end of each step
 };
 
-// Newton's method to 1e-12 H₀.
+// Runs a scheme, with Newton's method to a residual of 1e-12 H₀.
 Trace run_scheme(StudyScheme scheme, long steps);
 
-// What an independent program found at N steps. Agreement to 5 significant digits is asked, or to as many as
-// the reference has or the residual of Newton's method leaves of errors as small as these.
+// The results of an independent program at N steps. They must agree to 5 significant digits, or to the digits
+// that the reference has or that the residual of Newton's method leaves in such small errors.
 struct Reference {
     StudyScheme scheme;
     long steps;
@@ -60,7 +60,7 @@ struct Reference {
 };
 const std::vector<Reference>& references();
 
-// Half a unit of the last of so many significant digits.
+// Computes half a unit of the last significant digit.
 double half_unit(double reference, int digits);
 
 struct Comparison {
@@ -69,10 +69,10 @@ struct Comparison {
 };
 Comparison compare(const Row& row);
 
-// Every scheme at every N.
+// Runs every scheme with every N.
 std::vector<Row> run_study(const std::vector<long>& steps);
 
-// The data of Figs. 2, 3 and 4 as fig2.csv, fig3.csv (at figure_steps) and fig4.csv. Throws FileError.
+// Writes the data of Figs. 2, 3 and 4 as fig2.csv, fig3.csv (at figure_steps) and fig4.csv. Throws FileError.
 void write_figure_data(const std::filesystem::path& folder, const std::vector<Row>& rows);
 inline constexpr long figure_steps = 400;
 

@@ -8,7 +8,7 @@
 
 #include "verification/check.hpp"
 
-// Built-in verification studies: what `gxrod verify NAME` runs.
+// Built-in verification studies, which `gxrod verify NAME` runs.
 namespace gxrod {
 
 struct StudyOptions {
@@ -18,21 +18,21 @@ struct StudyOptions {
 
 struct StudyResult {
     nlohmann::ordered_json json;  // the rows, as --json writes them under the study's name
-    std::string table;            // the same for a reader
-    std::vector<Check> checks;    // what was compared with what
+    std::string table;            // the rows for a reader
+    std::vector<Check> checks;    // comparisons with references
 
-    bool matches() const;  // whether no check failed
+    bool matches() const;  // whether all checks passed
 };
 
 struct Study {
     std::string name;
-    std::string sentence;  // what it shows
+    std::string sentence;  // says what it shows
     std::string kind;      // of mechanics: "statics", "dynamics", "rigid body", …
-    std::string source;    // of the problem and of its reference
+    std::string source;    // sources of the problem and its reference
     std::function<StudyResult(const StudyOptions&)> run;
 };
 
-// All studies, by name.
+// Returns all studies, by name.
 const std::vector<Study>& studies();
 
 }  // namespace gxrod

@@ -5,13 +5,13 @@
 
 #include "verification/study.hpp"
 
-// The table of `gxrod verify --all`, for a reader: study by study, as they end.
+// The table of `gxrod verify --all`, printed study by study as they end.
 namespace gxrod {
 
-// The names of the columns.
+// Returns the names of the columns.
 std::string validation_head();
 
-// A study's checks, a line each: all that failed, and of the others the first few.
+// Describes a study's checks, a line each: all that failed, and the first few of the others.
 std::string describe_checks(const Study& study, const StudyResult& result, double seconds);
 
 struct ValidationTotals {

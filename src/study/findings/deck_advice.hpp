@@ -7,8 +7,8 @@
 
 namespace gxrod {
 
-// What of step and mesh to refine, by how much, and what that would bring: sentences; none where all is
-// right.
+// Advises in sentences whether to refine step or mesh, by how much, and to which errors that would lead; none
+// if errors are small.
 std::vector<std::string> advise_on_steps(const DeckStudy& study);
 std::vector<std::string> advise_on_mesh(const DeckStudy& study);
 

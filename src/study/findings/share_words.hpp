@@ -4,7 +4,7 @@
 
 namespace gxrod {
 
-// "0.3 %", "130 %", and of what is small "2e-07".
+// Describes a share as "0.3 %", "130 %", or if it is small "2e-07".
 std::string describe_share(double share);
 
 }  // namespace gxrod
