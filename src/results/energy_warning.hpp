@@ -6,7 +6,7 @@
 
 namespace gxrod {
 
-// The energies of a run, over all its steps.
+// Largest energy and errors of a run over all its steps.
 struct EnergySurvey {
     bool is_static = false;
     double largest = 0.0;        // kinetic and strain energy, or external work
@@ -14,8 +14,8 @@ struct EnergySurvey {
     EnergyJumps jumps;           // of a series of equilibria
 };
 
-// A warning if energies are out of balance by more than round-off, so that results cannot be trusted: a
-// clause that begins in lower case and has no full stop. Else "". In dynamics the largest error is above a
+// Returns a warning if energies are out of balance by more than round-off, so that results cannot be trusted:
+// a clause that begins in lower case and has no full stop. Else "". In dynamics the largest error is above a
 // tenth of the largest energy; in statics the structure jumps.
 std::string describe_imbalance(const EnergySurvey& survey, double round_off);
 

@@ -25,7 +25,7 @@ class OrderedFile;
 class ResultsTables;
 
 enum class RunStatus { running, complete, failed, interrupted };
-// As written in files and summaries: "running" …
+// Returns the word for files and summaries, for example "running". …
 const char* name_of(RunStatus status);
 
 struct ResultsFileOptions {
@@ -36,16 +36,16 @@ struct ResultsFileOptions {
 // The HDF5 file of a run: histories, ledger and solver record of each step, and frames that ParaView reads.
 // docs/guide/results.md has its layout.
 //
-// Steps and frames are gathered in memory; the caller writes them with flush() when that is due. Whenever the
+// Steps and frames are gathered in memory; the caller writes them with flush() when it is due. Whenever the
 // writer is killed, the file holds every step and frame of the last flush: /VTKHDF/Steps@NSteps is raised
 // after everything else is on disk, then /histories/time and /VTKHDF/Steps/Values.
 //
-// Every member but the destructor throws WriteError if the file cannot be written, std::bad_alloc if there is
-// too little memory for that. After that the file still holds what was written before.
+// Every member except the destructor throws WriteError if the file cannot be written, and std::bad_alloc if
+// there is too little memory for that. The file then still holds all that was written before.
 class ResultsFile {
   public:
-    // Throws FileError, too, if the file cannot be created. `model` must outlive the file. Names of histories
-    // are unique, not those of other datasets, and without '/' (asserted).
+    // Creates the file. Throws FileError, too, if it cannot be created. `model` must outlive the file. Names
+    // of histories must be unique, differ from names of other datasets and have no '/' (asserted).
     ResultsFile(const ResultsFileOptions& options,
                 const DeckRecord& deck,
                 const Model& model,
@@ -53,37 +53,38 @@ class ResultsFile {
     // Resumes a results file at the step that its restart record holds. Later rows are replaced; histories
     // can be added or dropped, the rest of the model must be the same.
     ResultsFile(const DeckRecord& deck, const Model& model, const OutputSettings& output, ResumableFile file);
-    // Without close() the status stays "running". Never throws.
+    // Leaves the status "running" if close() was not called. Never throws.
     ~ResultsFile();
     ResultsFile(const ResultsFile&) = delete;
     ResultsFile& operator=(const ResultsFile&) = delete;
 
-    // The rows that follow belong to this stage, if the deck has stages.
+    // Assigns the rows that follow to this stage, if the deck has stages.
     void begin_stage(const StagePlace& stage);
-    // What a stage has found that takes no steps; with a file of its shapes beside this one.
+    // Writes the results of a stage without steps, and a separate file of its shapes next to this one.
     void write_shapes(const StagePlace& stage,
                       const DeckRecord& deck,
                       const Model& model,
                       std::span<const NodeMotion> equilibrium,
                       const ShapesRecord& record);
-    // What a stage that goes along a path has found: tables, and a file of the shapes of critical points.
+    // Writes the results of a stage that follows a path: tables, and a file of the shapes of critical points.
     void write_paths(const StagePlace& stage,
                      const DeckRecord& deck,
                      const Model& model,
                      const PathRecord& paths);
-    // Adds a row to the histories, the ledger and the solver record: each accepted step, t = 0 included.
+    // Adds a row to the histories, the ledger and the solver record, for each accepted state, t = 0 included.
     void record_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver);
-    // Adds a row to the sampled histories, at a time of its own.
+    // Adds a row to the sampled histories at the snapshot's time.
     void record_sample(const Snapshot& snapshot);
-    // Notes which polynomials frames and samples within steps are of.
+    // Records in words the polynomials by which frames and samples within steps are interpolated.
     void note_interpolant(const std::string& words);
     // Adds a frame to /VTKHDF.
     void write_frame(const Snapshot& snapshot);
-    // Whether no call has failed so far. After a failure, only the destructor may be called.
+    // Returns whether no call has failed so far. After a failure, only the destructor may be called.
     bool is_sound() const { return is_sound_; }
-    // Whether it is time to flush: five times a second, or when much is buffered.
+    // Returns whether a flush is due: five times a second, or when much is buffered.
     bool is_flush_due() const;
-    // The state that a resumed run starts from, once it is written: after the steps and frames added so far.
+    // Sets the state, after the steps and frames added so far, from which a run can resume once it is
+    // written.
     void set_restart(RestartRecord record);
     void flush();
     // Flushes, then writes the status, its reason, the nodes that the reason names and the lines of
@@ -118,11 +119,11 @@ class ResultsFile {
     std::filesystem::path path_;
     std::shared_ptr<OrderedFile> file_;
     std::unique_ptr<Hdf5File> hdf5_;
-    std::unique_ptr<ResultsTables> tables_;  // none once closed
+    std::unique_ptr<ResultsTables> tables_;  // null once closed
     Clock::time_point next_flush_;
     std::size_t frame_bytes_ = 0;
     bool is_sound_ = true;
-    // Last, so that it is destroyed first: HDF5 can be closed after it, whatever ended the writer.
+    // The last member, so that it is destroyed first: HDF5 can be closed after it, whatever ended the writer.
     std::shared_ptr<void> abandonment_;
 };
 

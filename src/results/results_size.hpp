@@ -6,8 +6,8 @@
 
 namespace gxrod {
 
-// What a run writes, as far as its deck determines it: without steps that are chosen by their error and the
-// frames that follow them, and without frames that are compressed.
+// The size of a run's results as far as its deck determines it: without adaptive steps and their frames, and
+// without compressed frames.
 struct ResultsSize {
     double steps = 0.0;
     double frames = 0.0;

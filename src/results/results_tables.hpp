@@ -19,7 +19,7 @@ class ResultsTables {
         hsize_t steps, frames, samples;
     };
 
-    // Appends after so many. `model` must outlive the tables.
+    // Appends after so many rows. `model` must outlive the tables.
     ResultsTables(const Hdf5Handle& root,
                   const DeckRecord& deck,
                   const Model& model,
@@ -39,37 +39,37 @@ class ResultsTables {
     void append_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver);
     void append_sample(const Snapshot& snapshot);
     void append_frame(const Snapshot& snapshot);
-    // A run can be resumed after the steps and frames that were appended so far.
+    // Sets the state from which a run can resume, after the steps and frames that were appended so far.
     void set_restart(RestartRecord record);
-    // All rows except those that count the others …
+    // Call these four in this order. The first writes all rows except the counts and times …
     void flush_rows();
-    // … the number of frames, when these are on disk …
+    // … the second the number of frames, when these are on disk …
     void flush_frame_count();
-    // … then the times of steps and frames …
+    // … the third the times of steps and frames …
     void flush_times();
-    // … and last which slot holds the state to resume from.
+    // … and the last names the slot with the state from which to resume.
     void switch_restart();
-    // Removes what an earlier run wrote beyond the last row: of the times, or of all tables.
+    // Remove rows that an earlier run wrote beyond the last row, from the times or from all tables.
     void trim_times();
     void trim();
-    // The same of stages after this one.
+    // Removes stages after this one.
     void remove_stages_after(std::int64_t stage) { stages_.remove_after(stage); }
     std::size_t buffered_bytes() const;
 
   private:
     Hdf5Handle histories_group_, ledger_group_, solver_group_;
-    AppendDataset<double> times_;  // of the steps; /ledger/time and /solver/time are links to it
+    AppendDataset<double> times_;  // times of the steps; /ledger/time and /solver/time are links to it
     StageTable stages_;
     HistoryTable histories_;
     StepTable<LedgerRow> ledger_;
     StepTable<SolverRow> solver_;
     InputTable inputs_;
     FrameTable frames_;
-    std::optional<ContactTable> contacts_;  // of models with contact
+    std::optional<ContactTable> contacts_;  // if the model has contact
     std::optional<SampleTable> samples_;    // if the deck asks for samples, or the file has some
     RestartTable restart_;
     Rows rows_;
-    int step_numbers_;  // of a row of ledger, solver's record and time
+    int step_numbers_;  // numbers in a row of ledger, solver record and time
 };
 
 }  // namespace gxrod

@@ -20,11 +20,11 @@ class ResumableFile {
 
     const std::filesystem::path& path() const { return path_; }
     const RestartPlace& place() const { return place_; }
-    // Whether the run reached its end and closed the file.
+    // Returns whether the run reached its end and closed the file.
     bool is_complete() const { return is_complete_; }
-    // The deck and meshes that it was written with.
+    // Returns the deck and meshes with which the file was written.
     const DeckRecord& deck() const { return deck_; }
-    // The descriptor, which the caller closes.
+    // Returns the descriptor, which the caller must close.
     int release();
 
   private:

@@ -11,17 +11,17 @@
 
 namespace gxrod {
 
-// What makes the largest displacement of each shape a tenth of the model's extent; of a shape that displaces
-// nothing, the largest rotation 0.3 rad.
+// Finds factors that make the largest displacement of each shape a tenth of the model's extent, or, if a
+// shape displaces nothing, its largest rotation 0.3 rad.
 std::vector<double> find_shape_scales(const Model& model, const std::vector<const Shape*>& shapes);
 
-// NAME.STAGE.vtkhdf beside the results file of this path, whose shapes it has.
+// Returns the path NAME.STAGE.vtkhdf, next to the results file, for the shapes of a stage.
 std::filesystem::path shape_file_path(const std::filesystem::path& results, const std::string& stage);
 
-// Shapes for ParaView, a step each, numbered from 1: points where the equilibrium has them, which is one of
-// all shapes or one of each, PointData displacement and rotation_vector of the shape, multiplied by its
-// scale; of complex shapes displacement_imaginary and rotation_vector_imaginary, too. Replaces a file of this
-// path, written whole. Throws FileError or WriteError.
+// Writes shapes for ParaView, a step each, numbered from 1: points as in the equilibrium, one for all shapes
+// or one for each; PointData displacement and rotation_vector of the shape times its scale; for complex
+// shapes also displacement_imaginary and rotation_vector_imaginary. An existing file is replaced once the new
+// one is whole. Throws FileError or WriteError.
 void write_shape_file(const std::filesystem::path& path,
                       const DeckRecord& deck,
                       const Model& model,

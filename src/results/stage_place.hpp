@@ -5,12 +5,12 @@
 
 namespace gxrod {
 
-// A stage as results name it.
+// A stage and its place in the results.
 struct StagePlace {
     std::size_t index;  // from 0
     std::string name;
-    std::string kind;   // as decks say it
-    double axis_start;  // where its t begins on the axis of the results
+    std::string kind;   // the deck's word
+    double axis_start;  // where t = 0 of the stage lies on the axis of the results
 };
 
 }  // namespace gxrod

@@ -31,8 +31,7 @@ struct BenchmarkValue {
     double uncertainty = 0.0;       // uncertainty of the reference; 0: exact
     bool is_of_shapes = false;      // shapes: the reference has a number for each; errors are relative
     std::optional<double> at = {};  // value of the parameter of a sweep
-    std::optional<PlaceOnPath> where =
-        {};  // instead of the time; if several equilibria match, the nearest counts
+    std::optional<PlaceOnPath> where = {};  // in place of the time; the nearest equilibrium counts
 };
 
 // Runs of one deck with increasing numbers of elements or steps.

@@ -6,14 +6,14 @@
 
 namespace gxrod {
 
-// Cells of a small table, held in memory: one or more columns side by side.
+// One or more columns of a small table in memory.
 struct CsvCells {
     std::vector<std::string> headings;
-    std::vector<std::string> cells;  // by rows, as many in each as there are headings
+    std::vector<std::string> cells;  // row by row, one for each heading
 };
 
 CsvCells make_cells(std::vector<std::string> headings, const std::vector<double>& values);
-// In quotes where a comma, a quote or a line end asks for them.
+// Makes a column; a text with a comma, a quote or a line end is put in quotes.
 CsvCells make_cells(std::string heading, const std::vector<std::string>& texts);
 
 // Writes columns of equally many rows. Throws FileError if the file cannot be written.

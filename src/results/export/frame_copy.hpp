@@ -24,24 +24,24 @@ struct DatasetCopy {
 // A frame of results: topology, points, and all point and cell data.
 using FrameCopy = std::vector<DatasetCopy>;
 
-// Rows of a dataset. Throws Hdf5Error, or std::runtime_error where there is no such dataset.
+// Copies rows of a dataset. Throws Hdf5Error, or std::runtime_error if there is no such dataset.
 DatasetCopy copy_rows(const Hdf5Reader& file, const std::string& path, hsize_t first, hsize_t count);
-// Integers in memory, of this size in each direction.
+// Makes a dataset of integers with this size in each direction.
 DatasetCopy make_copy(const std::string& path,
                       const std::string& description,
                       std::vector<hsize_t> size,
                       const std::vector<std::int64_t>& values);
 
-// What VTK is to take a file for.
+// Type and version that tell VTK how to read a file.
 struct VtkForm {
     std::string type;
     std::int64_t version = 1;
-    std::optional<std::int64_t> steps{};  // complete ones, of a file with times
+    std::optional<std::int64_t> steps{};  // number of complete ones, for a file with times
 };
-// Writes datasets of /VTKHDF as a file of their own. Overwrites. Throws FileError.
+// Writes datasets of /VTKHDF as a separate file, or over an existing one. Throws FileError.
 void write_copies(const FrameCopy& copies, const VtkForm& form, const std::filesystem::path& path);
 
-// Throws Hdf5Error or std::runtime_error if the file cannot be read, or has no such frame.
+// Reads a frame. Throws Hdf5Error or std::runtime_error if the file cannot be read or has no such frame.
 FrameCopy read_frame(const Hdf5Reader& results, hsize_t frame);
 
 }  // namespace gxrod

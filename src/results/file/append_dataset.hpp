@@ -8,7 +8,7 @@
 
 namespace gxrod {
 
-// Form of one row of an AppendDataset.
+// The shape of one row of an AppendDataset.
 struct RowShape {
     int columns = 1;
     bool is_vector = false;  // rows of [S,columns]; otherwise [S]
@@ -16,13 +16,13 @@ struct RowShape {
 inline constexpr RowShape scalar_row{1, false};
 inline constexpr RowShape vector_row{3, true};
 
-// Of chunks that are not compressed.
+// Largest size of chunks that are not compressed.
 inline constexpr std::size_t most_chunk_bytes = 262144;
 
-// How rows lie on disk.
+// Storage of rows on disk.
 struct RowChunks {
     hsize_t rows = 0;          // in a chunk; 0: about 4 KiB of them
-    bool is_deflated = false;  // then no chunk may be written twice: rows must come in whole chunks
+    bool is_deflated = false;  // if so, rows must come in whole chunks, as no chunk may be written twice
 };
 
 // A dataset that grows by rows. Rows are gathered in memory and written by flush(). Instantiated for double
@@ -38,15 +38,15 @@ class AppendDataset {
                   hsize_t rows,
                   RowChunks chunks = {});
 
-    // One row or several: a multiple of the number of columns.
+    // Appends one row or several: `values` must hold a multiple of the number of columns.
     void append(std::span<const Number> values) {
         buffer_.insert(buffer_.end(), values.begin(), values.end());
     }
     void append(Number value) { buffer_.push_back(value); }
     void flush();
-    // Ends the dataset on disk with its last row.
+    // Cuts the dataset on disk after its last row.
     void trim();
-    // The last row that was there already; empty if there was none.
+    // Returns the last row that existed before; empty if there was none.
     std::vector<Number> last_row() const;
 
     std::size_t buffered_bytes() const { return buffer_.size() * sizeof(Number); }
@@ -60,7 +60,7 @@ class AppendDataset {
     Hdf5Handle dataset_;
     RowShape shape_;
     hsize_t rows_;        // written
-    hsize_t extent_ = 0;  // rows on disk, including those to be replaced and those of chunks beyond the end
+    hsize_t extent_ = 0;  // rows on disk, with rows to be replaced and rows of chunks beyond the end
     std::vector<Number> buffer_;
 };
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <span>
 
-// A results file's seal: the checksum of all bytes after the first 512, which hold the seal itself (a "user
-// block" of HDF5). It is read without HDF5, before HDF5 reads anything.
+// The seal of a results file: the checksum of all bytes after the first 512, which hold the seal itself (a
+// "user block" of HDF5). It is read without HDF5, before HDF5 reads anything.
 namespace gxrod {
 
 inline constexpr std::size_t seal_block_bytes = 512;
@@ -16,20 +16,21 @@ using SealBlock = std::array<std::byte, seal_block_bytes>;
 
 struct FileSeal {
     bool is_open = true;      // the file is being changed, or was when its writer was killed
-    std::uint64_t bytes = 0;  // of the file, when it was sealed
-    std::uint32_t sum = 0;    // of them, as PageSums has it
+    std::uint64_t bytes = 0;  // size of the file when it was sealed
+    std::uint32_t sum = 0;    // checksum of these bytes, as in PageSums
 };
 
 SealBlock write_seal(const FileSeal& seal);
-// nullopt unless write_seal makes exactly these bytes.
+// Reads a seal; nullopt unless write_seal makes exactly these bytes.
 std::optional<FileSeal> read_seal(const SealBlock& block);
-// Whether a block at least begins like one with a seal.
+// Returns whether a block at least begins like a seal.
 bool begins_like_seal(const SealBlock& block);
 
-// `kept`: the file is, to the bit, the one that was sealed; `violated`: it is not. `open` says nothing about
-// its bits; `missing`: another program, or an earlier version, wrote it.
+// `kept`: the file is, to the bit, as it was sealed; `violated`: it is not; `open`: its bits are not known;
+// `missing`: another program or an earlier version wrote it.
 enum class SealState { kept, violated, open, missing };
-// Reads the whole file. What a writer does meanwhile makes it `kept` or `open`. Throws std::system_error.
+// Reads the whole file and checks its seal. If another process writes meanwhile, the result is `kept` or
+// `open`. Throws std::system_error.
 SealState look_at_seal(const std::filesystem::path& path);
 
 }  // namespace gxrod

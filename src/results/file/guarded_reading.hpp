@@ -8,17 +8,17 @@
 
 namespace gxrod {
 
-// HDF5 crashes or hangs on some damaged files. So a results file that is not known to be what gxrod wrote is
-// read in a process of its own.
+// Reads a results file in a separate process if it may differ from what gxrod wrote, as HDF5 crashes or hangs
+// on some damaged files.
 class GuardedReading {
   public:
-    // Looks at the seal. Throws FileError if there is no such file, or it cannot be read.
+    // Checks the seal. Throws FileError if there is no such file or it cannot be read.
     explicit GuardedReading(const std::filesystem::path& path);
 
-    // A clause on why the file is not trusted; "" if it is, or while it is being written.
+    // Returns a clause on why the file is not trusted; "" if it is trusted or is being written.
     const std::string& doubt() const { return doubt_; }
     // Calls `work`, which reads the file and can write others, and returns its result. Throws what `work`
-    // throws; from a process of its own, FileError for that and for whatever else ends it.
+    // throws; from a separate process, FileError for that and for any other end of it.
     std::string read(const std::function<std::string()>& work) const;
 
   private:
@@ -27,10 +27,10 @@ class GuardedReading {
     bool is_trusted_ = false;
 };
 
-// For a file with this seal that no process is writing; "" if the seal is kept.
+// Returns the doubt about a file with this seal that no process is writing; "" if the seal is kept.
 std::string describe_doubt(SealState seal);
 
-// How GuardedReading reads a file that is not trusted.
+// Reads in a child process, as GuardedReading does if the file is not trusted.
 std::string read_in_child(const std::filesystem::path& path, const std::function<std::string()>& work);
 
 }  // namespace gxrod

@@ -19,7 +19,8 @@ inline void check_hdf5(herr_t status, const char* action) {
     if (status < 0) throw Hdf5Error(action);
 }
 
-// Call before anything else of the library: stops it from printing errors, which become exceptions.
+// Stops the library from printing errors, which become exceptions. Call it before anything else of the
+// library.
 void silence_hdf5();
 
 // Owns an HDF5 identifier.
@@ -43,7 +44,7 @@ class Hdf5Handle {
 
     hid_t id() const { return id_; }
     bool is_open() const { return id_ >= 0; }
-    // The library's status from closing; 0 if nothing was open.
+    // Closes the object and returns the library's status; 0 if nothing was open.
     herr_t reset() { return id_ < 0 ? 0 : closer_(std::exchange(id_, H5I_INVALID_HID)); }
 
   private:

@@ -10,10 +10,10 @@
 
 #include "results/file/hdf5_handle.hpp"
 
-// Groups, attributes and datasets of a results file. All throw Hdf5Error.
+// Functions for groups, attributes and datasets of a results file. All throw Hdf5Error.
 namespace gxrod {
 
-// What the attributes of a dataset say about it.
+// The attributes of a dataset.
 struct DatasetLabel {
     std::string name;
     std::string description;
@@ -22,43 +22,43 @@ struct DatasetLabel {
 };
 
 bool has_link(const Hdf5Handle& group, const std::string& name);
-// The group of that name, new if there is none.
+// Opens the group of that name, or creates it.
 Hdf5Handle require_group(const Hdf5Handle& parent, const std::string& name);
 
-// Another name for a dataset, unless the group has it already.
+// Gives a dataset another name, unless the group has it already.
 void link_dataset(hid_t dataset, const Hdf5Handle& group, const std::string& name);
 
-// What a group has, groups and datasets, by name.
+// Lists the names of all groups and datasets in a group.
 std::vector<std::string> list_members(hid_t group);
 
-// Size of a dataset in each direction; empty for a scalar.
+// Returns the size of a dataset in each direction; empty for a scalar.
 std::vector<hsize_t> extent_of(hid_t dataset);
 
-// Whether rows can be appended to a dataset.
+// Returns whether rows can be appended to a dataset.
 bool grows(hid_t dataset);
 
-// The first row of the last chunk; nullopt if there is no chunk.
+// Returns the first row of the last chunk; nullopt if there is no chunk.
 std::optional<hsize_t> find_last_chunk(hid_t dataset);
 
-// The most bytes that a dataset, or another object, can have in its file: deflate makes at most a thousand
-// bytes of one. Small files can have rows that were never written.
+// Returns the most bytes that a dataset or another object of this file can expand to: deflate makes at most a
+// thousand bytes of one. Small files can have rows that were never written.
 double most_bytes_of(hid_t object);
 
-// The most texts that a dataset has.
+// Largest number of texts in a dataset.
 inline constexpr std::size_t most_texts = std::size_t{1} << 16;
-// A string of any kind; `read` reads it as a type into a buffer.
+// Reads a string of any kind; `read` reads it as a type into a buffer.
 std::string read_string(const Hdf5Handle& type, const std::function<herr_t(hid_t, void*)>& read);
 std::string read_text_attribute(hid_t object, const std::string& name);
 
-// A variable-length UTF-8 string, which h5py reads as str.
+// Writes a variable-length UTF-8 string, which h5py reads as str.
 void write_attribute(hid_t object, const std::string& name, const std::string& text);
-// A string of exactly its own length, as VTK demands of /VTKHDF@Type.
+// Writes a string of exactly its own length, as VTK requires for /VTKHDF@Type.
 void write_fixed_attribute(hid_t object, const std::string& name, const std::string& text);
 void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values);
 void write_attribute(hid_t object, const std::string& name, double value);
 void remove_attribute(hid_t object, const std::string& name);
-// Replaces an attribute. Writing over a text would free it in HDF5 1.14, in a write before that of what
-// refers to it, and a kill between the two would leave a file that cannot be read.
+// Replaces an attribute. If a text were written over, HDF5 1.14 would free the old one in an earlier write
+// than its reference, and a kill between the two would leave a file that cannot be read.
 template <class Value>
 void rewrite_attribute(hid_t object, const std::string& name, const Value& value) {
     remove_attribute(object, name);
@@ -66,18 +66,18 @@ void rewrite_attribute(hid_t object, const std::string& name, const Value& value
 }
 void write_label(hid_t dataset, const DatasetLabel& label);
 
-// Datasets that are written once.
+// Write datasets that are written once.
 void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, const std::string& text);
 void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const std::string> texts);
 void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const double> values);
 void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const std::int64_t> values);
 void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const std::uint8_t> values);
-// An array of this size in each direction.
+// Writes an array of this size in each direction.
 void write_dataset(const Hdf5Handle& group,
                    const DatasetLabel& label,
                    std::span<const hsize_t> size,
                    std::span<const double> values);
-// Of doubles, not yet written.
+// Creates a dataset of doubles, not yet written.
 Hdf5Handle create_dataset(const Hdf5Handle& group, const DatasetLabel& label, hsize_t rows, hsize_t columns);
 
 }  // namespace gxrod

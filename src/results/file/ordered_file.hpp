@@ -39,27 +39,28 @@ class OrderedFile : public std::enable_shared_from_this<OrderedFile> {
     OrderedFile& operator=(const OrderedFile&) = delete;
 
     void write(Part part, std::uint64_t offset, std::span<const std::byte> bytes);
-    // Fills `bytes`; with zeros past the end of the file. Throws std::system_error.
+    // Reads into `bytes`; fills them with zeros past the end of the file. Throws std::system_error.
     void read(std::uint64_t offset, std::span<std::byte> bytes) const;
-    // Takes all metadata below the size set last to be on disk: after HDF5 has opened a file that was not
-    // empty.
+    // Marks all metadata below the size set last as being on disk. Call it after HDF5 has opened a file that
+    // was not empty.
     void adopt() { adopted_ = size_; }
-    // The size that the next commit gives the file.
+    // Sets the size that the next commit gives the file.
     void set_size(std::uint64_t size) { size_ = size; }
-    // End of the file as it was last committed, or of the last byte written since.
+    // Returns the end of the file as it was last committed, or of the last byte written since.
     std::uint64_t end() const { return end_; }
-    // Opens the file's seal, then writes in the order above, or, if rows are only removed, in reverse: sizes
-    // before what is no longer within them. Throws std::system_error, for instance when the disk is full.
+    // Opens the file's seal, then writes in the order above, or in reverse if rows are only removed: sizes
+    // before the data that they no longer cover. Throws std::system_error, for instance when the disk is
+    // full.
     enum class Order { growing, shrinking };
     void commit(Order order = Order::growing);
-    // Closes the seal, once commits that belong together are done. Throws std::system_error.
+    // Closes the seal. Call it once commits that belong together are done. Throws std::system_error.
     void seal();
-    // Drops what is not committed and everything written from now on, so that HDF5 can be closed without
-    // memory or disk space. A later commit throws std::bad_alloc.
+    // Drops all writes that are not committed, and all from now on, so that HDF5 can be closed without memory
+    // or disk space. A later commit throws std::bad_alloc.
     void abandon() noexcept;
-    // Whether it still has a name in some folder.
+    // Returns whether the file still has a name in some folder.
     bool has_name() const;
-    // Whether it is the file of that name.
+    // Returns whether it is the file at this path.
     bool is_at(const std::filesystem::path& path) const;
 
   private:
@@ -76,10 +77,10 @@ class OrderedFile : public std::enable_shared_from_this<OrderedFile> {
 
     int descriptor_;
     std::uint64_t size_ = 0;       // wanted
-    std::uint64_t disk_size_ = 0;  // of the file as it is
+    std::uint64_t disk_size_ = 0;  // of the file at present
     std::uint64_t end_ = 0;
-    std::uint64_t adopted_ = 0;                                        // end of what was there before
-    std::uint64_t committed_ = 0;                                      // end of what is committed
+    std::uint64_t adopted_ = 0;                                        // end of the data that existed before
+    std::uint64_t committed_ = 0;                                      // end of the committed data
     std::vector<Write> pending_;                                       // in the order of writing
     std::unordered_map<std::uint64_t, std::size_t> pending_metadata_;  // offset → index of the last image
     std::unordered_set<std::uint64_t> metadata_on_disk_;               // offsets of tree nodes and headers

@@ -7,13 +7,13 @@
 
 namespace gxrod {
 
-// The checksum of a file's bytes after its seal, computed from those of its pages, so that only changed pages
-// are read again: CRC-32 of the CRC-32s, as they lie in memory, of 4096 bytes each.
+// The checksum of a file's bytes after its seal: the CRC-32 of the CRC-32s, as they lie in memory, of its
+// pages of 4096 bytes. Only changed pages are read again.
 class PageSums {
   public:
-    // Bytes that have changed, or perhaps have.
+    // Marks bytes that have changed, or may have.
     void mark_changed(std::uint64_t offset, std::size_t count);
-    // Of a file of `size` bytes. Throws std::system_error if they cannot be read.
+    // Computes the checksum of a file of `size` bytes. Throws std::system_error if they cannot be read.
     std::uint32_t compute(int descriptor, std::uint64_t size);
 
   private:
@@ -21,7 +21,7 @@ class PageSums {
 
     std::uint64_t size_ = 0;
     std::vector<std::uint32_t> sums_;                               // by page
-    std::vector<std::pair<std::uint64_t, std::uint64_t>> changed_;  // pages, from one to before another
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> changed_;  // ranges of pages, the end excluded
 };
 
 }  // namespace gxrod

@@ -9,10 +9,10 @@
 
 namespace gxrod {
 
-// Calls `read` with the results file, and again with the file reopened if a job that writes it meanwhile
-// moved what the library had cached. So `read` can be called several times, and must not leave anything
-// behind when it throws. Throws FileError if there is no such file, it is not one of gxrod's, or it cannot be
-// read; a FileError from `read` is passed on.
+// Calls `read` with the results file. If a job that is writing the file has meanwhile moved data that the
+// library had cached, reopens it and calls `read` again. So `read` must leave nothing behind when it throws.
+// Throws FileError if there is no such file, gxrod did not write it, or it cannot be read; passes on a
+// FileError from `read`.
 void read_results(const std::filesystem::path& path, const std::function<void(const Hdf5Reader&)>& read);
 
 // Creates the folder if it is missing. Throws FileError if that fails, or as check_export_file does.

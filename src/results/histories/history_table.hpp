@@ -12,7 +12,7 @@ namespace gxrod {
 // /histories/<name>/<quantity>, one row a step. Throws Hdf5Error.
 class HistoryTable {
   public:
-    // Appends after the first `rows` rows. Quantities that are new have NaN in these; those no longer
+    // Appends after the first `rows` rows. New quantities have NaN in these rows; quantities no longer
     // requested have NaN from there on. `model` must outlive the table.
     HistoryTable(const Hdf5Handle& histories,
                  const Model& model,
@@ -30,7 +30,7 @@ class HistoryTable {
         int width;
         AppendDataset<double> values;
     };
-    // No longer requested.
+    // A dataset that is no longer requested.
     struct Ended {
         int width;
         AppendDataset<double> values;

@@ -2,7 +2,8 @@
 
 namespace gxrod {
 
-// What a history's point belongs to. A body's rotation is its attitude; a rod's counts from t = 0.
+// The kind of thing that a history's point belongs to. The rotation of a body is its attitude; of a rod, it
+// counts from t = 0.
 enum class PointKind { rod, body, spring, bushing, joint, gear, rod_in_contact };
 
 }  // namespace gxrod

@@ -7,14 +7,14 @@
 
 namespace gxrod {
 
-// How a quantity of a history is stored: name, description, frame and dimension, and the form of its rows.
+// The storage of a quantity of a history: name, description, frame and dimension, and the form of its rows.
 struct QuantityForm {
     DatasetLabel label;
     RowShape shape;
 };
 
 QuantityForm quantity_form(Quantity quantity, PointKind kind);
-// The same of a history that is relative to a point, which the frame names.
+// Returns the form in a history that is relative to a point; the frame names that point.
 QuantityForm relative_quantity_form(Quantity quantity, PointKind kind, const std::string& relative_to);
 
 }  // namespace gxrod

@@ -10,7 +10,7 @@
 #include "results/file/hdf5_objects.hpp"
 #include "state/records/restart_record.hpp"
 
-// How the state to resume from is stored in a slot of /restart.
+// The storage, in a slot of /restart, of the state from which to resume.
 namespace gxrod {
 
 inline constexpr std::int64_t no_slot = -1;
@@ -174,7 +174,7 @@ inline const DatasetLabel contact_tractions_label{
     "of each place that can touch, obstacle by obstacle: friction per length",
     "spatial",
     ""};
-// Of rows whose number changes within a stage: a dataset for each number, a power of two.
+// Rows whose number changes within a stage have a dataset for each number, a power of two.
 inline const DatasetLabel pair_tractions_label{
     "pair_tractions",
     "of each pair of pieces of rods that touch: the pieces, friction on the first; then rows of zeros",
@@ -185,7 +185,7 @@ inline const DatasetLabel carried_label{
     "of each node: accelerations and angular accelerations that the scheme carries to the next step",
     "spatial",
     ""};
-// The same list can have another number of rows in another stage, or at another time.
+// Appends the number of rows to the name, as a list can have other numbers in other stages or at other times.
 inline DatasetLabel with_rows(DatasetLabel label, std::size_t rows) {
     if (label.name == pair_tractions_label.name || label.name == carried_label.name)
         label.name += "_" + std::to_string(rows);

@@ -8,16 +8,16 @@
 
 namespace gxrod {
 
-// /restart: the state to resume from. It is written into two slots in turn, so that one is always whole;
-// /restart@slot names that one. Throws Hdf5Error.
+// /restart: the state from which to resume. It is written into two slots in turn, so that one is always
+// whole; /restart@slot names the whole one. Throws Hdf5Error.
 class RestartTable {
   public:
     // Opens or creates the group.
     explicit RestartTable(const Hdf5Handle& root);
 
-    // Writes the slot that is not in use …
+    // Writes the slot that is not in use. …
     void write(const RestartPlace& place);
-    // … which is in use from here on.
+    // Puts the slot that was written last in use.
     void switch_slot();
 
   private:
@@ -27,7 +27,8 @@ class RestartTable {
     bool is_written_ = false;
 };
 
-// nullopt if the file has no complete record. Throws Hdf5Error, and std::runtime_error if it is damaged.
+// Reads the record; nullopt if the file has no complete one. Throws Hdf5Error, and std::runtime_error if it
+// is damaged.
 std::optional<RestartPlace> read_restart(const Hdf5Reader& file);
 
 }  // namespace gxrod

@@ -6,7 +6,7 @@
 
 namespace gxrod {
 
-// /contacts: what touches in each frame. Throws Hdf5Error.
+// /contacts: the places that touch in each frame. Throws Hdf5Error.
 class ContactTable {
   public:
     // Appends after the first `frames` frames.
@@ -22,7 +22,7 @@ class ContactTable {
     void for_each_dataset(const Action& action);
 
     Hdf5Handle group_;
-    AppendDataset<std::int64_t> offsets_;  // a row more than there are frames
+    AppendDataset<std::int64_t> offsets_;  // one row more than there are frames
     std::int64_t touches_;                 // appended
     AppendDataset<std::int64_t> rods_, slides_;
     AppendDataset<double> places_, points_, normal_forces_, friction_forces_, gaps_;

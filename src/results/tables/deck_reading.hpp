@@ -7,10 +7,10 @@
 
 namespace gxrod {
 
-// Names of the deck's text in /deck: "text", and after resumptions that changed it "text_2" …
+// Returns the name of the deck's text in /deck: "text", and after resumptions that changed it "text_2", … …
 std::string deck_text_name(std::size_t count);
 
-// The deck as run last, and the meshes, that a results file keeps. Throws Hdf5Error.
+// Reads the deck of the last run and the meshes from a results file. Throws Hdf5Error.
 DeckRecord read_deck_record(const Hdf5Reader& file);
 
 }  // namespace gxrod

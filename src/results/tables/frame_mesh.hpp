@@ -11,19 +11,19 @@ namespace gxrod {
 // vertex for each body.
 struct FrameMesh {
     std::vector<std::int64_t> connectivity;  // point numbers of the cells, one cell after the other
-    std::vector<std::int64_t> offsets;       // of each cell in connectivity, and the end
+    std::vector<std::int64_t> offsets;       // start of each cell in connectivity, and the end
     std::vector<std::uint8_t> types;         // VTK cell types
     std::vector<double> cell_radius;         // for drawing; 0 for bodies
-    std::vector<double> point_radius;        // of each node: that of its first rod; 0 where no rod is
-    std::vector<Quat> triads;  // of each node: section axes at t = 0, or a body's where no rod is
+    std::vector<double> point_radius;        // of each node, from its first rod; 0 without a rod
+    std::vector<Quat> triads;  // of each node: section axes at t = 0, or a body's axes without a rod
 
     std::size_t cell_count() const { return cell_radius.size(); }
 };
 
 FrameMesh make_frame_mesh(const Model& model);
 
-// Radius of the solid circle of one material that has the section's ratio of bending to axial stiffness,
-// 2 √(EI/EA) with the mean EI of both axes; 0 where that is not finite.
+// Computes the radius of the solid circle, of one material, with the section's ratio of bending to axial
+// stiffness, 2 √(EI/EA) with the mean EI of both axes; 0 if that is not finite.
 double equivalent_radius(const Section& section);
 
 }  // namespace gxrod

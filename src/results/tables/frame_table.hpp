@@ -13,19 +13,19 @@ namespace gxrod {
 // Throws Hdf5Error.
 class FrameTable {
   public:
-    // Appends after the first `frames` frames; flush_count() updates their number, once the times are
-    // shortened on disk. `model` must outlive the table. Throws std::runtime_error if existing frames have
-    // another number of points.
+    // Appends after the first `frames` frames; flush_count() updates their number once the times on disk are
+    // cut. `model` must outlive the table. Throws std::runtime_error if existing frames have another number
+    // of points.
     FrameTable(const Hdf5Handle& root, const Model& model, const OutputSettings& output, hsize_t frames);
 
     void append(const Snapshot& snapshot);
-    // Writes the frames; readers do not count them before flush_count() and, when that is on disk,
-    // flush_times(). In this order, because VTK reads all times into a buffer for as many as are counted:
-    // more would overrun it.
+    // Writes the frames. Then call flush_count(), and when that is on disk flush_times(); only then readers
+    // count the frames. The order matters: VTK reads all times into a buffer of the counted length, which
+    // more times would overrun.
     void flush_frames();
     void flush_count();
     void flush_times();
-    // Ends each dataset with its last frame.
+    // Cut each dataset after its last frame.
     void trim_times();
     void trim();
     std::size_t buffered_bytes() const;

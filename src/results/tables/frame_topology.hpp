@@ -5,7 +5,7 @@
 
 namespace gxrod {
 
-// What all frames of a file share, in /VTKHDF: its version and kind, and the cells. Throws Hdf5Error.
+// Writes the data in /VTKHDF that all frames of a file share: version, type and cells. Throws Hdf5Error.
 void write_frame_topology(const Hdf5Handle& vtkhdf, const FrameMesh& mesh, std::size_t points);
 
 }  // namespace gxrod

@@ -12,7 +12,7 @@ namespace gxrod {
 // /inputs/<name>: the value of each input at each step. Throws Hdf5Error.
 class InputTable {
   public:
-    // After the `rows` that exist. No group without inputs.
+    // Appends after the `rows` that exist. Without inputs there is no group.
     InputTable(const Hdf5Handle& root, const std::vector<std::shared_ptr<Input>>& inputs, hsize_t rows);
 
     void append(std::span<const double> values);

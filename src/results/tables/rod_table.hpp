@@ -12,10 +12,10 @@ struct PlaceGroups {
     const Hdf5Handle& point_data_offsets;
     const Hdf5Handle& cell_data;
     const Hdf5Handle& cell_data_offsets;
-    hid_t no_offsets;  // a dataset of a 0 for each frame
+    hid_t no_offsets;  // a dataset with a 0 for each frame
 };
 
-// Writes, once for all frames, where points and cells lie along the rods, and the table /rods, unless the
+// Writes, once for all frames, the places of points and cells along the rods, and the table /rods, unless the
 // file has them already. Throws Hdf5Error.
 void write_rod_places(const PlaceGroups& groups, const Model& model);
 

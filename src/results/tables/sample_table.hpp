@@ -6,7 +6,8 @@ namespace gxrod {
 
 inline constexpr const char* samples_group_name = "sampled";
 
-// /sampled: time, and the histories at times of their own, /sampled/<name>/<quantity>. Throws Hdf5Error.
+// /sampled: time, and histories at the times of the deck's samples, /sampled/<name>/<quantity>. Throws
+// Hdf5Error.
 class SampleTable {
   public:
     // Appends after the first `rows` rows. `model` must outlive the table.
@@ -16,7 +17,7 @@ class SampleTable {
                 hsize_t rows);
 
     void append(const Snapshot& snapshot);
-    // All rows; those that are complete are counted by the times, which come last.
+    // Writes all rows. The times, which are written last, count the complete rows.
     void flush() { histories_.flush(); }
     void flush_times() { times_.flush(); }
     void trim_times() { times_.trim(); }

@@ -14,21 +14,21 @@ inline constexpr const char* shape_words_name = "words";
 // The dataset of the values of a sweep.
 inline constexpr const char* sweep_values_name = "value";
 inline constexpr const char* onsets_name = "onset";
-// Whether a group of /stages is of a stage that took no steps.
+// Returns whether a group of /stages belongs to a stage that took no steps.
 inline bool has_findings(const Hdf5Handle& group) {
     return has_link(group, shape_words_name) || has_link(group, "omega");
 }
 
-// What a stage of shapes has found, into its group of /stages; docs/guide/results.md lists the datasets.
-// `scales` are what the shapes of its own file are multiplied by. Throws Hdf5Error.
+// Writes the results of a stage of shapes into its group of /stages; docs/guide/results.md lists the
+// datasets. `scales` are the factors of the shapes in their own file. Throws Hdf5Error.
 void write_shape_table(const Hdf5Handle& group,
                        const Model& model,
                        const ShapesRecord& record,
                        std::span<const double> scales);
 
-// The shapes, in the order of the table.
+// Lists the shapes in the order of the table.
 std::vector<const Shape*> list_shapes_of(const ShapesRecord& record);
-// Their imaginary parts; empty where they are real.
+// Lists their imaginary parts; empty if they are real.
 std::vector<const std::vector<Vec6>*> list_imaginary_parts(const ShapesRecord& record);
 
 }  // namespace gxrod

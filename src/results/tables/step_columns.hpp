@@ -93,7 +93,7 @@ inline constexpr std::array<SolverColumn, 8> solver_columns{{
      true},
 }};
 
-// How many numbers a row of these columns has.
+// Counts the numbers in a row of these columns.
 template <class Columns>
 constexpr int count_numbers(const Columns& columns, bool is_static) {
     int numbers = 0;
@@ -101,7 +101,7 @@ constexpr int count_numbers(const Columns& columns, bool is_static) {
     return numbers;
 }
 
-// The numbers of a column in a row; a single number comes first.
+// Returns the numbers of a column in a row; a single number comes first.
 template <class Row>
 std::array<double, 3> numbers_of(const StepColumn<Row>& column, const Row& row) {
     return std::visit(
