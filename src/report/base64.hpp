@@ -9,16 +9,16 @@
 
 namespace gxrod {
 
-// Characters that so many bytes take in base64, padding included.
+// Returns the number of characters of so many bytes in base64, with padding.
 constexpr std::size_t base64_length(std::size_t bytes) { return (bytes + 2) / 3 * 4; }
 
-// Writes bytes as base64 (RFC 4648), as they come.
+// Writes bytes as base64 (RFC 4648) as they arrive.
 class Base64Writer {
   public:
     explicit Base64Writer(std::ostream& out) : out_(out) {}
 
     void write(std::span<const std::byte> bytes);
-    // The bytes of the numbers, little-endian, as all machines that gxrod runs on have them.
+    // Writes the bytes of numbers, little-endian as on all machines that gxrod runs on.
     template <class Number>
     void write(std::span<const Number> numbers) {
         write(std::as_bytes(numbers));

@@ -15,7 +15,7 @@ struct BatchReportOptions {
     std::filesystem::path page;
     std::size_t most_bytes = 20'000'000;      // of the page
     std::size_t most_case_bytes = 3'000'000;  // of the page of each case
-    Existing existing = Existing::refuse;     // of the page; those of cases are replaced if they are older
+    Existing existing = Existing::refuse;     // of the page; pages of cases are replaced if they are older
     CaseChoice cases = {};
     PageProgress progress = [](std::size_t, std::size_t) {};
 };
@@ -24,19 +24,20 @@ struct BatchReportSummary {
     std::size_t bytes = 0;              // of the page
     std::size_t finished = 0;           // cases in the table
     long cases = 0;                     // of the batch
-    std::vector<std::string> left_out;  // to stay within most_bytes, a sentence each
+    std::vector<std::string> left_out;  // parts omitted to stay within most_bytes, a sentence each
     CasePages pages;
 };
 
-// Writes one HTML page that shows a batch, that of a running one so far: a table of its cases, charts of what
-// was collected over the parameters, plan and decks; and pages of its cases, to which it links by relative
-// addresses.
+// Writes one HTML page that shows a batch, or the part so far of a running one: a table of its cases, charts
+// of the collected values over the parameters, plan and decks. Also writes pages of its cases, to which it
+// links by relative addresses.
 //
-// Throws FileError if the folder is not that of a batch, its files cannot be read, the page exists and is not
-// to be replaced or cannot be written, or most_bytes is too small.
+// Throws FileError if the folder does not hold a batch, its files cannot be read, the page exists and must
+// not be replaced or cannot be written, or most_bytes is too small.
 BatchReportSummary write_batch_report(const BatchReportOptions& options);
 
-// Address of a folder, with "/" at its end, in a link of a page: relative, and encoded as in URLs.
+// Returns the address of a folder, with "/" at its end, for a link of a page: relative, and encoded as in
+// URLs.
 std::string relative_address(const std::filesystem::path& folder, const std::filesystem::path& page);
 
 }  // namespace gxrod

@@ -12,8 +12,7 @@ struct Quantities {
     std::vector<std::string> node_data, cell_data;
 };
 
-// What a plan leaves out of what there is, a sentence each. `is_sampled`: whether elements are missing, not
-// only joined.
+// Lists what a plan leaves out, a sentence each. `is_sampled`: whether elements are missing, not only joined.
 std::vector<std::string> list_left_out(const ReportPlan& plan,
                                        const Quantities& all,
                                        const ReportContent& content,

@@ -5,18 +5,18 @@
 
 namespace gxrod {
 
-// A page being written: an existing one stays as it is until the new one is complete. An unfinished page is
+// A page that is being written: an existing one stays until the new one is complete. An unfinished page is
 // removed.
 class PageFile {
   public:
-    // Throws FileError if the page cannot be written, as all do.
+    // Begins a page. Throws FileError if the page cannot be written, as all members do.
     explicit PageFile(std::filesystem::path page);
     PageFile(const PageFile&) = delete;
     PageFile& operator=(const PageFile&) = delete;
     ~PageFile();
 
     std::ostream& out() { return out_; }
-    // Puts the page in its place.
+    // Replaces an existing page by this one.
     void finish();
 
   private:

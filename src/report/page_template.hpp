@@ -6,7 +6,7 @@
 
 namespace gxrod {
 
-// Pages without their data, in pieces: those of apps/report/dist, which the build puts into the program.
+// Returns pages without their data, in pieces, from apps/report/dist, which the build puts into the program.
 std::span<const std::string_view> page_template();
 std::span<const std::string_view> batch_template();
 std::span<const std::string_view> study_template();

@@ -18,15 +18,15 @@ struct ReportOptions {
 
 struct ReportSummary {
     std::size_t bytes = 0;              // of the page
-    std::vector<std::string> left_out;  // to stay within most_bytes, a sentence each
-    std::vector<std::string> warnings;  // of the run, as the page shows them
+    std::vector<std::string> left_out;  // parts omitted to stay within most_bytes, a sentence each
+    std::vector<std::string> warnings;  // of the run, as on the page
 };
 
-// Writes one HTML page that shows the results of a run, that of a running job so far: the motion in 3D,
-// charts of every history, the deck and the model. The page needs no other file and no network.
+// Writes one HTML page that shows the results of a run, or the results so far of a running job: the motion in
+// 3D, charts of every history, the deck and the model. The page needs no other file and no network.
 //
 // Frames and steps are read a few at a time. Throws FileError if the results cannot be read, the page exists
-// and is not to be replaced, is the results file itself or cannot be written, or most_bytes is too small.
+// and must not be replaced, is the results file itself or cannot be written, or most_bytes is too small.
 ReportSummary write_report(const ReportOptions& options);
 
 }  // namespace gxrod

@@ -13,27 +13,27 @@
 
 namespace gxrod {
 
-// What a results file says of a run, in addition to its numbers.
+// The data of a results file about a run, in addition to its numbers.
 struct RunStory {
     bool is_static = false;
     std::string deck;  // its text, as last run
     FrameTopology topology;
-    std::unique_ptr<Problem> problem;  // none if the deck cannot be rebuilt, or is not that of the frames
+    std::unique_ptr<Problem> problem;  // null if the deck cannot be rebuilt or does not fit the frames
     std::string why_no_problem;
-    std::vector<LoadArrow> arrows;         // of the problem's model
-    std::vector<std::int64_t> fail_nodes;  // that the reason of a failure names
-    std::vector<int> marked_nodes;         // of all that is drawn at nodes
-    std::vector<std::string> left_out;     // of the drawing, a sentence each
+    std::vector<LoadArrow> arrows;         // loads of the problem's model
+    std::vector<std::int64_t> fail_nodes;  // nodes that the reason of a failure names
+    std::vector<int> marked_nodes;         // nodes at which something is drawn
+    std::vector<std::string> left_out;     // parts missing in the drawing, a sentence each
 };
 
-// Throws Hdf5Error.
+// Reads the story of a run. Throws Hdf5Error.
 RunStory read_run_story(const Hdf5Reader& file);
 
-// What is to be known before trusting the results: that the run is not complete, that the energy does not
+// Lists warnings to read before trusting the results: that the run is not complete, that the energy does not
 // balance over the first `steps` steps, that many of them were cut. Throws Hdf5Error.
 std::vector<std::string> list_warnings(const Hdf5Reader& file, const RunStory& story, std::size_t steps);
 
-// All of it for the page. Throws Hdf5Error.
+// Describes the run for the page. Throws Hdf5Error.
 nlohmann::ordered_json describe_run(const Hdf5Reader& file, const RunStory& story, const NodeNumbers& number);
 
 }  // namespace gxrod

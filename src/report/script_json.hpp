@@ -6,8 +6,8 @@
 
 namespace gxrod {
 
-// JSON that can be put into a script element of a page: ASCII, without '<', '>' and '&', so that no text in
-// it can end the element or begin another. Bytes that are not UTF-8 become U+FFFD; numbers that are not
+// Writes JSON that can stand in a script element of a page: ASCII, without '<', '>' and '&', so that no text
+// in it can end the element or begin another. Bytes that are not UTF-8 become U+FFFD; numbers that are not
 // finite become null.
 std::string write_script_json(const nlohmann::ordered_json& json);
 

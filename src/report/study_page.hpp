@@ -8,8 +8,8 @@
 
 namespace gxrod {
 
-// Writes one HTML page that shows a study of a deck, `gxrod verify DECK`, from what describes it with its
-// curves; its size in bytes. Throws FileError if the page exists and is not to be replaced, or cannot be
+// Writes one HTML page that shows a study of a deck, `gxrod verify DECK`, from its description with curves.
+// Returns its size in bytes. Throws FileError if the page exists and must not be replaced, or cannot be
 // written.
 std::size_t write_study_page(const nlohmann::ordered_json& study,
                              const std::filesystem::path& page,

@@ -25,7 +25,7 @@ class OrderedFile;
 class ResultsTables;
 
 enum class RunStatus { running, complete, failed, interrupted };
-// Returns the word for files and summaries, for example "running". …
+// Returns the word for files and summaries, for example "running".
 const char* name_of(RunStatus status);
 
 struct ResultsFileOptions {

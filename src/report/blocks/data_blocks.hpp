@@ -12,10 +12,10 @@
 
 namespace gxrod {
 
-// The text around the base64 text of one block of numbers in a page.
+// Bytes of text around the base64 text of one block of numbers in a page.
 inline constexpr std::size_t block_frame_bytes = 80;
 
-// Writes one script element of numbers, little-endian, that no browser runs: id "data-NAME". `write` gets the
+// Writes numbers, little-endian, as a script element "data-NAME" that browsers do not run. `write` gets the
 // Base64Writer.
 template <std::invocable<Base64Writer&> Write>
 void write_block(std::ostream& out, const std::string& name, Write&& write) {

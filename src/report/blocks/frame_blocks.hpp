@@ -9,9 +9,9 @@
 
 namespace gxrod {
 
-// Writes what the 3D view shows, as blocks of data: what does not move (reference, connectivity, offsets,
-// axes, radii), the times, and of each quantity all kept frames, read a few at a time. The arrows' values
-// where a function fails are not numbers. Throws Hdf5Error.
+// Writes the data of the 3D view as blocks: fixed data (reference, connectivity, offsets, axes, radii), the
+// times, and all kept frames of each quantity, read a few at a time. Where the function of an arrow fails,
+// its values are NaN. Throws Hdf5Error.
 void write_frame_blocks(const Hdf5Reader& file,
                         const ReportPlan& plan,
                         const ReportContent& content,

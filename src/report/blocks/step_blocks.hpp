@@ -12,17 +12,17 @@
 
 namespace gxrod {
 
-// A chart of one dataset or more, a row each step.
+// A chart of one dataset or more with a row for each step.
 struct StepChart {
-    std::string title;     // of a history its name, which stays as the deck has it
+    std::string title;     // for a history its name in the deck
     std::string group;     // "energy", "momentum", "history" or "solver"
-    std::string quantity;  // of a history
+    std::string quantity;  // quantity of a history
     std::string description;
     std::string dimension;
     std::string frame;
     struct Source {
         std::string dataset;
-        std::vector<std::string> labels;  // of its columns; of a vector also its magnitude
+        std::vector<std::string> labels;  // of its columns, and of a vector's magnitude
         std::size_t width = 1;            // columns in the file
     };
     std::vector<Source> sources;
@@ -30,7 +30,8 @@ struct StepChart {
     std::size_t columns() const;
 };
 
-// Energies, momenta (of dynamic runs), each history, and the solver's record. Throws Hdf5Error.
+// Lists the charts: energies, momenta (of dynamic runs), each history, and the solver's record. Throws
+// Hdf5Error.
 std::vector<StepChart> list_charts(const Hdf5Reader& file, bool is_static);
 
 nlohmann::ordered_json describe_charts(const std::vector<StepChart>& charts);
@@ -42,14 +43,14 @@ void write_step_blocks(const Hdf5Reader& file,
                        std::size_t steps,
                        std::ostream& out);
 
-// Column after column of a chart, as float, at some rows of the first `steps`, which rise. Throws Hdf5Error.
+// Writes column after column of a chart, as float, at ascending rows of the first `steps`. Throws Hdf5Error.
 void write_chart_rows(const Hdf5Reader& file,
                       const StepChart& chart,
                       const std::vector<std::size_t>& rows,
                       std::size_t steps,
                       Base64Writer& base64);
 
-// Over the first `steps` steps. Throws Hdf5Error.
+// Surveys the energies of the first `steps` steps. Throws Hdf5Error.
 EnergySurvey survey_energy(const Hdf5Reader& file, bool is_static, std::size_t steps);
 
 }  // namespace gxrod

@@ -5,21 +5,21 @@
 
 namespace gxrod {
 
-// How a column of values, one a step, is thinned without losing its extremes: the first and the last step are
-// kept as they are, and of each group of steps between them the least and the largest value, in their order.
-// Groups of less than three keep every step.
+// Thins columns with a value for each step without losing their extremes: keeps the first and the last step,
+// and of each group of steps between them the least and the largest value, in order. Groups of less than
+// three keep every step.
 class StepThinning {
   public:
     StepThinning(std::size_t steps, std::size_t group) : steps_(steps), group_(group) {}
 
     bool keeps_all() const { return group_ < 3 || steps_ < 4; }
     std::size_t group() const { return keeps_all() ? 1 : group_; }
-    // Values that are left of a column.
+    // Counts the values that are left of a column.
     std::size_t count() const;
-    // Steps that the values stand for: the first and the last of each group.
+    // Lists the steps at which the values are drawn: the first and the last of each group.
     std::vector<std::size_t> steps() const;
 
-    // The group that leaves at most `count` values of so many steps; 1 if none need be left out.
+    // Finds the size of a group that leaves at most `count` values of so many steps; 1 if all can stay.
     static std::size_t group_for(std::size_t steps, std::size_t count);
 
   private:
@@ -27,13 +27,13 @@ class StepThinning {
     std::size_t steps_, group_;
 };
 
-// Thins one column as its values come. A NaN is left out if its group has a number.
+// Thins one column as its values arrive. A NaN is left out if its group has a number.
 class ColumnThinning {
   public:
     explicit ColumnThinning(const StepThinning& thinning);
 
     void add(double value);
-    // After all steps: as many as the thinning's count().
+    // Returns, after all steps, as many values as the thinning's count().
     const std::vector<float>& values() const { return values_; }
 
   private:

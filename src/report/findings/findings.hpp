@@ -16,26 +16,26 @@
 
 namespace gxrod {
 
-// What the stages of a run have found: paths of equilibria, modes, eigenvalues, shapes of buckling, answers
-// to forces that swing. A run without any adds nothing to its page.
+// The results of the stages of a run: paths of equilibria, modes, eigenvalues, buckling shapes, responses to
+// harmonic forces. A run without any adds nothing to its page.
 class Findings {
   public:
-    // What of it fits into `bytes` of data: paths and answers take a tenth of it each, at most, and shapes
-    // three tenths, or more where frames are few. Throws Hdf5Error.
+    // Reads what fits into `bytes` of data: paths and responses take at most a tenth each, and shapes three
+    // tenths, or more if frames are few. Throws Hdf5Error.
     Findings(const Hdf5Reader& file,
              const std::filesystem::path& results,
              const std::vector<StepChart>& charts,
              const ReportContent& content,
              std::size_t bytes);
 
-    // All but the shapes, and what surrounds blocks.
+    // Counts all except the shapes, with the text around blocks.
     std::size_t count_bytes() const;
-    // Of the shapes, for each node of the plan.
+    // Counts the vectors of the shapes for each node of the plan.
     std::size_t count_shape_vectors() const;
     std::vector<std::string> left_out() const;
-    // Adds "stages", "paths", "modes", "responses" and "sweeps", as far as there are any.
+    // Adds "stages", "paths", "modes", "responses" and "sweeps", if there are any.
     void describe(nlohmann::ordered_json& json) const;
-    // Throws Hdf5Error.
+    // Writes the blocks. Throws Hdf5Error.
     void write(const ReportPlan& plan, std::ostream& out) const;
 
   private:
@@ -50,7 +50,7 @@ class Findings {
 
     const Hdf5Reader& file_;
     std::vector<FoundStage> stages_;
-    std::vector<double> times_;  // of the rows of the histories, if there are stages
+    std::vector<double> times_;  // times of the rows of the histories, if there are stages
     PathData path_;
     std::vector<ResponseData> responses_;
     std::vector<ShapesOfStage> shapes_;

@@ -8,14 +8,14 @@
 
 namespace gxrod {
 
-// Whether a stage has found modes of vibration or of buckling, or eigenvalues.
+// Returns whether a stage has found modes of vibration or buckling, or eigenvalues.
 bool has_modes(const Hdf5Reader& file, const FoundStage& stage);
-// How many. Throws Hdf5Error.
+// Counts them. Throws Hdf5Error.
 std::size_t count_modes(const Hdf5Reader& file, const FoundStage& stage);
 
-// {stage, kind, words} and, as far as the stage has them, a list each of frequency, omega, growth,
-// damping_ratio, factor and mass_shares: along and about x, y, z, of the whole model's; complete and
-// unstable. Throws Hdf5Error.
+// Describes a stage: {stage, kind, words} and, if the stage has them, lists of frequency, omega, growth,
+// damping_ratio, factor and mass_shares (of the whole model, along and about x, y, z); complete and unstable.
+// Throws Hdf5Error.
 nlohmann::ordered_json describe_modes(const Hdf5Reader& file, const FoundStage& stage);
 
 }  // namespace gxrod

@@ -10,12 +10,11 @@
 
 namespace gxrod {
 
-// The points of a page's charts over the load factor: rows of the histories of all stages that go along a
-// path.
+// The points of a page's charts over the load factor: rows of the histories of all stages that follow a path.
 class PathData {
   public:
-    // Of the first `steps` rows. If they take more than `bytes`, they are thinned, evenly; the ends of
-    // branches and the critical points stay. Throws Hdf5Error.
+    // Reads the first `steps` rows. If they take more than `bytes`, thins them evenly; the ends of branches
+    // and the critical points stay. Throws Hdf5Error.
     PathData(const Hdf5Reader& file,
              const std::vector<FoundStage>& stages,
              const std::vector<StepChart>& charts,
@@ -23,17 +22,17 @@ class PathData {
              std::size_t bytes);
 
     bool is_empty() const { return rows_.empty(); }
-    // In the page, as base64.
+    // Returns the bytes in the page, as base64.
     std::size_t count_bytes() const;
-    // A sentence on what was left out, or "".
+    // Returns a sentence on what was left out, or "".
     std::string left_out() const;
-    // Of each shape in the file of a stage's shapes, the row of the histories of its critical point.
+    // Lists, for each shape in the file of a stage's shapes, the row of the histories of its critical point.
     std::vector<std::size_t> list_rows_of_shapes(const FoundStage& stage) const;
-    // [{stage, first, count, paths: [{name, parent, critical_point, cause}], points: [{kind, …}]}]; rows are
-    // those of the blocks.
+    // Returns [{stage, first, count, paths: [{name, parent, critical_point, cause}], points: [{kind, …}]}];
+    // rows are rows of the blocks.
     nlohmann::ordered_json describe() const;
-    // Blocks "path-times", "path-loads", "path-branches", "path-pivots" and, column after column of the
-    // histories' charts, "path-values".
+    // Writes the blocks "path-times", "path-loads", "path-branches", "path-pivots" and, column after column
+    // of the histories' charts, "path-values".
     void write(std::ostream& out) const;
 
   private:
@@ -48,11 +47,11 @@ class PathData {
     nlohmann::ordered_json describe_paths(const FoundStage& stage) const;
 
     const Hdf5Reader& file_;
-    std::vector<StepChart> charts_;  // of the histories
+    std::vector<StepChart> charts_;  // charts of the histories
     std::size_t columns_ = 0;
     std::vector<Stretch> stretches_;
-    std::vector<double> branches_, pivots_;  // of all rows
-    std::vector<std::size_t> rows_;          // that are kept
+    std::vector<double> branches_, pivots_;  // for all rows
+    std::vector<std::size_t> rows_;          // rows that are kept
     std::size_t all_rows_ = 0;               // on paths
 };
 

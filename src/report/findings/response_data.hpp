@@ -10,22 +10,22 @@
 
 namespace gxrod {
 
-// The answers of a stage of kind "response" to forces that swing, where the deck has histories.
+// The responses of a stage of kind "response" to harmonic forces, at the points of the deck's histories.
 class ResponseData {
   public:
-    // Components that move at all, of the quantities that the histories name. If they take more than `bytes`,
-    // frequencies are left out, but not the peaks. Throws Hdf5Error.
+    // Reads the components that move, of the quantities that the histories name. If they take more than
+    // `bytes`, leaves out frequencies, but not the peaks. Throws Hdf5Error.
     ResponseData(const Hdf5Reader& file, const FoundStage& stage, std::size_t bytes);
 
     static bool has_any(const Hdf5Reader& file, const FoundStage& stage);
-    // In the page, as base64.
+    // Returns the bytes in the page, as base64.
     std::size_t count_bytes() const;
-    // A sentence on what was left out, or "".
+    // Returns a sentence on what was left out, or "".
     std::string left_out() const;
-    // {stage, block, curves: [{history, quantity, component, dimension}]}
+    // Returns {stage, block, curves: [{history, quantity, component, dimension}]}.
     nlohmann::ordered_json describe(std::size_t block) const;
-    // Blocks "response-omegas-BLOCK" and "response-values-BLOCK": of each curve real parts, then imaginary
-    // parts. NaN where there is no answer.
+    // Writes the blocks "response-omegas-BLOCK" and "response-values-BLOCK": for each curve real parts, then
+    // imaginary parts. NaN where there is no response.
     void write(std::size_t block, std::ostream& out) const;
 
   private:
@@ -41,7 +41,7 @@ class ResponseData {
     FoundStage stage_;
     std::vector<double> omegas_;
     std::vector<Curve> curves_;
-    std::vector<std::size_t> rows_;  // that are kept
+    std::vector<std::size_t> rows_;  // rows that are kept
 };
 
 }  // namespace gxrod

@@ -12,29 +12,30 @@
 
 namespace gxrod {
 
-// The shapes of one stage, which are in a file beside the results, for the picture to swing in them about the
-// states in which they were found.
+// The shapes of one stage, from a file next to the results. The picture swings in them about the states in
+// which they were found.
 class StageShapes {
   public:
-    // `times`: where the state of each shape is on the axis of the results.
+    // Reads the shapes. `times` are the places of their states on the axis of the results.
     StageShapes(const Hdf5Reader& results,
                 const std::filesystem::path& path,
                 std::vector<double> times,
                 const ReportContent& content);
 
-    // Why there is nothing to draw, a sentence for the reader; "" if there is.
+    // Returns a sentence on why there is nothing to draw; "" if there is something.
     const std::string& why_none() const { return why_none_; }
     std::size_t count() const { return times_.size(); }
     std::size_t kept() const { return kept_; }
-    // Draws no more than the first `most` of them.
+    // Keeps only the first `most` of them.
     void keep(std::size_t most);
-    // Vectors of each node that are kept: of the states their positions and rotations, of each shape
-    // displacements and rotations, both twice if it is complex.
+    // Counts the vectors per node that are kept: positions and rotations of the states, displacements and
+    // rotations of each shape, both twice if it is complex.
     std::size_t count_vectors() const;
-    // {block, kept, is_complex, times}; of a shape at once, times has one for each state.
+    // Returns {block, kept, is_complex, times}; times has one entry for each state.
     nlohmann::ordered_json describe(std::size_t block) const;
-    // Blocks "shape-PART-BLOCK": "places" and "attitudes" (rotation vectors) of the states, "moves" and
-    // "turns" of the shapes and, of complex ones, "moves-imaginary" and "turns-imaginary". Throws Hdf5Error.
+    // Writes the blocks "shape-PART-BLOCK": "places" and "attitudes" (rotation vectors) of the states,
+    // "moves" and "turns" of the shapes and, if they are complex, "moves-imaginary" and "turns-imaginary".
+    // Throws Hdf5Error.
     void write(std::size_t block, const ReportPlan& plan, std::ostream& out) const;
 
   private:

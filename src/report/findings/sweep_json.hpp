@@ -7,11 +7,11 @@
 
 namespace gxrod {
 
-// Whether a stage has followed eigenvalues over a number of the deck.
+// Returns whether a stage has followed eigenvalues over a number of the deck.
 bool has_sweep(const Hdf5Reader& file, const FoundStage& stage);
 
-// {stage, key, values, speeds, words, omega, growth, onsets}: of omega and growth a list for each mode, null
-// where it was lost; of onsets {value, omega, kind, begins}. Throws Hdf5Error.
+// Returns {stage, key, values, speeds, words, omega, growth, onsets}: omega and growth have a list for each
+// mode, null where it was lost; onsets are {value, omega, kind, begins}. Throws Hdf5Error.
 nlohmann::ordered_json describe_sweep(const Hdf5Reader& file, const FoundStage& stage);
 
 }  // namespace gxrod

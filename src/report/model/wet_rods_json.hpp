@@ -6,8 +6,8 @@
 
 namespace gxrod {
 
-// Of rods in fluids, for the tension in their walls: which they are, and where pressures act, what they
-// depend on.
+// Describes the rods in fluids, for the tension in their walls, and where pressures act, the data on which
+// they depend.
 nlohmann::ordered_json describe_wet_rods(const Problem& problem);
 
 }  // namespace gxrod

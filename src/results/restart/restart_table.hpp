@@ -15,7 +15,7 @@ class RestartTable {
     // Opens or creates the group.
     explicit RestartTable(const Hdf5Handle& root);
 
-    // Writes the slot that is not in use. …
+    // Writes the slot that is not in use.
     void write(const RestartPlace& place);
     // Puts the slot that was written last in use.
     void switch_slot();

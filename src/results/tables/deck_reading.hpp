@@ -7,7 +7,7 @@
 
 namespace gxrod {
 
-// Returns the name of the deck's text in /deck: "text", and after resumptions that changed it "text_2", … …
+// Returns the name of the deck's text in /deck: "text", and after resumptions that changed it "text_2", …
 std::string deck_text_name(std::size_t count);
 
 // Reads the deck of the last run and the meshes from a results file. Throws Hdf5Error.
