@@ -3,24 +3,25 @@
 #include <filesystem>
 #include <string>
 
-// The folder of a batch, and what of it is the batch's own.
+// The folder of a batch and the files in it that belong to the batch.
 namespace gxrod {
 
-// Throws FileError unless there is no such folder, or it holds nothing, a batch, or what a batch left that
-// was killed as it began.
+// Checks the folder: throws FileError unless it does not exist, is empty, or holds a batch or the rest of one
+// that was killed as it began.
 void check_batch_folder(const std::filesystem::path& folder);
 
-// Throws FileError.
+// Makes the folder. Throws FileError.
 void make_folder(const std::filesystem::path& folder);
 
-// Takes away what a batch leaves in its folder but its record, and nothing else. Killed in between, it can be
+// Removes the files of a batch from its folder, except its record, and no others. If it is killed, it can be
 // called again.
 void clear_batch_folder(const std::filesystem::path& folder);
 
-// Takes away what was being written when a process was killed. The table must be locked.
+// Removes files that were being written when a process was killed. The table must be locked.
 void remove_leftovers(const std::filesystem::path& folder);
 
-// Writes a temporary file and moves it there, so that it is whole at every moment. Throws FileError.
+// Writes a temporary file and moves it to `path`, so that the file is whole at every moment. Throws
+// FileError.
 void replace_file(const std::filesystem::path& path, const std::string& bytes);
 
 }  // namespace gxrod

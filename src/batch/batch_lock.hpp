@@ -10,19 +10,20 @@
 
 namespace gxrod {
 
-// Keeps two processes from running the same cases of a folder, also on several machines if the file system
-// has locks. Held until the object is destroyed, or its process dies with its workers.
+// Prevents two processes from running the same cases of a folder, also on different machines if the file
+// system has locks. Held until the object is destroyed, or its process and workers end.
 class BatchLock {
   public:
-    // Of cases. Throws FileError if any of them is being run, and still is after two seconds.
+    // Locks cases. Throws FileError if any of them is being run, and still is after two seconds.
     static BatchLock of_cases(const std::filesystem::path& folder, const CaseRange& range);
-    // Of the table index.csv; waits for it, ten minutes at most. Throws FileError.
+    // Locks the table index.csv; waits for it for at most ten minutes. Throws FileError.
     static BatchLock of_table(const std::filesystem::path& folder);
 
-    // Of submitting cases to a cluster. Throws FileError if another process does.
+    // Locks the submission of cases to a cluster. Throws FileError if another process is submitting.
     static BatchLock of_submission(const std::filesystem::path& folder);
 
-    // The cases that processes run; the second leaves out those that the holder of this lock has locked.
+    // List the cases that processes are running; the second leaves out cases that the holder of this lock has
+    // locked.
     static std::vector<CaseRange> list_running(const std::filesystem::path& folder, const CaseRange& range);
     std::vector<CaseRange> list_running(const CaseRange& range) const;
 

@@ -10,15 +10,15 @@
 #include "batch/cases/case_list.hpp"
 #include "deck/problem.hpp"
 
-// What a batch is, as its folder says in batch.json.
+// The description of a batch in the file batch.json of its folder.
 namespace gxrod {
 
-// SHA-256 of each mesh file that cases of a deck read, by its name in the deck.
+// SHA-256 of each mesh file that the cases of a deck read, by its name in the deck.
 using MeshDigests = std::map<std::string, std::string>;
 MeshDigests digest_meshes(const std::vector<MeshRecord>& meshes);
 
 struct BatchDeck {
-    std::string name;  // as the plan or the command has it
+    std::string name;  // as in the plan or the command
     std::string text;
     MeshDigests meshes;
 };
@@ -36,31 +36,32 @@ struct BatchRecord {
     std::string combine;  // the plan's word, or "decks"
     std::uint64_t seed = 0;
     long cases = 0;
-    std::string cases_digest;  // SHA-256 of what differs between them
+    std::string cases_digest;  // SHA-256 of the overrides of all cases
     std::vector<BatchDeck> decks;
     std::vector<std::string> parameters;
-    std::vector<BatchColumn> columns;  // that are collected
+    std::vector<BatchColumn> columns;  // collected values
 };
 
-// `title` is that of the first case, `meshes` are those of each deck.
+// Makes a record from the title of the first case and the meshes of each deck.
 BatchRecord make_batch_record(const Plan& plan,
                               const CaseList& cases,
                               const std::deque<DeckTemplate>& decks,
                               const std::string& title,
                               const std::vector<MeshDigests>& meshes);
 
-// Throws DeckError, at the keys of the new plan and decks, or FileError, if they do not continue what the
-// folder holds: other cases, decks, meshes or columns. Limits and what is kept may differ.
+// Checks that a plan continues the batch in the folder. Throws DeckError, at the keys of the new plan and
+// decks, or FileError if cases, decks, meshes or columns differ. Limits and the choice of kept results may
+// differ.
 void check_same_batch(const BatchRecord& before,
                       const BatchRecord& now,
                       const Plan& plan,
                       const std::deque<DeckTemplate>& decks,
                       const std::filesystem::path& folder);
 
-// batch.json.
+// Returns the path of batch.json.
 std::filesystem::path record_path(const std::filesystem::path& folder);
 bool is_batch_folder(const std::filesystem::path& folder);
-// Throw FileError.
+// Write and read the record. Throw FileError.
 void write_batch_record(const BatchRecord& record, const std::filesystem::path& folder);
 BatchRecord read_batch_record(const std::filesystem::path& folder);
 

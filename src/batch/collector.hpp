@@ -10,20 +10,20 @@
 
 namespace gxrod {
 
-// Adds to the list whatever the collections name that a case's deck does not have: histories, quantities,
+// Adds a fault for everything in the collections that a case's deck does not have: histories, quantities,
 // components, times.
 void check_collections(const std::vector<Collection>& collections, const Problem& problem, FaultList& faults);
 
-// What a column holds: "largest z of position of tip".
+// Describes a column: "largest z of position of tip".
 std::string describe(const Collection& collection);
 
-// A number taken from a function of time that is known at steps, straight between them.
+// Takes a number from a function of time that is known at steps and linear between them.
 class TakenNumber {
   public:
     TakenNumber(Take take, std::optional<double> at) : take_(take), at_(at) {}
 
     void add(double time, double value);
-    // NaN if no step was added, or none at the time asked for.
+    // Returns the number; NaN if no step was added, or none at the requested time.
     double value() const;
 
   private:
@@ -42,17 +42,18 @@ class TakenNumber {
     double at_value_ = std::numeric_limits<double>::quiet_NaN();
 };
 
-// Takes the numbers of a plan from a run, step by step.
+// Collects the numbers of a plan from a run, step by step.
 class Collector {
   public:
-    // check_collections has found nothing; plan and problem must outlive the collector.
+    // Call it if check_collections has found no fault. Plan and problem must outlive the collector.
     Collector(const std::vector<Collection>& collections, const Problem& problem);
 
-    // Each accepted step, t = 0 included.
+    // Adds an accepted state, t = 0 included.
     void add(const Snapshot& snapshot, const LedgerRow& ledger);
-    // What stages have found, once the run has ended.
+    // Adds the results of stages, once the run has ended.
     void add(const RunSummary& summary);
-    // In the order of the collections; NaN for what no step gave, and for what was not found.
+    // Returns the numbers in the order of the collections; NaN if no step gave one, or a stage did not find
+    // it.
     std::vector<double> values() const;
 
   private:

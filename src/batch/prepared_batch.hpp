@@ -14,11 +14,11 @@
 
 namespace gxrod {
 
-// A plan whose cases were all read and found right.
+// A plan whose cases were all read and found to be right.
 class PreparedBatch {
   public:
-    // Of the cases in `only`, if that is given, which are examined alone. `report` hears how many were.
-    // Throws DeckError and FileError, as check_cases.
+    // Examines the cases, or only those in `only` if it is given. Calls `report` with the number examined so
+    // far. Throws DeckError and FileError, as check_cases.
     explicit PreparedBatch(Plan plan,
                            const std::optional<CaseRange>& only = {},
                            const std::function<void(long examined, long cases)>& report = {});
@@ -28,18 +28,18 @@ class PreparedBatch {
     const Plan& plan() const { return plan_; }
     const CaseList& cases() const { return cases_; }
     const BatchRecord& record() const { return record_; }
-    // What the cases that were examined will leave, if all of their results are kept.
+    // Returns the size of the results of the examined cases if all are kept.
     const KeptResults& kept_results() const { return kept_; }
     CaseRange all() const { return {1, cases_.count()}; }
     CaseContext context(const std::filesystem::path& folder) const {
         return {plan_, cases_, decks_, meshes_, folder};
     }
 
-    // The rows that a folder has of this batch; none if there is no such folder, or nothing in it. Throws
+    // Returns the rows of this batch in a folder; none if the folder does not exist or is empty. Throws
     // DeckError and FileError if it holds something else.
     std::vector<CaseRow> read_rows(const std::filesystem::path& folder) const;
-    // Makes the folder one of this batch, unless it is, and gives its rows. Its table must be locked, and all
-    // of its cases where `begin_anew` throws away what it holds. Throws as read_rows.
+    // Makes the folder one of this batch, unless it is, and returns its rows. Its table must be locked, and
+    // all of its cases if `begin_anew` discards its content. Throws as read_rows.
     std::vector<CaseRow> open_folder(const std::filesystem::path& folder, bool begin_anew) const;
 
   private:

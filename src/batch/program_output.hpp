@@ -12,8 +12,8 @@ struct ProgramOutput {
     std::string errors;
 };
 
-// Runs a program of the search path to its end and keeps what it prints; no shell reads the words. Throws
-// std::system_error where no process can be made.
+// Runs a program of the search path to its end and returns its output; no shell reads the words. Throws
+// std::system_error if no process can be started.
 ProgramOutput run_program(std::vector<std::string> words);
 
 }  // namespace gxrod

@@ -9,7 +9,7 @@
 
 namespace gxrod {
 
-// What came back of a number that was handed to a worker.
+// The reply to a number that was given to a worker.
 struct WorkerReply {
     enum class Kind {
         finished,    // `text` is what the work returned
@@ -27,17 +27,15 @@ struct WorkerReply {
 
 struct WorkerOptions {
     int workers = 1;
-    double most_seconds = 0.0;  // of one piece of work, then its worker is killed; 0 for no limit
-    double most_bytes =
-        0.0;  // by which the memory of a worker may grow; looked at 20 times a second; 0 for no limit
+    double most_seconds = 0.0;  // time after which a worker is killed; 0 for no limit
+    double most_bytes = 0.0;    // growth of a worker's memory, checked 20 times a second; 0 for no limit
 };
 
-// Worker processes, copies of this one, that each work through many numbers one after the other. One that
-// ends is replaced. Workers die with this process, and are deaf to SIGINT and SIGTERM, which are for this
-// process to answer.
+// Worker processes, copies of this one, each of which works on one number after the other. A worker that ends
+// is replaced. Workers end with this process; they ignore SIGINT and SIGTERM, which this process handles.
 class WorkerPool {
   public:
-    // `work` runs in a worker; its exceptions are crashes.
+    // Runs in a worker; an exception counts as a crash.
     using Work = std::function<std::string(long number)>;
 
     WorkerPool(const WorkerOptions& options, Work work);
@@ -48,10 +46,10 @@ class WorkerPool {
 
     bool has_idle_worker() const;
     int busy_workers() const;
-    // Hands a number to an idle worker. False if none could be started: there are fewer workers then. Throws
-    // std::system_error if there is no worker at all.
+    // Gives a number to an idle worker. Returns false if none could be started; then there are fewer workers.
+    // Throws std::system_error if there is no worker at all.
     bool hand_out(long number);
-    // Waits for replies, for so long at most or until a signal comes; can return without any.
+    // Waits for replies, at most so long or until a signal comes; can return without any.
     std::vector<WorkerReply> wait(double seconds);
 
   private:
@@ -60,16 +58,16 @@ class WorkerPool {
     struct Worker {
         pid_t process = -1;
         int channel = -1;
-        long number = 0;  // that it works on; 0 if it is idle
+        long number = 0;  // its number; 0 if it is idle
         Clock::time_point begin;
-        WorkerReply::Kind end = WorkerReply::Kind::was_killed;  // what it is if this process killed it
-        double first_bytes = 0.0;                               // of memory, when it was started
+        WorkerReply::Kind end = WorkerReply::Kind::was_killed;  // its kind of end if this process killed it
+        double first_bytes = 0.0;                               // memory at its start
     };
 
     void start(Worker& worker);
     [[noreturn]] void serve(int channel) const;
     void enforce_limits();
-    // The reply of a worker whose channel has something, or was closed.
+    // Receives the reply of a worker whose channel has data or was closed.
     WorkerReply receive(Worker& worker);
     void bury(Worker& worker, WorkerReply& reply);
 

@@ -7,7 +7,7 @@
 
 namespace gxrod {
 
-// Results files that the cases of a range leave, as far as is known beforehand (results/results_size.hpp).
+// The size of results files of the cases of a range, as far as known in advance (results/results_size.hpp).
 struct KeptResults {
     double bytes = 0.0;
     double frames = 0.0;
@@ -15,15 +15,15 @@ struct KeptResults {
 };
 
 struct CheckedCases {
-    std::string title;                // of the first
+    std::string title;                // of the first case
     std::vector<MeshDigests> meshes;  // of each deck
     KeptResults kept;
 };
 
-// Reads, builds and examines cases, as `gxrod check` does, so that what is wrong with one shows before any is
-// run: the first, and those of `range`. `report` hears how many were examined. Throws DeckError, each fault
-// once, with the cases that have it, at the plan's key or the table's row where that gave the value;
-// FileError where a mesh cannot be read.
+// Reads, builds and examines cases as `gxrod check` does, so that faults show before any case runs: the first
+// case and the cases of `range`. Calls `report` with the number examined so far. Throws DeckError with each
+// fault once and the cases that have it, at the plan's key or the table's row if that gave the value;
+// FileError if a mesh cannot be read.
 CheckedCases check_cases(const CaseContext& context,
                          const CaseRange& range,
                          const std::function<void(long)>& report);

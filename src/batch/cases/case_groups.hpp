@@ -7,19 +7,19 @@
 
 namespace gxrod {
 
-// A text with '#' for each number, so that those that differ in numbers only are equal.
+// Puts '#' in place of each number in a text, so that texts that differ only in numbers become equal.
 std::string leave_out_numbers(const std::string& text);
 
-// Cases that ended the same way but for the numbers in their reasons.
+// Cases that ended for the same reason, apart from numbers in it.
 struct CaseGroup {
     CaseStatus status;
-    std::string text;  // of the first of them
+    std::string text;  // reason of the first one
     std::vector<long> numbers;
 };
 
-// Cases that are not done, by their reasons, the largest group first.
+// Groups cases that are not done by their reasons, the largest group first.
 std::vector<CaseGroup> group_failures(const std::vector<CaseRow>& rows);
-// The same of warnings.
+// Groups warnings likewise.
 std::vector<CaseGroup> group_warnings(const std::vector<CaseRow>& rows);
 
 }  // namespace gxrod

@@ -7,22 +7,23 @@
 
 namespace gxrod {
 
-// The cases of a plan, numbered from 1; made when they are asked for, so that many take no room.
+// The cases of a plan, numbered from 1. Each is made on request, so many cases take no memory.
 class CaseList {
   public:
     // `plan` must outlive the list.
     explicit CaseList(const Plan& plan);
 
     long count() const { return count_; }
-    // What differs between cases, in the order of the columns: keys of the deck, or "deck".
+    // Returns the parameters that differ between cases, in the order of the columns: keys of the deck, or
+    // "deck".
     std::vector<std::string> parameter_names() const;
-    // Values of these, as tables show them: text without its quotes.
+    // Returns their values as tables show them: text without its quotes.
     std::vector<std::string> parameters(long number) const;
-    // The "KEY=VALUE" of --set.
+    // Returns the "KEY=VALUE" of --set.
     std::vector<std::string> overrides(long number) const;
-    // "parameters.EI = 100, analysis.beta = 0.25"
+    // Describes a case as "parameters.EI = 100, analysis.beta = 0.25".
     std::string describe(long number) const;
-    // Index in Plan::decks.
+    // Returns the index in Plan::decks.
     std::size_t deck(long number) const;
 
   private:

@@ -18,10 +18,10 @@ inline constexpr std::array case_statuses{CaseStatus::done,
                                           CaseStatus::crashed,
                                           CaseStatus::deck_fault};
 
-// As tables say it: "done", "time limit" …
+// Returns the word of tables, for example "done" or "time limit".
 const char* name_of(CaseStatus status);
 
-// What became of one case.
+// The outcome of one case.
 struct CaseRow {
     long number = 0;
     std::vector<std::string> parameters;  // of BatchRecord::parameters
@@ -37,11 +37,11 @@ struct CaseRow {
     std::string warning;
 };
 
-// The first line of the table, without its end.
+// Returns the first line of the table, without its line end.
 std::string write_case_header(const BatchRecord& record);
-// A row of the table, without its end. Numbers have all of their digits.
+// Returns a row of the table, without its line end. Numbers have all of their digits.
 std::string write_case_row(const CaseRow& row);
-// Throws FileError, which names the file and the line, if the row is not one of this batch.
+// Reads a row. Throws FileError, which names the file and the line, if the row does not belong to this batch.
 CaseRow read_case_row(const CsvRow& row, const BatchRecord& record, const std::filesystem::path& file);
 
 }  // namespace gxrod

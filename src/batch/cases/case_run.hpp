@@ -10,34 +10,34 @@
 
 namespace gxrod {
 
-// What the cases of a batch have in common; what it refers to must outlive it.
+// The data that all cases of a batch share; the objects that it refers to must outlive it.
 struct CaseContext {
     const Plan& plan;
     const CaseList& cases;
     const std::deque<DeckTemplate>& decks;
-    const std::vector<MeshDigests>& meshes;  // of each deck, as they were when the batch began
+    const std::vector<MeshDigests>& meshes;  // of each deck when the batch began
     std::filesystem::path folder;
 
     Problem build(long number) const;
 };
 
-// Where a case's results are, relative to the folder: "cases/0017.vtkhdf".
+// Returns the path of a case's results, relative to the folder: "cases/0017.vtkhdf".
 std::string results_path(long number, long cases);
 
-// Why a case is out of memory.
+// Explains why a case is out of memory.
 std::string explain_memory(const Plan& plan);
 
-// What became of a case; or why it could not be run or its results not be written, which is not its own
-// fault, so that it has no row.
+// The row of a case, or the obstacle if it could not be run or its results not be written: that is not the
+// fault of the case, which then has no row.
 struct CaseOutcome {
     CaseRow row;
     std::string obstacle;  // "" if there is none
 };
 
-// Runs one case; returns whatever happens, except after a crash. Results are kept as the plan says.
+// Runs one case and returns its outcome, unless it crashes. Results are kept as the plan says.
 CaseOutcome run_case(const CaseContext& context, long number);
 
-// As a line of text, and back. Throws FileError if it is not one.
+// Convert an outcome to a line of text and back. Reading throws FileError if the line is not an outcome.
 std::string write_outcome(const CaseOutcome& outcome);
 CaseOutcome read_outcome(const std::string& text, const BatchRecord& record);
 

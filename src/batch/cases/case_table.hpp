@@ -6,7 +6,7 @@
 
 #include "batch/cases/case_row.hpp"
 
-// The table of a batch: index.csv, and while slices of it run parts/I-J.csv, one row a finished case.
+// The table of a batch, one row per finished case: index.csv, and parts/I-J.csv while slices run.
 namespace gxrod {
 
 struct CaseRange {
@@ -21,12 +21,12 @@ struct CaseRange {
 std::filesystem::path table_path(const std::filesystem::path& folder);
 std::filesystem::path part_path(const std::filesystem::path& folder, const CaseRange& range);
 
-// The parts of a folder, and what a part is of, if it is one.
+// List the parts of a folder, and return the cases of a part if the file is one.
 std::vector<std::filesystem::path> list_parts(const std::filesystem::path& folder);
 std::optional<CaseRange> range_of_part(const std::filesystem::path& part);
 
-// The rows so far, by the number of the case; of a case that has several the last one, those of parts after
-// those of the table. No two parts have the same case (gathering.hpp). A last line that was not completed is
+// Reads the rows so far, by the number of the case. If a case has several, the last one counts; rows of parts
+// come after rows of the table. No two parts have the same case (gathering.hpp). An incomplete last line is
 // left out. Throws FileError.
 std::vector<CaseRow> read_case_rows(const std::filesystem::path& folder, const BatchRecord& record);
 
@@ -35,10 +35,10 @@ void write_case_table(const std::filesystem::path& folder,
                       const BatchRecord& record,
                       const std::vector<CaseRow>& rows);
 
-// Appends rows to a table, each whole or not at all, whenever the program is killed. Throws FileError.
+// Appends rows to a table, each whole or not at all, even if the program is killed. Throws FileError.
 class TableAppender {
   public:
-    // Makes the table, with its header, if there is none; takes away a last line that was not completed.
+    // Makes the table, with its header, if there is none; removes an incomplete last line.
     TableAppender(std::filesystem::path path, const BatchRecord& record);
     ~TableAppender();
     TableAppender(const TableAppender&) = delete;

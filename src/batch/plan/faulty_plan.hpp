@@ -7,9 +7,8 @@
 
 namespace gxrod {
 
-// Of a plan in which something is wrong already: what is wrong with its deck, and with the values and
-// collections that could be read. Each value is examined in one case at least; combinations are not. None
-// where the deck cannot be read.
+// Finds further faults of a plan with faults: in its deck, and in the values and collections that could be
+// read. Each value is examined in at least one case; combinations are not. None if the deck cannot be read.
 std::vector<DeckFault> find_faults_of_cases(const Plan& plan);
 
 }  // namespace gxrod

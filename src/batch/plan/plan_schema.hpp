@@ -4,19 +4,19 @@
 
 #include "deck/schema/schema.hpp"
 
-// The keys of a plan, declared as those of a deck are.
+// The keys of a plan, declared like the keys of a deck.
 namespace gxrod {
 
-// The top level of a plan.
+// Returns the top level of a plan.
 const TableSpec& plan_schema();
 
-// An entry of [vary] that is not a list of values, and what it can hold.
+// Returns the table of an entry of [vary] that is not a list of values.
 const TableSpec& variation_table();
 
-// The text of docs/plan.md, without its last line end.
+// Returns the text of docs/plan.md, without its last line end.
 std::string plan_reference();
 
-// Cases beyond which a plan is refused.
+// Plans with more cases are refused.
 inline constexpr long largest_case_count = 1'000'000;
 
 }  // namespace gxrod

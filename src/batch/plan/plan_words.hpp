@@ -11,7 +11,7 @@ enum class Keeping { all, failed, none };
 enum class Take { least, largest, mean, rms, last, largest_absolute };
 enum class Component { x, y, z, w, magnitude };
 
-// `decks` has no word: it is what a list of decks is.
+// `decks` has no word: it stands for a list of decks.
 inline constexpr std::array<Choice<Combination>, 4> combination_choices{
     {{"grid", Combination::grid},
      {"zip", Combination::zip},

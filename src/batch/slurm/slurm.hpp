@@ -9,7 +9,7 @@
 
 namespace gxrod {
 
-// A command of Slurm is missing, does not answer or refuses.
+// Thrown if a command of Slurm is missing, does not answer or refuses.
 class SlurmError : public FileError {
   public:
     using FileError::FileError;
@@ -20,7 +20,7 @@ bool has_slurm();
 // Submits a script and returns the job's id and cluster. Throws SlurmError.
 SlurmJob submit_to_slurm(const std::filesystem::path& script, const std::vector<std::string>& options);
 
-// The tasks of these jobs that wait, run or end. Throws SlurmError. Without jobs, runs nothing.
+// Returns the tasks of these jobs that wait, run or end. Without jobs it runs no command. Throws SlurmError.
 std::vector<SlurmTask> ask_slurm(const std::vector<SlurmJob>& jobs);
 
 }  // namespace gxrod

@@ -13,24 +13,25 @@ namespace gxrod {
 struct SlurmScript {
     std::string name;                 // of the job
     std::filesystem::path program;    // gxrod
-    std::filesystem::path directory;  // in which it is run
-    std::vector<std::string> files;   // plan or decks, as the user named them there
+    std::filesystem::path directory;  // where it runs
+    std::vector<std::string> files;   // plan or decks, as the user named them in that directory
     std::filesystem::path folder;     // of the batch, absolute
-    std::vector<CaseRange> slices;    // of task 1, 2, …
+    std::vector<CaseRange> slices;    // cases of task 1, 2, …
     bool retry_failed = false;
 };
 
-// The text that sbatch reads. Throws FileError if a path holds what sbatch cannot read.
+// Writes the script for sbatch. Throws FileError if sbatch cannot read a path.
 std::string write_slurm_script(const SlurmScript& script);
 
-// A name of a job: letters, digits, points, dashes and underscores; anything else becomes an underscore.
+// Makes the name of a job: letters, digits, points, dashes and underscores; anything else becomes an
+// underscore.
 std::string make_job_name(const std::string& text);
 
-// A word of a command, as bash reads it; in quotes if it needs them.
+// Quotes a word of a command for bash, if it needs quotes.
 std::string quote_for_shell(std::string_view word);
 
-// Tasks for so many cases: at least four cases a core and task, and at most a hundred tasks. The options of
-// sbatch say how many cores a task has.
+// Chooses the number of tasks: at least four cases per core of a task, and at most a hundred tasks. The
+// options of sbatch set the cores of a task.
 long choose_task_count(long cases, const std::vector<std::string>& sbatch_options);
 
 }  // namespace gxrod
