@@ -12,24 +12,24 @@
 #include "model/settings/settings.hpp"
 #include "model/settings/stage.hpp"
 
-// From the text of a deck to what is run. docs/deck.md is the reference of the text.
+// Turns the text of a deck into a problem to run. docs/deck.md is the reference of the text.
 namespace gxrod {
 
-// A deck, read, checked and built.
+// A deck that was read, checked and built.
 struct Problem {
     DeckRecord record;
-    Model model;                    // with what acts in the first stage
+    Model model;                    // with the loads of the first stage
     AnalysisSettings analysis;      // of the first stage
-    std::vector<StagePlan> stages;  // one at least
+    std::vector<StagePlan> stages;  // at least one
     OutputSettings output;
-    std::vector<std::string> notes;  // choices that the reader made for the user, a line each
+    std::vector<std::string> notes;  // choices made for the user, a line each
 };
 
 // Reads a deck. `overrides` are the "KEY=VALUE" of --set, applied in their order. Throws DeckError if the
 // deck is wrong and FileError if it cannot be read.
 Problem read_problem(const std::filesystem::path& deck, const std::vector<std::string>& overrides = {});
 
-// The same for a text; `file` is what faults name, and meshes are relative to its folder.
+// Reads a deck from a text; faults name `file`, and meshes are relative to its folder.
 Problem read_problem_text(std::string_view text,
                           const std::string& file,
                           const std::vector<std::string>& overrides = {});
@@ -42,10 +42,10 @@ class DeckTemplate {
     // The same for a text; `file` is what faults name, and meshes are relative to its folder.
     DeckTemplate(std::string text, const std::filesystem::path& file);
 
-    // As read_problem does.
+    // Builds the deck as read_problem does.
     Problem build(const std::vector<std::string>& overrides) const;
 
-    const std::string& file() const { return file_; }  // as the user named it
+    const std::string& file() const { return file_; }  // the file as the user named it
     const std::string& text() const { return text_; }
     const DeckNode& tree() const { return tree_; }
 
@@ -56,15 +56,15 @@ class DeckTemplate {
     MeshFiles meshes_;
 };
 
-// The problem that resumes where a run of `before` stopped: its own deck, or the one in the file `deck`, with
-// overrides. Throws DeckError that names each key that must not differ but does
+// Reads the problem that resumes a run of `before` where it stopped: its own deck, or the one in the file
+// `deck`, with overrides. Throws DeckError with each key that differs but must not
 // (deck/text/resumption.hpp).
 Problem read_resumption(const DeckRecord& before,
                         const std::filesystem::path& deck,
                         const std::vector<std::string>& overrides);
 
-// The problem that results came from, with the meshes that are kept with them. Throws DeckError if the deck
-// is not valid with this version or these overrides.
+// Rebuilds the problem of results, with the meshes that are kept in them. Throws DeckError if the deck is not
+// valid with this version or these overrides.
 Problem rebuild_problem(const DeckRecord& record, const std::vector<std::string>& overrides = {});
 
 }  // namespace gxrod

@@ -4,8 +4,8 @@
 
 namespace gxrod {
 
-// A fault where the stage at hand asks for energy-momentum, and its model has what that scheme does not
-// cover. After what acts in the stage is built.
+// Adds a fault if the current stage uses energy-momentum and the model has something that the scheme does not
+// cover. Call it after all actions of the stage are built.
 void check_conserving(const BuildContext& context);
 
 }  // namespace gxrod

@@ -4,10 +4,9 @@
 
 namespace gxrod {
 
-// Evaluates what changes with time in gravity, loads, supports and joints at the steps of the analysis (10001
-// of them, evenly spread, if there are more) and adds a fault for each value that is not finite somewhere.
-// f(t, s) is asked for at 101 of the steps, each at 101 points of the rod. After build_rods and
-// build_analysis.
+// Evaluates the functions of time in gravity, loads, supports and joints at the steps of the analysis (at
+// 10001 of them, evenly spread, if there are more) and adds a fault for each value that is not finite. f(t,
+// s) is evaluated at 101 of the steps and 101 points of the rod. Call it after build_rods and build_analysis.
 void check_functions(const BuildContext& context);
 
 }  // namespace gxrod

@@ -4,8 +4,8 @@
 
 namespace gxrod {
 
-// Faults of what prescribes a motion in the stage at hand, if that is in time: in the first stage a value at
-// t = 0 that is not 0, and jumps. `size` is that of what moves: the model, or 1 rad.
+// Adds faults of a prescribed motion in the current stage, if the stage has time: jumps, and in the first
+// stage a value at t = 0 other than 0. `size` is the size of the model for displacements, 1 rad for turns.
 void check_move(const CheckedTimeFunction& move, double size, const BuildContext& context);
 
 }  // namespace gxrod

@@ -4,7 +4,7 @@
 
 namespace gxrod {
 
-// Checks every text of the deck that names a point, and returns those of rods.
+// Checks every text of the deck that names a point, and returns the points of rods.
 std::vector<RodPoint> check_points(const BuildContext& context);
 
 }  // namespace gxrod

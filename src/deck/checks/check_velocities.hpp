@@ -4,8 +4,8 @@
 
 namespace gxrod {
 
-// Checks that the initial velocities of supported nodes are those that their supports allow: none along fixed
-// components, the rate of f(t) along moved ones. Takes round-off off the former. After build_initial and
+// Checks that supports allow the initial velocities of their nodes: none along fixed components, where
+// round-off is removed, and the rate of f(t) along moved ones. Call it after build_initial and
 // build_supports.
 void check_velocities(BuildContext& context);
 

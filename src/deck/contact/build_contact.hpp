@@ -4,10 +4,11 @@
 
 namespace gxrod {
 
-// Gives the model what its rods touch, and how that moves in the stage at hand. After build_rods.
+// Adds contact to the model: obstacles, their motions in the current stage, and pairs of rods. Call it after
+// build_rods.
 void build_contact(BuildContext& context);
 
-// Reports analyses that contact does not go with. After choose_schemes.
+// Adds faults for analyses that do not support contact. Call it after choose_schemes.
 void check_contact(const BuildContext& context);
 
 }  // namespace gxrod

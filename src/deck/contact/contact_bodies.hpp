@@ -4,11 +4,10 @@
 
 namespace gxrod {
 
-// The shapes of bodies, sphere or capsule, with which they touch. After the rods of the contact and the
-// obstacles.
+// Adds the contact shapes of bodies, spheres or capsules, after the rods of the contact and the obstacles.
 void set_contact_bodies(Contact& contact, const BuildContext& context);
 
-// Of a deck whose bodies have shapes: what cannot be had together with them.
+// Adds faults for features that bodies with shapes do not support.
 void check_contact_bodies(const BuildContext& context);
 
 }  // namespace gxrod

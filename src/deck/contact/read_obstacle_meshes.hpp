@@ -12,7 +12,8 @@
 
 namespace gxrod {
 
-// The meshes of obstacles, by their names; their files are kept in the records, and what is in them noted.
+// Reads the meshes of obstacles, by their names. Keeps the files in the records and adds notes on their
+// content.
 std::map<std::string, std::shared_ptr<const TriangleMesh>> read_obstacle_meshes(
     const CheckedTable& deck,
     const MeshFiles& files,

@@ -14,8 +14,8 @@
 #include "model/time/time_function.hpp"
 #include "rotation/types.hpp"
 
-// Expressions of a deck: text such as "EI/2" or "0.5*pulse(t)". deck/expressions/expression_syntax.hpp says
-// what they can hold.
+// Expressions of a deck: text such as "EI/2" or "0.5*pulse(t)". For their grammar see
+// deck/expressions/expression_syntax.hpp.
 namespace gxrod {
 
 // An expression that cannot be read or has no finite value; what() says why.
@@ -29,25 +29,25 @@ struct FunctionDefinition {
     std::vector<std::pair<double, double>>
         table;  // (t, value), t increasing; empty if there is an expression
     std::string expression;
-    double operations = 1.0;                               // of one evaluation, at most
-    int depth = 1;                                         // of functions that call functions
+    double operations = 1.0;                               // largest number in one evaluation
+    int depth = 1;                                         // depth of functions that call functions
     Interpolation interpolation = Interpolation::linear;   // of the table
-    std::shared_ptr<const TableFunction> curve = nullptr;  // the table's, where it has been made already
+    std::shared_ptr<const TableFunction> curve = nullptr;  // the curve of the table, if it was made already
 };
 
 // The names that a deck defines. nullopt: defined but wrong, and already reported.
 struct Symbols {
     std::map<std::string, std::optional<double>, std::less<>> parameters;
     std::map<std::string, std::optional<FunctionDefinition>, std::less<>> functions;
-    std::map<std::string, std::shared_ptr<Input>, std::less<>> inputs;  // those of the problem
+    std::map<std::string, std::shared_ptr<Input>, std::less<>> inputs;  // inputs of the problem
 };
 
-// The value of an expression in the parameters; nullopt if it rests on a wrong one. Throws ExpressionError.
+// Evaluates an expression in the parameters; nullopt if it uses a wrong one. Throws ExpressionError.
 std::optional<double> evaluate_constant(const std::string& expression, const Symbols& symbols);
 
-// The function of time of an expression in t, the parameters and the functions; a constant one if neither t
-// nor a function of t occurs. nullopt if it rests on a wrong name. Throws ExpressionError. Where it has no
-// finite value, a call throws EvaluationError with `key` and the time.
+// Makes a function of time from an expression in t, the parameters and the functions; a constant if neither t
+// nor a function of t occurs. nullopt if it uses a wrong name. Throws ExpressionError. Where it has no finite
+// value, a call throws EvaluationError with `key` and the time.
 std::optional<TimeFunction> compile_time_function(const std::string& expression,
                                                   const std::string& key,
                                                   const Symbols& symbols);
@@ -57,58 +57,58 @@ struct LineExpression {
     bool has_time = false;  // whether t occurs
 };
 
-// The same in t and s, the arc length along a rod.
+// Makes a function of t and s, the arc length along a rod.
 std::optional<LineExpression> compile_line_function(const std::string& expression,
                                                     const std::string& key,
                                                     const Symbols& symbols);
 
-// A number that changes along a rod: with s, without t.
+// A number that varies along a rod with s, without t.
 struct ArcExpression {
     std::function<double(double s)> function;  // empty for a constant
     double constant = 0.0;
 };
 
-// Calls throw EvaluationError with `key` and s where there is no finite value.
+// Makes a function of s. Calls throw EvaluationError with `key` and s where there is no finite value.
 std::optional<ArcExpression> compile_arc_function(const std::string& expression,
                                                   const std::string& key,
                                                   const Symbols& symbols);
 
-// A number that changes with the place in the reference shape.
+// A number that varies with the place in the reference shape.
 struct PlaceExpression {
     std::function<double(const Vec3& position, double s)> function;
     bool has_arc_length = false;  // whether s occurs
 };
 
-// The same in x, y, z and s, without t.
+// Makes a function of x, y, z and s, without t.
 std::optional<PlaceExpression> compile_place_function(const std::string& expression,
                                                       const std::string& key,
                                                       const Symbols& symbols);
 
-// A component of a force by the motion of the point at which it acts: one of both.
+// A component of a force as a function of the motion of its point. One of both functions is used.
 struct MotionExpression {
-    TimeFunction by_time;  // where neither position nor velocity occurs
-    // NaN where it has no value.
+    TimeFunction by_time;  // used if neither position nor velocity occurs
+    // Returns NaN where it has no value.
     std::function<double(double time, const Vec3& position, const Vec3& velocity)> by_motion;
     bool has_time = false;  // whether t occurs
 };
 
-// The same in t, x, y, z, vx, vy and vz.
+// Makes a function of t, x, y, z, vx, vy and vz.
 std::optional<MotionExpression> compile_motion_function(const std::string& expression,
                                                         const std::string& key,
                                                         const Symbols& symbols);
 
-// The same without the velocity: in t, x, y and z.
+// Makes a function of t, x, y and z.
 std::optional<MotionExpression> compile_field_function(const std::string& expression,
                                                        const std::string& key,
                                                        const Symbols& symbols);
 
-// A force by a spring's length and the rate of it.
+// A force as a function of a spring's length and its rate.
 struct SpringExpression {
     std::function<double(double length, double rate)> function;  // NaN where it has no value
     bool has_rate = false;                                       // whether the rate occurs
 };
 
-// The same in length and rate.
+// Makes a function of length and rate.
 std::optional<SpringExpression> compile_spring_function(const std::string& expression,
                                                         const std::string& key,
                                                         const Symbols& symbols);

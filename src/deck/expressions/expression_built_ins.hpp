@@ -7,10 +7,10 @@ namespace mu {
 class Parser;
 }
 
-// What every expression of a deck can use.
+// Names that every expression of a deck can use.
 namespace gxrod {
 
-// The functions, as a user writes them.
+// Lists the functions as a user writes them.
 const std::vector<std::string>& built_in_functions();
 
 // Makes these functions and pi the only names that the parser knows.

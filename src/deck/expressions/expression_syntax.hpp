@@ -5,11 +5,11 @@
 
 #include "deck/expressions/expression.hpp"
 
-// The grammar of expressions: what the reader lets through to muParser, which would read some mistakes
+// The grammar of expressions, which is checked before muParser reads them, as muParser accepts some mistakes
 // silently ("t = 15" assigns, "1,2" is 2, "0 < t < 5" is always true).
 namespace gxrod {
 
-// What an expression can use in addition to numbers, pi and the deck's parameters.
+// Variables that an expression can use in addition to numbers, pi and the deck's parameters.
 enum class Variables {
     none,    // nothing: a constant
     time,    // t, the time, and the deck's functions
@@ -27,14 +27,14 @@ struct ExpressionNames {
     std::set<std::string> functions;
     std::set<std::string> inputs;
     std::set<std::string> variables;
-    double operations = 0.0;  // of one evaluation at most, with those of the functions it calls
-    int depth = 0;            // of functions that call functions
+    double operations = 0.0;  // largest number in one evaluation, with the functions that it calls
+    int depth = 0;            // depth of functions that call functions
 };
 
-// Whether expressions can use the word as a name: letters, digits and _, no digit first.
+// Returns whether expressions can use the word as a name: letters, digits and _, no digit first.
 bool is_identifier(const std::string& word);
 
-// Why a parameter or function cannot have this name, or "".
+// Explains why a parameter or function cannot have this name, or returns "".
 std::string explain_unusable_name(const std::string& name);
 
 // Limits on evaluating one expression.
@@ -42,7 +42,7 @@ inline constexpr std::size_t most_expression_letters = 10'000;
 inline constexpr double most_operations = 1e5;
 inline constexpr int most_function_depth = 100;
 
-// Checks an expression up to the arrangement of its operators. Throws ExpressionError.
+// Checks all of an expression except the arrangement of its operators. Throws ExpressionError.
 ExpressionNames check_expression(const std::string& expression, const Symbols& symbols, Variables variables);
 
 }  // namespace gxrod

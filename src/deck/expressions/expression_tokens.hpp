@@ -14,7 +14,7 @@ struct Token {
     std::size_t offset;  // bytes before it in the expression
 };
 
-// Splits an expression. Throws ExpressionError at what belongs to no expression.
+// Splits an expression. Throws ExpressionError at a character that no expression has.
 std::vector<Token> split_expression(const std::string& expression);
 
 }  // namespace gxrod

@@ -9,15 +9,14 @@
 
 namespace gxrod {
 
-// Puts the rows of each function's `file` and `columns` in place of these keys, as `table`; the deck's other
-// keys stay. What is wrong with a file or its columns becomes a fault, and its keys stay too. The files are
-// added to the records.
+// Replaces the keys `file` and `columns` of each function by `table` with the rows of the file. If a file or
+// its columns are wrong, adds a fault and leaves its keys. The files are added to the records.
 void fill_function_tables(DeckNode& deck,
                           const TableFiles& files,
                           std::vector<MeshRecord>& records,
                           FaultList& faults);
 
-// Whether any function of the deck names a file.
+// Returns whether any function of the deck names a file.
 bool has_function_files(const DeckNode& deck);
 
 }  // namespace gxrod

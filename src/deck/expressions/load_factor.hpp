@@ -2,8 +2,8 @@
 
 #include "deck/reading/checked_deck.hpp"
 
-// In static analyses t is the load factor. A value that says how it follows t is taken as it is; any other
-// one grows with t.
+// The load factor t of static analyses: a value that depends on t stays as it is; any other value is
+// multiplied by t.
 namespace gxrod {
 
 TimeFunction apply_load_factor(const TimeFunction& function);

@@ -5,9 +5,9 @@
 
 namespace gxrod {
 
-// The parameters, functions and inputs of a deck. What is wrong with a parameter goes to the fault list, as
-// do cycles and names that are given twice; the keys of a [function.NAME] are checked with the other tables,
-// so that here a wrong one is only marked as such. Inputs have no course yet (deck/drives/build_inputs.hpp).
+// Reads the parameters, functions and inputs of a deck. Wrong parameters, cycles and names that are given
+// twice go to the fault list. The keys of a [function.NAME] are checked with the other tables; here a wrong
+// function is only marked as wrong. Inputs have no course yet (deck/drives/build_inputs.hpp).
 Symbols read_symbols(const DeckNode& deck, FaultList& faults);
 
 }  // namespace gxrod

@@ -4,7 +4,7 @@
 
 namespace gxrod {
 
-// The gears of a deck. After build_joints.
+// Builds the gears of a deck. Call it after build_joints.
 void build_gears(BuildContext& context);
 
 }  // namespace gxrod

@@ -4,10 +4,11 @@
 
 namespace gxrod {
 
-// The joints of a deck, without what acts on them. After build_bodies.
+// Builds the joints of a deck without motors, springs and friction. Call it after build_bodies.
 void build_joints(BuildContext& context);
 
-// What acts on them in the stage at hand. After build_supports.
+// Builds motors, springs, friction and limits of joints as they act in the current stage. Call it after
+// build_supports.
 void build_joint_actions(BuildContext& context);
 
 }  // namespace gxrod

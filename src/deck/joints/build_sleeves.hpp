@@ -7,7 +7,7 @@ namespace gxrod {
 // Adds the sleeves, joints of type "sleeve", to the model, which has its rods.
 void build_sleeves(BuildContext& context);
 
-// What acts on them in the stage at hand.
+// Builds the actions on them in the current stage.
 void build_sleeve_actions(BuildContext& context);
 
 }  // namespace gxrod

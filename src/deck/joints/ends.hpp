@@ -6,22 +6,22 @@
 
 #include "deck/places/build_context.hpp"
 
-// What carries the two points of a spring, a bushing or a joint: the words of its key `between`.
+// The ends of a spring, a bushing or a joint, from the words of its key `between`.
 namespace gxrod {
 
-// The word for what does not move.
+// The word for the ground, which does not move.
 inline constexpr const char* ground_word = "ground";
 
 const std::vector<CheckedWord>& ends_of(const CheckedTable& table);
 
-// The point that between[index] names, where the key `place_key` says, or else its node is. nullopt if it
-// names no point; the ground without a place is a fault.
+// Finds the point that between[index] names: at the place given by the key `place_key`, or else at its node.
+// nullopt if it names no point; the ground without a place is a fault.
 std::optional<Anchor> find_anchor(const CheckedTable& table,
                                   std::size_t index,
                                   const char* place_key,
                                   const BuildContext& context);
 
-// The diagonal of the box around all nodes and these points.
+// Returns the diagonal of the box around all nodes and these points.
 double measure_size(const Model& model, std::span<const Anchor> anchors);
 
 }  // namespace gxrod

@@ -5,30 +5,30 @@
 
 #include "deck/places/build_context.hpp"
 
-// What acts on the turn and the slide of a joint: its keys move, drive, spring, friction and limits.
+// Actions on the turn and the slide of a joint: its keys move, drive, spring, friction and limits.
 namespace gxrod {
 
-// What keys without a coordinate's name are about; "" of a joint with both, whose keys have to say.
+// Returns the coordinate of keys that do not name one; "" for a joint with both, whose keys have to name it.
 std::string_view plain_coordinate(JointKind kind);
 
-// Every f(t) of a [joint.NAME].
+// Lists every f(t) of a [joint.NAME].
 std::vector<const CheckedTimeFunction*> functions_of(const CheckedTable& joint);
-// The values of its `move`.
+// Lists the values of its `move`.
 std::vector<CheckedNamedFunction> joint_moves_of(const CheckedTable& joint);
-// The coordinate, "turn" or "slide", that a value of `move` or `drive` is about.
+// Returns the coordinate, "turn" or "slide", of a value of `move` or `drive`.
 std::string_view name_coordinate(const CheckedNamedFunction& value, JointKind kind);
 
-// Faults of keys that a joint of this kind has no coordinate for, or that contradict each other.
+// Adds faults of keys whose coordinate a joint of this kind lacks, or that contradict each other.
 void check_coordinates(const CheckedTable& table, const Joint& joint, const BuildContext& context);
 
-// Notes on numbers that are likely in another unit: the radius of a pin, limits of a turn. `size` is that of
-// the model.
+// Adds notes on numbers that are probably in another unit: the radius of a pin, limits of a turn. `size` is
+// the size of the model.
 void note_coordinates(const CheckedTable& table,
                       const Joint& joint,
                       double size,
                       const BuildContext& context);
 
-// Turn and slide as they act in the stage at hand. `size` is that of the model.
+// Sets turn and slide as they act in the current stage. `size` is the size of the model.
 void set_coordinates(const CheckedTable& table, double size, Joint& joint, const BuildContext& context);
 
 }  // namespace gxrod

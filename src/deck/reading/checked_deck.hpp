@@ -15,8 +15,9 @@
 #include "model/time/time_function.hpp"
 #include "rotation/types.hpp"
 
-// A deck that agrees with the schema: every value typed, evaluated and in range, defaults filled in. What the
-// schema cannot say (names that exist, axes that are not parallel …) is not yet checked.
+// A deck that agrees with the schema: every value typed, evaluated and in range, defaults filled in.
+// Conditions that the schema cannot state are not yet checked, for example that names exist or axes are not
+// parallel.
 namespace gxrod {
 
 // A word of a list.
@@ -33,7 +34,7 @@ struct CheckedTimeFunction {
     std::string path;
 };
 
-// A value f(t) of the stage, or the coordinate of a joint, of that name; "" of all stages, or of the only
+// A value f(t) for the stage, or the coordinate of a joint, of that name; "" for all stages, or for the only
 // coordinate.
 struct CheckedNamedFunction {
     std::string name;
@@ -80,7 +81,8 @@ struct CheckedVector {
     std::string path;
 };
 
-// Where a tendon passes: y and z by the arc length, or by rows of a fraction of the rod's length, y and z.
+// The path of a tendon: y and z as functions of the arc length, or rows of a fraction of the rod's length, y
+// and z.
 struct CheckedTendonPath {
     std::array<std::function<double(double s)>, 2> functions;  // empty with rows
     std::vector<std::array<double, 3>> rows;
@@ -92,13 +94,13 @@ using CheckedLineVector = std::array<CheckedLineFunction, 3>;
 using CheckedMotionVector = std::array<CheckedMotionFunction, 3>;
 using CheckedPlaceVector = std::array<CheckedPlaceFunction, 3>;
 using TimeTable = std::vector<std::pair<double, double>>;
-// Rows of 2 numbers, and of each where it stands.
+// Rows of 2 numbers, each row with its place.
 struct CheckedPairs {
     std::vector<std::pair<double, double>> rows;
     std::vector<Place> places;
 };
 
-// Where along a rod a section is, 0 … 1.
+// A section at a place along a rod, 0 … 1.
 struct CheckedStation {
     double fraction;
     std::string section;
@@ -114,26 +116,26 @@ struct CheckedProfile {
 struct CheckedValue;
 
 struct CheckedTable {
-    std::string name;  // of a [rod.NAME]; the key otherwise
+    std::string name;  // NAME of a [rod.NAME]; the key otherwise
     std::string path;  // "rod.flyer", "load[0]"
     Place place;
-    std::vector<CheckedValue> values;  // those that are given or have a default
+    std::vector<CheckedValue> values;  // values that are given or have a default
     std::map<std::string, std::shared_ptr<Input>> inputs =
-        {};  // of a whole deck: those that expressions read
+        {};  // of a whole deck: values that expressions read
 
-    // nullptr if the key is neither given nor has a default.
+    // Finds the value of a key; nullptr if it is neither given nor has a default.
     const CheckedValue* find(std::string_view key) const;
-    // Whether the deck has the key.
+    // Returns whether the deck has the key.
     bool gives(std::string_view key) const;
-    // Where the deck has the key's value; the table's place if it does not.
+    // Returns the place of the key's value in the deck; the table's place if the key is not given.
     Place place_of(std::string_view key) const;
     std::string path_of(std::string_view key) const {
         return path.empty() ? std::string(key) : path + "." + std::string(key);
     }
-    // The value of a key that is given or has a default.
+    // Returns the value of a key that is given or has a default.
     template <class Value>
     const Value& get(std::string_view key) const;
-    // The tables of a key such as "rod" or "load", in deck order; none if it is not given.
+    // Returns the tables of a key such as "rod" or "load", in deck order; none if it is not given.
     const std::vector<CheckedTable>& tables(std::string_view key) const;
 };
 
@@ -167,7 +169,7 @@ struct CheckedValue {
                  CheckedMotionVector,
                  CheckedSpringFunction,
                  std::vector<CheckedWord>,
-                 std::vector<CheckedTable>>  // one for a single table
+                 std::vector<CheckedTable>>  // one entry for a single table
         value;
 };
 

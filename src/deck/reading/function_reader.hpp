@@ -15,19 +15,19 @@ class FunctionReader : public NumberReader {
   public:
     using NumberReader::NumberReader;
     std::optional<CheckedTimeFunction> time_function(const DeckNode& node, const std::string& path) const;
-    // f(t), or a table of them by name.
+    // Reads f(t), or a table of them by name.
     std::optional<std::vector<CheckedNamedFunction>> named_functions(const DeckNode& node,
                                                                      const std::string& path) const;
     std::optional<std::vector<CheckedNamedFunction>> coordinate_functions(const DeckNode& node,
                                                                           const std::string& path) const;
-    // A number, or f(s); its range is checked where it is evaluated.
+    // Reads a number, or f(s), whose range is checked where it is evaluated.
     decltype(CheckedValue::value) arc_number(const DeckNode& node, const std::string& path) const;
     std::optional<CheckedLineFunction> line_function(const DeckNode& node, const std::string& path) const;
     std::optional<CheckedPlaceFunction> place_function(const DeckNode& node, const std::string& path) const;
     std::optional<CheckedMotionFunction> motion_function(const DeckNode& node, const std::string& path) const;
     std::optional<CheckedMotionFunction> field_function(const DeckNode& node, const std::string& path) const;
     std::optional<CheckedSpringFunction> spring_function(const DeckNode& node, const std::string& path) const;
-    // Functions, read by one of the members above.
+    // Reads functions with one of the members above.
     template <std::size_t Count, class Function>
     std::optional<std::array<Function, Count>> functions(
         const DeckNode& node,
@@ -48,7 +48,7 @@ class FunctionReader : public NumberReader {
     }
 
   private:
-    // An expression compiled, or a number.
+    // Compiles an expression, or reads a number.
     template <class Function, class Compile>
     std::optional<Function> compiled(const DeckNode& node,
                                      const std::string& path,

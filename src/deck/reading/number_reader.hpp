@@ -11,13 +11,13 @@
 
 namespace gxrod {
 
-// Reads numbers, and vectors and matrices of them, as the value of a key; elements of arrays have their own
-// place and path.
+// Reads numbers, vectors and matrices as the value of a key; elements of arrays have their own place and
+// path.
 class NumberReader {
   public:
     NumberReader(const KeySpec& key, const ReadingContext& context) : key_(key), context_(context) {}
     std::optional<double> number(const DeckNode& node, const std::string& path) const;
-    // In the range of the key or not.
+    // Reads a finite number, whether it is in the range of the key or not.
     std::optional<double> finite_number(const DeckNode& node, const std::string& path) const;
     std::optional<long> integer(const DeckNode& node, const std::string& path) const;
     std::optional<Vec3> vector(const DeckNode& node, const std::string& path) const;
@@ -39,9 +39,9 @@ class NumberReader {
     void add(const DeckNode& node, const std::string& path, const std::string& message) const;
     void expect(const DeckNode& node, const std::string& path, const std::string& expected) const;
     std::optional<double> in_range(const DeckNode& node, const std::string& path, double value) const;
-    // The number as the deck has it, and its value if it is an expression.
+    // Returns the number as in the deck, with its value if it is an expression.
     static std::string found_value(const DeckNode& node, double value);
-    // Components of vectors and tables are described as bare numbers.
+    // Describes the expected number; components of vectors and tables are described as plain numbers.
     std::string number_expected() const;
     std::string remark() const { return key_.remark.empty() ? "" : "; " + key_.remark; }
 

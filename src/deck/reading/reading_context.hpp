@@ -9,15 +9,15 @@
 
 namespace gxrod {
 
-// What all readers need.
+// Data that all readers need.
 struct ReadingContext {
     const Symbols& symbols;
     FaultList& faults;
-    // Of the words of the key that is read, those that suit the rest of its table; empty if all of them do.
+    // Words of the key that fit the rest of its table; empty if all do.
     std::vector<std::string> likely_words = {};
 };
 
-// 'a boolean', 'the text "abc"', 'an array of 2', as messages say what they found.
+// Describes a found value in messages: 'a boolean', 'the text "abc"', 'an array of 2'.
 std::string describe_found(const DeckNode& node);
 
 }  // namespace gxrod

@@ -15,12 +15,12 @@ class RowReader : public FunctionReader {
     std::optional<CheckedPairs> pairs(const DeckNode& node, const std::string& path) const;
     std::optional<CheckedProfile> profile(const DeckNode& node, const std::string& path) const;
     std::optional<std::vector<CheckedStation>> stations(const DeckNode& node, const std::string& path) const;
-    // y and z as functions of s, or rows.
+    // Reads y and z as functions of s, or rows.
     std::optional<CheckedTendonPath> tendon_path(const DeckNode& node, const std::string& path) const;
 
   private:
-    // From 0 to 1; where the same fraction stands twice, what follows it jumps. read(row, path, fraction)
-    // takes what stands behind the fraction, and returns whether it is right.
+    // Reads rows of fractions from 0 to 1; the values jump where the same fraction stands twice. read(row,
+    // path, fraction) reads the values after the fraction and returns whether they are right.
     template <class Read>
     bool fractions(const DeckNode& node, const std::string& path, const Read& read) const;
     std::optional<CheckedTendonPath> tendon_rows(const DeckNode& node, const std::string& path) const;

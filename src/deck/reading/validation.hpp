@@ -6,14 +6,14 @@
 
 namespace gxrod {
 
-// Checks a deck against the schema: keys, types, ranges, expressions, what is missing. Every fault is added
-// to the list; the result is complete only if none was.
+// Checks a deck against the schema: keys, types, ranges, expressions, missing keys. Adds every fault to the
+// list; the result is complete only if there was none.
 CheckedTable check_deck(const DeckNode& deck, FaultList& faults);
 
-// The same for another text, whose top level is `root`; its expressions have no names.
+// Checks another text, whose top level is `root`, likewise; its expressions have no names.
 CheckedTable check_text(const DeckNode& text, const TableSpec& root, FaultList& faults);
 
-// Checks one table of a text that is declared on its own; `node` must be a table.
+// Checks one table of a text that is declared by itself; `node` must be a table.
 CheckedTable check_table(const DeckNode& node,
                          const std::string& path,
                          const TableSpec& table,

@@ -4,11 +4,11 @@
 
 namespace gxrod {
 
-// Whether a section has a law, of its table, its material or its twist.
+// Returns whether a section has a law, from its table, its material or its twist.
 bool has_law(const CheckedTable& section);
 
-// Gives a section whose stiffness is known its law; the stiffness is then that of small strains after a long
-// time. What is wrong goes to the faults.
+// Gives a section with known stiffness its law; the stiffness then holds for small strains after a long time.
+// Errors become faults.
 void set_law(const CheckedTable& table, Section& section, const BuildContext& context);
 
 }  // namespace gxrod

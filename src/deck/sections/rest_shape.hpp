@@ -7,41 +7,41 @@
 #include "geometry/centreline.hpp"
 #include "mesh/rod_mesh.hpp"
 
-// The shape in which a rod is free of stress, where that is not the one in which it starts.
+// The shape in which a rod is free of stress, if it starts in another shape.
 namespace gxrod {
 
-// A rod as the deck draws it.
+// The geometry of a rod in the deck.
 struct DrawnRod {
     const Centreline& line;
     std::function<Quat(std::size_t piece, double fraction)> axes;  // of the section
 };
 
-// Another curve, by whose arc length a rod is measured then.
+// Another curve as the stress-free shape; the rod's arc length is then measured along it.
 struct RestCurve {
     Centreline line;
     Quat start_axes;
     SectionTwist twist;
 };
 
-// The curve that the deck's table has for a rest; nullopt without one, or with a fault. `twist` is the rod's
+// Finds the rest curve of the deck's table; nullopt if there is none, or with a fault. `twist` is the rod's
 // own.
 std::optional<RestCurve> find_rest_curve(const CheckedTable& table,
                                          const SectionTwist& twist,
                                          BuildContext& context);
 
-// Adds the corners of the rest to those of the start.
+// Adds the corners of the rest shape to the corners of the start.
 void add_corners(const std::vector<double>& corners, RodBreaks& breaks);
 
-// Gives a rod the strains that its start has against its rest, of elements that meet at these fractions of
-// its length; none if the deck's table says nothing of a rest and the rod is no hung line. What is wrong goes
-// to the faults.
+// Gives a rod the strains of its start relative to its rest shape, for elements that meet at these fractions
+// of its length; none if the deck's table has no rest shape and the rod is not a hung line. Errors become
+// faults.
 void set_rest(const CheckedTable& table,
               const DrawnRod& drawn,
               const std::vector<double>& element_fractions,
               Rod& rod,
               const BuildContext& context);
 
-// Gives a rod the nodes of a rest that is another curve, and its arc length.
+// Gives a rod the nodes of a rest curve and its arc length.
 void set_rest(const CheckedTable& table,
               const RestCurve& rest,
               const std::vector<double>& element_fractions,

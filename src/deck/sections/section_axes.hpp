@@ -7,17 +7,17 @@
 // The section axes of rods at t = 0.
 namespace gxrod {
 
-// At the start, from the unit tangent and the deck's y_axis or, with a note, a global axis. What is wrong
-// with y_axis goes to the faults, and nullopt comes back.
+// Finds the axes at the start, from the unit tangent and the deck's y_axis or, with a note, a global axis. If
+// y_axis is wrong, adds a fault and returns nullopt.
 std::optional<Quat> find_start_axes(const CheckedTable& rod, const Vec3& tangent, BuildContext& context);
 
-// From a unit tangent and the global axis least aligned with it.
+// Chooses axes from a unit tangent and the global axis least aligned with it.
 Quat choose_axes(const Vec3& tangent);
 
-// From a unit tangent and a direction of section y, projected; nullopt if they are parallel.
+// Computes axes from a unit tangent and a direction of section y, projected; nullopt if they are parallel.
 std::optional<Quat> project_axes(const Vec3& tangent, const Vec3& y_axis);
 
-// Axes turned about their x by an angle.
+// Returns axes turned about their x by an angle.
 Quat twisted(const Quat& axes, double angle);
 
 }  // namespace gxrod

@@ -16,28 +16,27 @@ namespace gxrod {
 
 struct SectionRow {
     double fraction;  // of the rod's length
-    Section section;  // its name is that of the file, its mass zero if the file has none
+    Section section;  // with the name of the file; its mass is zero if the file has none
 };
 
 struct SectionFile {
-    std::vector<SectionRow> rows;                  // two at least, from 0 to 1
+    std::vector<SectionRow> rows;                  // at least two, from 0 to 1
     std::vector<std::pair<double, double>> twist;  // fractions and angles; empty if the file has none
 };
 
 using SectionFiles = std::map<int, SectionFile>;  // by index in Model::rods
 
-// What is wrong with a file is thrown as FileError, each text beginning with "file:line:column", the column
-// counted in fields.
+// Reads a file. Throws FileError whose text begins with "file:line:column", the column counted in fields.
 SectionFile read_section_file(std::string_view bytes, const std::string& file);
 
-// Reads the files of the rods of a deck. What is wrong goes to the faults, and the rod has no entry.
-// `records` gets the files' bytes.
+// Reads the files of the rods of a deck. If a file is wrong, adds a fault and no entry for the rod. Adds the
+// files' bytes to `records`.
 SectionFiles read_section_files(const CheckedTable& deck,
                                 const TableFiles& files,
                                 FaultList& faults,
                                 std::vector<MeshRecord>& records);
 
-// The table of a rod that names a file of sections; nullptr if it names none.
+// Finds the table of a rod that names a file of sections; nullptr if there is none.
 const CheckedTable* find_section_file(const CheckedTable& rod);
 
 }  // namespace gxrod

@@ -5,22 +5,22 @@
 
 #include "rotation/types.hpp"
 
-// What the 6×6 matrices of a cross-section must be. Order x y z rx ry rz.
+// Conditions on the 6×6 matrices of a cross-section. Order x y z rx ry rz.
 namespace gxrod {
 
-// What is wrong with a matrix.
+// A fault of a matrix.
 struct MatrixFault {
-    std::string entry;  // "[3][4]", counted from 0 as the deck does; "" for the whole matrix
+    std::string entry;  // "[3][4]", counted from 0 as in the deck; "" for the whole matrix
     std::string message;
 };
 
 // Makes the matrix symmetric to the last bit; it must be so up to round-off already, and positive definite.
 std::optional<MatrixFault> check_stiffness_matrix(Mat6& matrix);
 
-// The same for a matrix that may give no energy to some directions, but none a negative one.
+// Checks likewise a matrix that may be positive semidefinite.
 std::optional<MatrixFault> check_semidefinite_matrix(Mat6& matrix);
 
-// The same for the inertia of a rigid slice, [m 1, −m [d]×; m [d]×, J].
+// Checks likewise the inertia of a rigid slice, [m 1, −m [d]×; m [d]×, J].
 std::optional<MatrixFault> check_mass_matrix(Mat6& matrix);
 
 }  // namespace gxrod

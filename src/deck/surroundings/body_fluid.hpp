@@ -4,8 +4,8 @@
 
 namespace gxrod {
 
-// What water and air see of a body by its table; nullopt if that says nothing of `fluid`. What is wrong goes
-// to the faults.
+// Finds the properties of a body for forces of water and air; nullopt if its table has no `fluid`. Errors
+// become faults.
 std::optional<BodyInFluid> find_body_fluid(const CheckedTable& body, const BuildContext& context);
 
 }  // namespace gxrod

@@ -5,12 +5,12 @@
 
 namespace gxrod {
 
-// The ground by its table; `grid` is that of its file. What is wrong goes to the faults.
+// Builds the ground from its table; `grid` comes from its file. Errors become faults.
 Seabed find_seabed(const CheckedTable& table,
                    const std::optional<GroundGrid>& grid,
                    const BuildContext& context);
 
-// The height of a horizontal ground; nullopt of any other, or without one.
+// Finds the height of a horizontal ground; nullopt for other grounds or without one.
 std::optional<double> find_bed_height(const CheckedTable& deck);
 
 }  // namespace gxrod

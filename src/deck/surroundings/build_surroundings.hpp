@@ -5,7 +5,7 @@
 
 namespace gxrod {
 
-// Gives the model what surrounds it in the stage at hand. After build_bodies.
+// Gives the model its surroundings in the current stage. Call it after build_bodies.
 void build_surroundings(const SurroundingsFiles& files, BuildContext& context);
 
 }  // namespace gxrod

@@ -2,16 +2,16 @@
 
 #include "deck/sections/build_sections.hpp"
 
-// What water and air see of sections.
+// Properties of sections for forces of water and air.
 namespace gxrod {
 
-// Gives a section what its table says of `fluid`, if anything, and the mass of its contents.
+// Gives a section the properties in `fluid` of its table, if there are any, and the mass of its contents.
 void set_fluid(const CheckedTable& table,
                const SectionPlace& at,
                Section& section,
                const BuildContext& context);
 
-// a × one + b × other, number by number; nullopt if one of them is.
+// Computes a × one + b × other, number by number; nullopt if one of them is.
 std::optional<SectionInFluid> combine(double a,
                                       const std::optional<SectionInFluid>& one,
                                       double b,

@@ -16,16 +16,16 @@
 namespace gxrod {
 
 struct SurroundingsFiles {
-    std::map<std::size_t, ElevationRecord> waves{};  // by index of [[wave]]
+    std::map<std::size_t, ElevationRecord> waves{};  // by index in [[wave]]
     std::optional<GroundGrid> ground{};
 };
 
-// What is wrong with a file is thrown as FileError, each text beginning with "file:line".
-// Of a record the elevations and their times.
+// Read the elevations of a record with their times, and a grid of the ground. Throw FileError whose text
+// begins with "file:line".
 ElevationRecord read_elevations(std::string_view bytes, const std::string& file);
 GroundGrid read_ground_grid(std::string_view bytes, const std::string& file);
 
-// What is wrong with a file goes to the faults. `records` gets the files' bytes.
+// Reads the files of a deck. If a file is wrong, adds a fault. Adds the files' bytes to `records`.
 SurroundingsFiles read_surroundings_files(const CheckedTable& deck,
                                           const TableFiles& files,
                                           FaultList& faults,

@@ -8,16 +8,16 @@
 namespace gxrod {
 
 struct CsvRow {
-    int line = 0;  // where it begins, from 1
+    int line = 0;  // line at which it begins, from 1
     std::vector<std::string> fields;
 };
 
-// The rows of a CSV text as RFC 4180 has it; fields can be quoted and then hold commas, quotes (doubled) and
-// line ends. Empty lines are left out. A last row without its line end is given too. Throws FileError, which
-// names `file` and the line, where a quote is out of place.
+// Reads the rows of a CSV text (RFC 4180); quoted fields can hold commas, quotes (doubled) and line ends.
+// Skips empty lines. The last row may lack its line end. Throws FileError, which names `file` and the line,
+// if a quote is misplaced.
 std::vector<CsvRow> read_csv(std::string_view text, const std::filesystem::path& file);
 
-// A field as it is in a row.
+// Writes a field as it stands in a row.
 std::string write_csv_field(std::string_view field);
 
 }  // namespace gxrod

@@ -9,13 +9,13 @@
 namespace gxrod {
 
 struct ComparisonRules {
-    // What can differ: "output", "analysis.newton", "stage[].steps" of every stage.
+    // Keys that may differ: "output", "analysis.newton", "stage[].steps" of every stage.
     std::vector<std::string> free_paths;
-    std::string before_has;  // begins what is said of a value: "the run to be resumed has "
+    std::string before_has;  // words before a value in messages: "the run to be resumed has "
 };
 
-// Adds a fault, at its place in `now`, for each key whose value differs. Numbers are compared as such, and
-// the order of keys does not matter.
+// Adds a fault, at its place in `now`, for each key whose value differs. Numbers are compared by value; the
+// order of keys does not matter.
 void compare_decks(const DeckNode& before,
                    const DeckNode& now,
                    const ComparisonRules& rules,

@@ -8,12 +8,12 @@
 
 #include "deck/text/fault_list.hpp"
 
-// A deck as it is written: tables, arrays and values in the order of the text, each with its place.
+// The tree of a deck's text: tables, arrays and values in the order of the text, each with its place.
 namespace gxrod {
 
 struct DeckEntry;
 
-// A TOML date or time, which no key of a deck takes.
+// A TOML date or time, which no key of a deck accepts.
 struct DeckDate {
     std::string text;
 };
@@ -31,18 +31,18 @@ struct DeckNode {
     Array* array() { return std::get_if<Array>(&value); }
     const std::string* text() const { return std::get_if<std::string>(&value); }
 
-    // The entry of a table, or nullptr. The node must be a table.
+    // Finds the entry of a table, or nullptr. The node must be a table.
     const DeckEntry* find(std::string_view key) const;
     DeckEntry* find(std::string_view key);
 };
 
 struct DeckEntry {
     std::string key;
-    Place place;  // of the key
+    Place place;  // place of the key
     DeckNode node;
 };
 
-// The tree of a TOML text. Throws DeckError with the one fault at which reading stops.
+// Reads the tree of a TOML text. Throws DeckError with the one fault at which reading stops.
 DeckNode read_toml(std::string_view text, const std::string& file);
 
 }  // namespace gxrod

@@ -8,20 +8,20 @@
 
 namespace gxrod {
 
-// Where a key or value is: a line and column of the deck, or one of the overrides. Orders as the deck
-// does, overrides last.
+// The place of a key or value: a line and column of the deck, or one of the overrides. Places are ordered as
+// in the deck, overrides last.
 struct Place {
-    int override_index = -1;  // of --set, from 0; -1 in the deck's text
+    int override_index = -1;  // index in --set, from 0; -1 in the deck's text
     int line = 1;
     int column = 1;
 
     auto operator<=>(const Place&) const = default;
 };
 
-// Collects what is wrong, so that a user sees all of it at once.
+// Collects faults, so that a user sees all of them at once.
 class FaultList {
   public:
-    // `overrides` are the "KEY=VALUE" that Place::override_index counts.
+    // Takes the "KEY=VALUE" that Place::override_index counts.
     FaultList(std::string file, std::vector<std::string> overrides)
         : file_(std::move(file)), overrides_(std::move(overrides)) {}
 
@@ -29,9 +29,9 @@ class FaultList {
     bool empty() const { return entries_.empty(); }
     std::size_t count() const { return entries_.size(); }
 
-    // All faults in deck order.
+    // Returns all faults in deck order.
     std::vector<DeckFault> list() const;
-    // Throws DeckError with them, if there are any.
+    // Throws DeckError with all faults, if there are any.
     void throw_if_any() const;
 
   private:

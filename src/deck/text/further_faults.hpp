@@ -8,11 +8,10 @@
 
 namespace gxrod {
 
-// What else is wrong with a deck than what its reader has found, where it stops at the first phase that finds
-// something: keys and types, files, names and geometry. Takes what the faults are about out of the deck, with
-// all that refers to it, and lets `build` read the rest, which throws DeckError, as long as that finds more.
-// Returns all faults in deck order. A fault that could follow from what was taken out is left for the next
-// time.
+// Finds more faults of a deck, as its reader stops at the first phase with faults: keys and types, files,
+// names and geometry. Removes the faulty entries from the deck, with all that refers to them, and lets
+// `build` read the rest, which throws DeckError, as long as it finds more. Returns all faults in deck order.
+// Faults that could follow from a removal are left for the next run.
 std::vector<DeckFault> find_further_faults(std::vector<DeckFault> first,
                                            DeckNode deck,
                                            const std::function<void(const DeckNode& deck)>& build);

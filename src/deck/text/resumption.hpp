@@ -6,13 +6,13 @@
 
 namespace gxrod {
 
-// Compares the deck of a run with one to resume it with from where it stopped: a fault for each key that
-// must not differ but does. What can differ: title, units, [output], which histories there are and what they
-// record, and of [analysis] end_time, time_step, steps, adaptive, newton and linear_solver, and of a path its
-// own keys.
+// Compares the deck of a run with the deck that resumes it, and adds a fault for each key that differs but
+// must not. These may differ: title, units, [output], the histories and their quantities; in [analysis]
+// end_time, time_step, steps, adaptive, newton and linear_solver; and the keys of a path.
 void check_resumption(const DeckNode& before, const DeckNode& now, FaultList& faults);
 
-// Whether nodes, elements and bodies are the same, in the same order: a state of one model fits the other.
+// Returns whether nodes, elements and bodies are the same, in the same order, so that a state of one model
+// fits the other.
 bool have_same_mesh(const Model& before, const Model& now);
 
 }  // namespace gxrod

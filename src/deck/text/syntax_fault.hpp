@@ -7,7 +7,8 @@
 
 namespace gxrod {
 
-// Says in a user's words where and why a text is not TOML. `place` and `description` are the parser's.
+// Explains in a user's words where and why a text is not TOML. `place` and `description` come from the
+// parser.
 DeckFault explain_syntax_fault(std::string_view text,
                                const std::string& file,
                                const Place& place,
