@@ -6,7 +6,7 @@
 
 namespace gxrod {
 
-// Returns pages without their data, in pieces, from apps/report/dist, which the build puts into the program.
+// Returns pages without their data, in pieces, which apps/report/build-pages makes when the program is built.
 std::span<const std::string_view> page_template();
 std::span<const std::string_view> batch_template();
 std::span<const std::string_view> study_template();
