@@ -103,9 +103,9 @@ bool has_uneven_loads(const Model& model) {
 // The first step of a run: finds a model without inertia somewhere, and a load without an integral. Throws
 // EvaluationError.
 int start_analysis(const Problem& problem) {
-    const auto* dynamic = std::get_if<DynamicSettings>(&problem.analysis);
+    const auto* dynamic = std::get_if<DynamicSettings>(&problem.analysis());
     if (dynamic == nullptr || !dynamic->has_inertia) {
-        if (has_uneven_loads(problem.model)) make_analysis(problem.model, problem.analysis)->start();
+        if (has_uneven_loads(problem.model)) make_analysis(problem.model, problem.analysis())->start();
         return exit_done;
     }
     DynamicAnalysis analysis(problem.model, *dynamic);

@@ -191,12 +191,7 @@ int run_job(const Problem& problem, const JobOptions& options, ResumableFile* re
     std::signal(SIGINT, ask_to_end);
     std::signal(SIGTERM, ask_to_end);
     ProgressLine line;
-    RunRequest request{problem.model,
-                       problem.analysis,
-                       problem.output,
-                       problem.record,
-                       ResultsFileOptions{options.results, options.existing},
-                       resumed};
+    RunRequest request{problem, ResultsFileOptions{options.results, options.existing}, resumed};
     if (!options.quiet) request.report_progress = [&](const Progress& progress) { line.show(progress); };
     if (options.prints()) {
         request.report_resumption = [&](const RestartRecord& record) {
@@ -204,7 +199,6 @@ int run_job(const Problem& problem, const JobOptions& options, ResumableFile* re
             std::fflush(stdout);
         };
     }
-    request.stages = problem.stages;
     request.examined = findings;
     request.is_interrupted = [] { return interrupt_signal != 0; };
     request.threads = options.threads;

@@ -26,7 +26,7 @@ extern "C" void ask_study_to_end(int signal) {
 
 // Reports what is suspicious; returns whether the model can be run.
 bool examine(const Problem& problem, const std::string& deck) {
-    const std::vector<Finding> findings = examine_model(problem.model, problem.analysis);
+    const std::vector<Finding> findings = examine_model(problem.model, problem.analysis());
     for (const Finding& finding : findings) {
         if (finding.severity != Severity::note) say(stderr, "{}: {}\n", deck, describe(finding));
     }
@@ -61,11 +61,11 @@ int verify_deck(const VerifyDeckArguments& arguments) {
             problem.stages.size());
         return exit_bad_input;
     }
-    if (!has_steps(problem.analysis) || is_path(problem.analysis)) {
+    if (!has_steps(problem.analysis()) || is_path(problem.analysis())) {
         say(stderr,
             "{}: finds {}; gxrod verify refines what moves. Compare runs with more elements instead\n",
             arguments.deck,
-            is_path(problem.analysis) ? "a path of equilibria" : kind_of(problem.analysis));
+            is_path(problem.analysis()) ? "a path of equilibria" : kind_of(problem.analysis()));
         return exit_bad_input;
     }
     if (!examine(problem, arguments.deck)) return exit_bad_input;

@@ -172,7 +172,6 @@ Problem build_problem(const CheckedTable& deck, const DeckFiles& files, FaultLis
     problem.output = build_output(context);
     name_response_points(problem.output.histories, context);
     problem.stages = std::move(context.stages);
-    problem.analysis = problem.stages.front().analysis;
     note_stages(problem.stages, problem.record);
     problem.record.title = deck.get<std::string>("title");
     problem.record.units = deck.get<std::string>("units");
@@ -211,11 +210,9 @@ Problem read_source(const DeckSource& source,
                     const DeckRecord* before = nullptr);
 
 // The problem with a value for a key, as deck and files were read.
-StagedModel vary(const DeckRecord& record, const std::string& key, double value) {
-    Problem problem =
-        read_source({record.text, record.name, MeshFiles(record.meshes), TableFiles(record.meshes), true},
-                    {fmt::format("{}={}", key, value)});
-    return {std::move(problem.model), std::move(problem.analysis), std::move(problem.stages)};
+Problem vary(const DeckRecord& record, const std::string& key, double value) {
+    return read_source({record.text, record.name, MeshFiles(record.meshes), TableFiles(record.meshes), true},
+                       {fmt::format("{}={}", key, value)});
 }
 
 // Lets each sweep build its models, and tries the first of them.

@@ -7,23 +7,10 @@
 
 #include "deck/text/deck_tree.hpp"
 #include "mesh/mesh_files.hpp"
-#include "model/deck_record.hpp"
-#include "model/model.hpp"
-#include "model/settings/settings.hpp"
-#include "model/settings/stage.hpp"
+#include "model/problem.hpp"
 
 // Turns the text of a deck into a problem to run. docs/deck.md is the reference of the text.
 namespace gxrod {
-
-// A deck that was read, checked and built.
-struct Problem {
-    DeckRecord record;
-    Model model;                    // with the loads of the first stage
-    AnalysisSettings analysis;      // of the first stage
-    std::vector<StagePlan> stages;  // at least one
-    OutputSettings output;
-    std::vector<std::string> notes;  // choices made for the user, a line each
-};
 
 // Reads a deck. `overrides` are the "KEY=VALUE" of --set, applied in their order. Throws DeckError if the
 // deck is wrong and FileError if it cannot be read.

@@ -3,16 +3,13 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "analyses/static.hpp"
 #include "check/failure_advice.hpp"
 #include "check/findings/finding.hpp"
-#include "model/deck_record.hpp"
-#include "model/settings/settings.hpp"
-#include "model/settings/stage.hpp"
+#include "model/problem.hpp"
 #include "results/energy_warning.hpp"
 #include "results/results_file.hpp"
 #include "run/stage_sequence.hpp"
@@ -31,12 +28,10 @@ struct Progress {
 };
 
 struct RunRequest {
-    const Model& model;
-    const AnalysisSettings& analysis;
-    const OutputSettings& output;
-    const DeckRecord& deck;
-    std::optional<ResultsFileOptions> results;  // no file is written if neither this nor `resumed` is given
-    ResumableFile* resumed = nullptr;           // a file to resume instead of writing a new one
+    const Problem& problem;
+    std::optional<ResultsFileOptions> results =
+        {};                            // no file is written if neither this nor `resumed` is given
+    ResumableFile* resumed = nullptr;  // a file to resume instead of writing a new one
     std::function<void(const Progress&)> report_progress = [](const Progress&) {};
     // Called with the record from which a run resumes.
     std::function<void(const RestartRecord&)> report_resumption = [](const RestartRecord&) {};
@@ -44,8 +39,6 @@ struct RunRequest {
     int threads = 1;                                              // their number changes no result
     // Called at each accepted state, t = 0 included, without values of elements for frames.
     std::function<void(const Snapshot&, const LedgerRow&)> observe = {};
-    // All stages, if there are several; the first one is `analysis` on `model`.
-    std::span<const StagePlan> stages = {};
     // Findings of the checks of the model; their warnings are the first ones of the run.
     std::vector<Finding> examined = {};
 };

@@ -18,19 +18,19 @@
 namespace gxrod {
 
 Simulation::Simulation(RunRequest request)
-    : request_(std::move(request)), books_(request_.model, request_.examined), stages_(build()) {
+    : request_(std::move(request)), books_(request_.problem.model, request_.examined), stages_(build()) {
     RunSummary& summary = books_.summary();
-    summary.is_static = request_.deck.is_static;
-    summary.integrators = request_.deck.integrators;
+    summary.is_static = problem().record.is_static;
+    summary.integrators = problem().record.integrators;
     if (request_.resumed) {
         resume();
     } else if (request_.results) {
-        file_ =
-            std::make_unique<ResultsFile>(*request_.results, request_.deck, request_.model, request_.output);
+        file_ = std::make_unique<ResultsFile>(
+            *request_.results, problem().record, problem().model, problem().output);
     }
     schedule_output();
     note_interpolants();
-    summary.nodes = static_cast<long>(request_.model.nodes.size());
+    summary.nodes = static_cast<long>(problem().model.nodes.size());
     summary.elements = static_cast<long>(analysis().system().element_count());
     summary.unknowns = analysis().system().equations().count();
     summary.threads = analysis().system().team().size();
@@ -39,11 +39,9 @@ Simulation::Simulation(RunRequest request)
 Simulation::~Simulation() = default;
 
 StageSequence::Plan Simulation::make_plan() const {
-    return {request_.model,
-            request_.analysis,
-            request_.stages,
-            list_rod_places(request_.output.histories),
-            list_contact_watches(request_.output.histories),
+    return {problem(),
+            list_rod_places(problem().output.histories),
+            list_contact_watches(problem().output.histories),
             request_.threads};
 }
 
@@ -152,7 +150,7 @@ void Simulation::write_paths() {
     books_.add_paths(paths);
     if (!file_) return;
     const PhaseTimer timer(output_seconds_);
-    file_->write_paths(place_of_stage(), request_.deck, request_.model, paths);
+    file_->write_paths(place_of_stage(), problem().record, problem().model, paths);
 }
 
 bool Simulation::find_shapes() {
@@ -163,9 +161,9 @@ bool Simulation::find_shapes() {
         books_.fail(prefix + failure);
         return false;
     }
-    if (stages_->moving_index() == 0 && !has_steps(request_.analysis)) {
+    if (stages_->moving_index() == 0 && !has_steps(problem().analysis())) {
         const bool multiplies_loads = std::holds_alternative<BucklingRecord>(found.record);
-        const std::string note = multiplies_loads ? "" : describe_left_out_loads(request_.model);
+        const std::string note = multiplies_loads ? "" : describe_left_out_loads(problem().model);
         if (!note.empty()) books_.summary().notes.push_back(prefix + note);
     }
     for (const std::string& note : note_sections(analysis().system(), analysis().state(), found.record))
@@ -174,7 +172,7 @@ bool Simulation::find_shapes() {
     if (file_) {
         const PhaseTimer timer(output_seconds_);
         file_->write_shapes(
-            place_of_stage(), request_.deck, request_.model, analysis().state().previous, found.record);
+            place_of_stage(), problem().record, problem().model, analysis().state().previous, found.record);
     }
     books_.summary().shapes.push_back(std::move(found));
     return true;
@@ -183,8 +181,8 @@ bool Simulation::find_shapes() {
 // False, and the reason is kept, if it cannot start.
 bool Simulation::enter_next_stage() {
     phase_ = Phase::started;
-    if (has_steps(request_.stages[stages_->index() + 1].analysis)) {
-        for (const std::shared_ptr<Input>& input : request_.model.inputs) input->begin_stage();
+    if (has_steps(problem().stages[stages_->index() + 1].analysis)) {
+        for (const std::shared_ptr<Input>& input : problem().model.inputs) input->begin_stage();
     } else {
         stages_->enter_next();
         return true;
@@ -234,7 +232,7 @@ void Simulation::explain_no_step(const std::filesystem::path& path, double time)
 // False if no step of the stage can begin where the record stopped. Throws std::invalid_argument if it is of
 // another model.
 bool Simulation::take_over(const RestartRecord& record) {
-    const std::vector<std::shared_ptr<Input>>& inputs = request_.model.inputs;
+    const std::vector<std::shared_ptr<Input>>& inputs = problem().model.inputs;
     if (record.inputs.size() != inputs.size())
         throw std::invalid_argument("the state to resume from is of a deck with other inputs");
     for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i]->recall(record.inputs[i]);
@@ -259,8 +257,8 @@ void Simulation::resume() {
     if (!has_step) explain_no_step(path, record.steps.time);
     rows_ = static_cast<std::int64_t>(request_.resumed->place().steps);
     file_ = std::make_unique<ResultsFile>(
-        request_.deck, request_.model, request_.output, std::move(*request_.resumed));
-    if (!request_.stages.empty()) file_->begin_stage(place_of_stage());
+        problem().record, problem().model, problem().output, std::move(*request_.resumed));
+    file_->begin_stage(place_of_stage());
     request_.report_resumption(record);
 }
 
@@ -299,7 +297,7 @@ bool Simulation::take_first() {
         books_.fail(stages_->analysis().explain(report));
         return false;
     }
-    const bool is_named = !request_.deck.stages.empty() || is_path(request_.analysis);
+    const bool is_named = !problem().record.stages.empty() || is_path(problem().analysis());
     if (file_ && is_named) file_->begin_stage(place_of_stage());
     record();
     has_started_ = true;
@@ -346,7 +344,8 @@ RestartRecord Simulation::restart_record() const {
     record.stage = static_cast<std::int64_t>(stages_->moving_index());
     record.axis_start = stages_->axis_start();
     record.stage_ends = stages_->ends();
-    for (const std::shared_ptr<Input>& input : request_.model.inputs) record.inputs.push_back(input->state());
+    for (const std::shared_ptr<Input>& input : problem().model.inputs)
+        record.inputs.push_back(input->state());
     return record;
 }
 
@@ -357,7 +356,7 @@ std::optional<double> Simulation::land_on(double time) {
 }
 
 void Simulation::set_input(const std::string& name, double value, double until) {
-    const auto& inputs = request_.model.inputs;
+    const auto& inputs = problem().model.inputs;
     const auto found = std::ranges::find(inputs, name, &Input::name);
     if (found == inputs.end()) throw std::invalid_argument("the deck has no input." + name);
     if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("input.{} cannot be {}", name, value));

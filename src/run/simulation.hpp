@@ -58,6 +58,7 @@ class Simulation {
     void restore(const Checkpoint& checkpoint);
 
     const RunRequest& request() const { return request_; }
+    const Problem& problem() const { return request_.problem; }
     const SteppedAnalysis& analysis() const { return stages_->analysis(); }
     const StageSequence& stages() const { return *stages_; }
     // Returns the time of the last accepted step on the axis that stages share.
@@ -70,7 +71,7 @@ class Simulation {
 
     std::unique_ptr<StageSequence> build();
     StageSequence::Plan make_plan() const;
-    std::int64_t stage_count() const { return static_cast<std::int64_t>(request_.stages.size()); }
+    std::int64_t stage_count() const { return static_cast<std::int64_t>(problem().stages.size()); }
     long frame_interval() const;
     // Calls an action that may throw. If an error ends the run, puts the reason into the summary and returns
     // false.

@@ -11,7 +11,7 @@ namespace gxrod {
 namespace {
 
 // Which polynomials carry what is written at times within steps; of several stages each its own.
-std::string describe_interpolants(const RunRequest& request) {
+std::string describe_interpolants(const std::vector<StagePlan>& stages) {
     std::string words;
     const auto add = [&](const std::string& stage, const AnalysisSettings& analysis) {
         const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
@@ -23,29 +23,28 @@ std::string describe_interpolants(const RunRequest& request) {
                              interpolant.form,
                              interpolant.order);
     };
-    if (request.stages.empty()) add("", request.analysis);
-    for (const StagePlan& stage : request.stages) add(stage.name, stage.analysis);
+    for (const StagePlan& stage : stages) add(stage.name, stage.analysis);
     return words;
 }
 
 }  // namespace
 
 void Simulation::note_interpolants() {
-    if (file_ && !OutputSchedule(request_.output, 0.0).is_empty())
-        file_->note_interpolant(describe_interpolants(request_));
+    if (file_ && !OutputSchedule(problem().output, 0.0).is_empty())
+        file_->note_interpolant(describe_interpolants(problem().stages));
 }
 
 // Of the stage at hand, whose analysis is new.
 void Simulation::schedule_output() {
     schedule_ = OutputSchedule();
     if (!file_ || !is_timed(stages_->settings())) return;
-    schedule_ = OutputSchedule(request_.output, stages_->axis_start());
+    schedule_ = OutputSchedule(problem().output, stages_->axis_start());
     if (schedule_.is_empty()) return;
     stages_->analysis().keep_steps([this](double from, double to) { return schedule_.has_inner(from, to); });
 }
 
 long Simulation::frame_interval() const {
-    return stages_->index() == 0 ? request_.output.every : request_.stages[stages_->index()].frame_interval;
+    return stages_->index() == 0 ? problem().output.every : problem().stages[stages_->index()].frame_interval;
 }
 
 void Simulation::record() {
@@ -96,7 +95,7 @@ void Simulation::complete(Snapshot& snapshot, double time) {
     snapshot.load_factor = time;
     snapshot.branch = stages_->branch();
     input_values_.clear();
-    for (const std::shared_ptr<Input>& input : request_.model.inputs)
+    for (const std::shared_ptr<Input>& input : problem().model.inputs)
         input_values_.push_back((*input)(snapshot.load_factor));
     snapshot.inputs = input_values_;
     snapshot.limit_load_factor = limit_load_factor_of(stages_->settings()).value_or(snapshot.load_factor);

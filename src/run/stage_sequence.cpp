@@ -27,7 +27,7 @@ ComplexVectors sum_up(const std::vector<Excitation>& excitation, std::size_t nod
 }  // namespace
 
 StageSequence::StageSequence(Plan plan)
-    : plan_(std::move(plan)), axis_start_(find_axis_start(plan_.stages)), current_(build(0)) {
+    : plan_(std::move(plan)), axis_start_(find_axis_start(plan_.problem.stages)), current_(build(0)) {
     prepare_path();
 }
 
@@ -41,15 +41,15 @@ StageSequence::StageSequence(Plan plan, const RestartRecord& record)
 }
 
 StageSequence::Plan StageSequence::restore_ends(Plan plan, const RestartRecord& record) {
-    for (std::size_t i = 0; i < std::min(plan.stages.size(), record.stage_ends.size()); ++i) {
-        if (plan.stages[i].end) *plan.stages[i].end = record.stage_ends[i];
+    for (std::size_t i = 0; i < std::min(plan.problem.stages.size(), record.stage_ends.size()); ++i) {
+        if (plan.problem.stages[i].end) *plan.problem.stages[i].end = record.stage_ends[i];
     }
     return plan;
 }
 
 std::vector<double> StageSequence::ends() const {
     std::vector<double> ends;
-    for (const StagePlan& stage : plan_.stages) ends.push_back(stage.end ? *stage.end : 0.0);
+    for (const StagePlan& stage : plan_.problem.stages) ends.push_back(stage.end ? *stage.end : 0.0);
     return ends;
 }
 
@@ -106,10 +106,6 @@ void StageSequence::leave_branches() {
 
 const AnalysisSettings& StageSequence::settings() const { return settings_of(index_); }
 
-const AnalysisSettings& StageSequence::settings_of(std::size_t stage) const {
-    return stage == 0 ? plan_.analysis : plan_.stages[stage].analysis;
-}
-
 FoundShapes StageSequence::find_shapes() const {
     const std::string stage = name().empty() ? kind_of(settings()) : name();
     // After a quasi-static stage, whose system has none.
@@ -138,12 +134,12 @@ FoundShapes StageSequence::find_shapes() const {
     if (eigenvalues != nullptr && eigenvalues->sweep) return {stage, find_sweep(*eigenvalues)};
     if (eigenvalues != nullptr)
         return {stage, find_eigenvalues(system, state, state.time, *eigenvalues, analysis().frame())};
-    const double load_time = moving_index_ == 0 && !has_steps(plan_.analysis) ? 1.0 : state.time;
+    const double load_time = moving_index_ == 0 && !has_steps(plan_.problem.analysis()) ? 1.0 : state.time;
     return {stage, find_buckling(system, state, load_time, std::get<BucklingSettings>(settings()))};
 }
 
 SweepRecord StageSequence::find_sweep(const EigenvalueSettings& settings) const {
-    SweptEquilibria equilibria(plan_.stages[index_], index_, plan_.threads);
+    SweptEquilibria equilibria(plan_.problem.stages[index_], index_, plan_.threads);
     SweepSettings sweep{.eigenvalues = settings, .finds_onset = settings.sweep->finds_onset};
     sweep.eigenvalues.counts = false;
     SweepRecord record = sweep_eigenvalues(
@@ -155,29 +151,29 @@ SweepRecord StageSequence::find_sweep(const EigenvalueSettings& settings) const 
 StageSequence::Current StageSequence::build(std::size_t stage) const {
     Current current;
     if (stage > 0) {
-        current.model = std::make_unique<Model>(plan_.model);
-        set_actions(plan_.stages[stage].actions, *current.model);
+        current.model = std::make_unique<Model>(plan_.problem.model);
+        set_actions(plan_.problem.stages[stage].actions, *current.model);
     }
-    current.analysis =
-        make_analysis(current.model ? *current.model : plan_.model, settings_of(stage), plan_.threads);
+    current.analysis = make_analysis(
+        current.model ? *current.model : plan_.problem.model, settings_of(stage), plan_.threads);
     current.analysis->watch(plan_.watched, plan_.watched_contacts);
     return current;
 }
 
 double StageSequence::part_done() const {
-    const auto count = static_cast<double>(std::max<std::size_t>(plan_.stages.size(), 1));
+    const auto count = static_cast<double>(std::max<std::size_t>(plan_.problem.stages.size(), 1));
     const double part = has_steps(settings()) && !axis_end_ ? analysis().steps().part_done() : 0.0;
     return (static_cast<double>(index_) + part) / count;
 }
 
 std::optional<Failure> StageSequence::enter_next() {
     const std::size_t next = index_ + 1;
-    if (!has_steps(plan_.stages[next].analysis)) {
+    if (!has_steps(plan_.problem.stages[next].analysis)) {
         index_ = next;
         return std::nullopt;
     }
     // What acted on a path keeps the size that it had at its end.
-    const StagePlan& ended = plan_.stages[moving_index_];
+    const StagePlan& ended = plan_.problem.stages[moving_index_];
     if (is_path(ended.analysis) && ended.end) *ended.end = analysis().state().time;
     Current current = build(next);
     const EquilibriumReport report = current.analysis->start_after(*current_.analysis);

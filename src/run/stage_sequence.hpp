@@ -2,13 +2,12 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "analyses/static.hpp"
 #include "check/failure_advice.hpp"
-#include "model/settings/stage.hpp"
+#include "model/problem.hpp"
 #include "run/path_follower.hpp"
 #include "state/records/shapes_record.hpp"
 
@@ -24,10 +23,8 @@ struct FoundShapes {
 class StageSequence {
   public:
     struct Plan {
-        const Model& model;                 // with the loads of the first stage
-        const AnalysisSettings& analysis;   // of the first stage
-        std::span<const StagePlan> stages;  // all of them; empty if there is only one
-        std::vector<RodPlace> watched;      // as SteppedAnalysis::watch
+        const Problem& problem;
+        std::vector<RodPlace> watched;  // as SteppedAnalysis::watch
         std::vector<ContactWatch> watched_contacts = {};
         int threads = 1;
     };
@@ -41,18 +38,16 @@ class StageSequence {
     SteppedAnalysis& analysis() { return branch_ ? *branch_ : *current_.analysis; }
     const SteppedAnalysis& analysis() const { return branch_ ? *branch_ : *current_.analysis; }
     // Returns the model of the current stage.
-    const Model& model() const { return current_.model ? *current_.model : plan_.model; }
+    const Model& model() const { return current_.model ? *current_.model : plan_.problem.model; }
     const AnalysisSettings& settings() const;
     std::size_t index() const { return index_; }
     std::string name() const { return name_of(index_); }
-    std::string name_of(std::size_t stage) const {
-        return plan_.stages.empty() ? "" : plan_.stages[stage].name;
-    }
+    std::string name_of(std::size_t stage) const { return plan_.problem.stages[stage].name; }
     // Returns the settings of the stage whose steps led to the state.
     const AnalysisSettings& moving_settings() const { return settings_of(moving_index_); }
     // Returns the part of all stages that is done, 0 … 1, as if each took as long.
     double part_done() const;
-    bool is_last() const { return index_ + 1 >= plan_.stages.size(); }
+    bool is_last() const { return index_ + 1 >= plan_.problem.stages.size(); }
     // Returns the stage whose steps led to the state: the current one, or an earlier one if it finds shapes.
     std::size_t moving_index() const { return moving_index_; }
 
@@ -99,14 +94,16 @@ class StageSequence {
     };
 
     static Plan restore_ends(Plan plan, const RestartRecord& record);
-    const AnalysisSettings& settings_of(std::size_t stage) const;
+    const AnalysisSettings& settings_of(std::size_t stage) const {
+        return plan_.problem.stages[stage].analysis;
+    }
     Current build(std::size_t stage) const;
     SweepRecord find_sweep(const EigenvalueSettings& settings) const;
     void end_path(const std::string& cause);
     void prepare_path();
     // Names the stage whose steps led to the state.
     std::string prefix() const {
-        return plan_.stages.size() > 1 ? "stage " + name_of(moving_index_) + ": " : "";
+        return plan_.problem.stages.size() > 1 ? "stage " + name_of(moving_index_) + ": " : "";
     }
 
     Plan plan_;

@@ -36,7 +36,7 @@ bool have_same_shape(const Model& a, const Model& b) {
 
 }  // namespace
 
-std::size_t SweptEquilibria::find_last(const StagedModel& deck) const {
+std::size_t SweptEquilibria::find_last(const Problem& deck) const {
     std::size_t last = 0;
     for (std::size_t i = 0; i < index_; ++i) {
         if (has_steps(deck.stages[i].analysis)) last = i;
@@ -44,7 +44,7 @@ std::size_t SweptEquilibria::find_last(const StagedModel& deck) const {
     return last;
 }
 
-SweptEquilibria::Equilibrium SweptEquilibria::prepare(const StagedModel& deck, std::size_t stage) const {
+SweptEquilibria::Equilibrium SweptEquilibria::prepare(const Problem& deck, std::size_t stage) const {
     Equilibrium prepared;
     prepared.model = std::make_unique<Model>(deck.model);
     if (stage > 0) set_actions(deck.stages[stage].actions, *prepared.model);
@@ -52,7 +52,7 @@ SweptEquilibria::Equilibrium SweptEquilibria::prepare(const StagedModel& deck, s
     return prepared;
 }
 
-bool SweptEquilibria::settle(const StagedModel& deck, Equilibrium& found) const {
+bool SweptEquilibria::settle(const Problem& deck, Equilibrium& found) const {
     if (!last_.analysis || !have_same_shape(*last_.model, deck.model)) return false;
     // From the last equilibrium it would inherit what sections and friction remember of that.
     if (depends_on_path(deck.model)) return false;
@@ -64,7 +64,7 @@ bool SweptEquilibria::settle(const StagedModel& deck, Equilibrium& found) const 
     return report.converged() && report.iterations <= few_iterations;
 }
 
-std::string SweptEquilibria::run_stages(const StagedModel& deck, Equilibrium& found) const {
+std::string SweptEquilibria::run_stages(const Problem& deck, Equilibrium& found) const {
     found = {};
     const std::size_t last = find_last(deck);
     for (std::size_t i = 0; i <= last; ++i) {
@@ -81,7 +81,7 @@ std::string SweptEquilibria::run_stages(const StagedModel& deck, Equilibrium& fo
 }
 
 SweepState SweptEquilibria::find(double value) {
-    const StagedModel deck = plan_.vary(value);
+    const Problem deck = plan_.vary(value);
     Equilibrium found;
     if (!settle(deck, found)) {
         const std::string failure = run_stages(deck, found);

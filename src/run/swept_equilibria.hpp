@@ -6,7 +6,7 @@
 
 #include "analyses/shapes/sweep.hpp"
 #include "analyses/stepped_analysis.hpp"
-#include "model/settings/stage.hpp"
+#include "model/problem.hpp"
 
 namespace gxrod {
 
@@ -28,11 +28,11 @@ class SweptEquilibria {
     };
 
     // Finds the last stage before it that takes steps; the first stage if there is none.
-    std::size_t find_last(const StagedModel& deck) const;
-    Equilibrium prepare(const StagedModel& deck, std::size_t stage) const;
-    bool settle(const StagedModel& deck, Equilibrium& found) const;
+    std::size_t find_last(const Problem& deck) const;
+    Equilibrium prepare(const Problem& deck, std::size_t stage) const;
+    bool settle(const Problem& deck, Equilibrium& found) const;
     // Runs the stages and returns why one failed, "" if none did.
-    std::string run_stages(const StagedModel& deck, Equilibrium& found) const;
+    std::string run_stages(const Problem& deck, Equilibrium& found) const;
 
     const StagePlan& plan_;
     std::size_t index_;

@@ -16,9 +16,7 @@ DeckRun::DeckRun(const std::string& name, const std::string& text, const std::ve
     : name_(name),
       problem_(read_problem_text(text, name + ".toml", overrides)),
       stages_(std::make_unique<StageSequence>(
-          StageSequence::Plan{problem_.model,
-                              problem_.analysis,
-                              problem_.stages,
+          StageSequence::Plan{problem_,
                               list_rod_places(problem_.output.histories),
                               list_contact_watches(problem_.output.histories)})) {}
 

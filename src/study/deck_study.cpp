@@ -40,14 +40,14 @@ class DeckExaminer {
         const Problem& problem = base_problem_;
         study_.title = problem.record.title;
         study_.deck = deck.file();
-        study_.is_static = std::holds_alternative<StaticSettings>(problem.analysis);
-        study_.is_adaptive = adaptive_of(problem.analysis) != nullptr;
-        study_.expected_order = order_of(problem.analysis);
+        study_.is_static = std::holds_alternative<StaticSettings>(problem.analysis());
+        study_.is_adaptive = adaptive_of(problem.analysis()) != nullptr;
+        study_.expected_order = order_of(problem.analysis());
         study_.element_order = lowest_order_of(problem.model);
         study_.depends_on_steps = !study_.is_static || has_elements_simo(problem.model);
         study_.unrefined_rods = list_unrefined_rods(problem);
         study_.tolerance = options.tolerance;
-        study_.times = choose_times(problem.analysis);
+        study_.times = choose_times(problem.analysis());
         study_.end_time = study_.times.back();
         series_ = list_series(problem.output);
         rotation_ = restrict_rotation(make_random_rotation(options.seed), problem.model);

@@ -51,12 +51,12 @@ DeckVariant make_finer_steps(const Problem& problem, int level) {
         VariantKind::finer_steps, level, level == 1 ? "half the step" : "a quarter of the step"};
     const int factor = 1 << level;
     variant.cost = factor;
-    if (const AdaptiveSettings* adaptive = adaptive_of(problem.analysis)) {
+    if (const AdaptiveSettings* adaptive = adaptive_of(problem.analysis())) {
         variant.title = fmt::format("{} of the tolerance", level == 1 ? "1/16" : "1/256");
-        variant.overrides = refine(*adaptive, newton_of(problem.analysis), level);
+        variant.overrides = refine(*adaptive, newton_of(problem.analysis()), level);
     }
-    const auto* dynamic = std::get_if<DynamicSettings>(&problem.analysis);
-    const long steps = dynamic != nullptr ? dynamic->steps : steps_of(problem.analysis);
+    const auto* dynamic = std::get_if<DynamicSettings>(&problem.analysis());
+    const long steps = dynamic != nullptr ? dynamic->steps : steps_of(problem.analysis());
     if (dynamic == nullptr) variant.title = level == 1 ? "twice the load steps" : "four times the load steps";
     variant.overrides.push_back(fmt::format("analysis.steps={}", factor * steps));
     return variant;

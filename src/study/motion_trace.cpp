@@ -71,8 +71,8 @@ class Tracer {
   public:
     Tracer(const Problem& problem, const TraceRequest& request)
         : request_(&request),
-          is_dynamic_(std::holds_alternative<DynamicSettings>(problem.analysis)),
-          analysis_(make_analysis(problem.model, problem.analysis, request.threads)),
+          is_dynamic_(std::holds_alternative<DynamicSettings>(problem.analysis())),
+          analysis_(make_analysis(problem.model, problem.analysis(), request.threads)),
           mass_(total_mass(problem.model)),
           round_off_(compute_energy_round_off(problem.model)),
           momenta_(analysis_->system(), mass_),

@@ -12,7 +12,7 @@ namespace gxrod {
 namespace {
 
 RunRequest make_request(const Problem& problem, const TraceRequest& trace) {
-    RunRequest request{problem.model, problem.analysis, problem.output, problem.record, std::nullopt};
+    RunRequest request{problem};
     request.threads = trace.threads;
     return request;
 }

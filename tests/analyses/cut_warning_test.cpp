@@ -9,7 +9,7 @@ namespace {
 
 std::string advise(const std::string& deck, bool is_unstable = false) {
     const Problem problem = test::read(deck);
-    return advise_on_cuts(problem.model, problem.analysis, is_unstable);
+    return advise_on_cuts(problem.model, problem.analysis(), is_unstable);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ struct End {
 
 End run(const std::string& deck) {
     const Problem problem = read(deck);
-    Simulation simulation(RunRequest{problem.model, problem.analysis, problem.output, problem.record, {}});
+    Simulation simulation(RunRequest{problem});
     REQUIRE(simulation.start());
     double energy_error = 0.0;
     while (simulation.step())

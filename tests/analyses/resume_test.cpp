@@ -67,18 +67,14 @@ struct Runner {
 
     // Stops after so many steps; never if negative.
     RunSummary run(const Problem& problem, const std::string& name, int most_steps = -1) const {
-        RunRequest request{problem.model,
-                           problem.analysis,
-                           problem.output,
-                           problem.record,
-                           ResultsFileOptions{folder / name}};
+        RunRequest request{problem, ResultsFileOptions{folder / name}};
         int steps = 0;
         request.is_interrupted = [&] { return steps++ == most_steps; };
         return run_analysis(request);
     }
     RunSummary resume(const Problem& problem, const std::string& name, int most_steps = -1) const {
         ResumableFile file(folder / name);
-        RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}, &file};
+        RunRequest request{problem, {}, &file};
         int steps = 0;
         request.is_interrupted = [&] { return steps++ == most_steps; };
         return run_analysis(request);

@@ -55,8 +55,7 @@ struct Driven {
     explicit Driven(const std::string& deck) : problem(read(deck)), simulation(request()) {}
 
     RunRequest request() const {
-        RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}};
-        request.stages = problem.stages;
+        RunRequest request{problem};
         return request;
     }
     void advance(double until) {
@@ -309,11 +308,7 @@ TEST_CASE("Inputs are recorded, and resumed to the last bit", "[analyses][simula
         with_push("\"u\"", "[input.u]\nvalue = 1\nhold = \"linear\"\n[output]\nevery = 5\n");
     const Problem problem = read(deck);
     const auto drive = [&](const std::string& name, double stop) {
-        RunRequest request{problem.model,
-                           problem.analysis,
-                           problem.output,
-                           problem.record,
-                           ResultsFileOptions{folder / name}};
+        RunRequest request{problem, ResultsFileOptions{folder / name}};
         Simulation simulation(request);
         simulation.start();
         while (!simulation.has_ended() && simulation.time() < stop) {

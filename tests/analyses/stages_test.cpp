@@ -76,8 +76,7 @@ struct Traced {
 
 Traced trace(const Problem& problem) {
     Traced traced;
-    RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}};
-    request.stages = problem.stages;
+    RunRequest request{problem};
     request.observe = [&](const Snapshot& snapshot, const LedgerRow& ledger) {
         traced.rows.push_back({snapshot.time, snapshot.stage, snapshot.nodes.back().r, ledger});
     };

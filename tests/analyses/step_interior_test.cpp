@@ -175,7 +175,7 @@ void check_orders(const std::string& deck,
                   const Steps& of,
                   const std::map<std::string, double>& expected) {
     Problem problem = read(deck);
-    std::get<DynamicSettings>(problem.analysis).end_time = of.end_time;
+    std::get<DynamicSettings>(problem.stages.front().analysis).end_time = of.end_time;
     const auto reference = make_reference(problem, 8 * of.steps);
     const auto coarse = measure_errors(problem, scheme, of.steps, reference);
     const auto fine = measure_errors(problem, scheme, 2 * of.steps, reference);

@@ -48,8 +48,7 @@ struct End {
 
 End run(const std::string& deck) {
     const Problem problem = read(deck);
-    RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}};
-    request.stages = problem.stages;
+    RunRequest request{problem};
     Simulation simulation(request);
     REQUIRE(simulation.start());
     End end;
@@ -224,7 +223,7 @@ TEST_CASE("A tendon that swings loose never pushes", "[analyses][tendon]") {
 
 TEST_CASE("Sections bear the tension of a tendon that is drawn in", "[analyses][tendon]") {
     const Problem problem = read(parallel("shortening = 0.01") + statics);
-    Simulation simulation(RunRequest{problem.model, problem.analysis, problem.output, problem.record, {}});
+    Simulation simulation(RunRequest{problem});
     REQUIRE(simulation.start());
     while (simulation.step()) {
     }

@@ -99,7 +99,7 @@ struct Outcome {
 
 Outcome run(const std::string& analysis, int threads) {
     const Problem problem = read(structure + analysis);
-    RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}};
+    RunRequest request{problem};
     request.threads = threads;
     Outcome outcome;
     request.observe = [&](const Snapshot& snapshot, const LedgerRow& row) {

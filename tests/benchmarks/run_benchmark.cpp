@@ -44,11 +44,7 @@ void run(benchmark::State& state, Make&& make) {
     const MemoryPeak memory;
     const Problem problem = make();
     for (auto _ : state) {
-        const RunSummary summary = run_analysis({.model = problem.model,
-                                                 .analysis = problem.analysis,
-                                                 .output = problem.output,
-                                                 .deck = problem.record,
-                                                 .results = {}});
+        const RunSummary summary = run_analysis({problem});
         const double bytes = memory.bytes();
         state.PauseTiming();
         if (summary.status != RunStatus::complete) state.SkipWithError("did not complete");

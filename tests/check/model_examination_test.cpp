@@ -9,7 +9,7 @@ namespace {
 std::vector<std::string> examine(const std::string& deck) {
     const Problem problem = read(deck);
     std::vector<std::string> lines;
-    for (const Finding& finding : examine_model(problem.model, problem.analysis))
+    for (const Finding& finding : examine_model(problem.model, problem.analysis()))
         lines.push_back(describe(finding));
     return lines;
 }
@@ -81,7 +81,7 @@ TEST_CASE("Suspicious models are warned of", "[check]") {
                   "[[support]]\nat = \"r.start\"\nfix = \"position\"\n")
               .empty());
     const Problem massless = read("gravity = [0, 0, -1]\n[body.b]\n[analysis]\nkind = \"static\"\n");
-    const std::vector<Finding> findings = examine_model(massless.model, massless.analysis);
+    const std::vector<Finding> findings = examine_model(massless.model, massless.analysis());
     REQUIRE(findings.size() == 2);
     CHECK(describe(findings[1]) == "warning: gravity acts on nothing: the model has no mass");
 }

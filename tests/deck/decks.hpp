@@ -85,7 +85,7 @@ Problem read(const std::string& deck, const std::vector<std::string>& overrides 
 
 // What a deck of a dynamic analysis asks for.
 inline DynamicSettings dynamic_of(const Problem& problem) {
-    return std::get<DynamicSettings>(problem.analysis);
+    return std::get<DynamicSettings>(problem.analysis());
 }
 
 // All faults of a deck named x.toml, a line each; "" if it has none.

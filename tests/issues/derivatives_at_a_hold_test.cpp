@@ -90,7 +90,7 @@ Vec3 carry_along(const std::string& deck, const std::string& name) {
     const Variation varied(deck, name);
     Simulation simulation(request_of(base));
     REQUIRE(simulation.start());
-    Sensitivities sensitivities(simulation.analysis(), base.analysis, {varied.models()});
+    Sensitivities sensitivities(simulation.analysis(), base.analysis(), {varied.models()});
     sensitivities.start();
     while (!simulation.has_ended()) {
         sensitivities.note_before();

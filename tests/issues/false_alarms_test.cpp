@@ -42,7 +42,7 @@ std::string with_inertia(const std::string& inertia) {
 
 std::vector<std::string> warnings_of(const Problem& problem) {
     std::vector<std::string> warnings;
-    for (const Finding& finding : examine_model(problem.model, problem.analysis)) {
+    for (const Finding& finding : examine_model(problem.model, problem.analysis())) {
         if (finding.severity == Severity::warning) warnings.push_back(finding.message);
     }
     return warnings;

@@ -59,7 +59,7 @@ TEST_CASE("A modulus in another unit than the lengths shows in the static strain
             "[rod.r]\nsection = \"s\"\nline = { from = [0, 0, 0], to = [1, 0, 0] }\nelements = 4\n"
             "order = 2\n" +
             rest);
-        return describe_static_scale(problem.model, problem.analysis);
+        return describe_static_scale(problem.model, problem.analysis());
     };
     const std::string clamp = "[[support]]\nat = \"r.start\"\nfix = \"all\"\n";
     const std::string statics = "[analysis]\nkind = \"static\"\n";

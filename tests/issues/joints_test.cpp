@@ -51,7 +51,7 @@ Vec3 vector_of(const HistoryPoint::Row& row) { return {row[0], row[1], row[2]}; 
 std::vector<std::string> list_warnings(const std::string& deck) {
     const Problem problem = read(deck);
     std::vector<std::string> warnings;
-    for (const Finding& finding : examine_model(problem.model, problem.analysis)) {
+    for (const Finding& finding : examine_model(problem.model, problem.analysis())) {
         if (finding.severity == Severity::warning) warnings.push_back(finding.message);
     }
     return warnings;
@@ -64,7 +64,7 @@ bool any_has(const std::vector<std::string>& sentences, const std::string& words
 
 std::string find_error(const std::string& deck) {
     const Problem problem = read(deck);
-    for (const Finding& finding : examine_model(problem.model, problem.analysis)) {
+    for (const Finding& finding : examine_model(problem.model, problem.analysis())) {
         if (finding.severity == Severity::error) return finding.message;
     }
     return "";

@@ -134,7 +134,7 @@ struct Outcome {
 
 Outcome run(const std::string& deck, const std::vector<std::string>& overrides = {}) {
     const Problem problem = read(deck, overrides);
-    const RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}};
+    const RunRequest request{problem};
     const RunSummary summary = run_analysis(request);
     REQUIRE(summary.status == RunStatus::complete);
     return {summary.totals.jumps,

@@ -33,7 +33,8 @@ const std::string static_analysis = "[analysis]\nkind = \"static\"\nsteps = 1\n"
 // The clamp's force and moment of a static deck, against f and m of the straight rod.
 void check_reactions(const std::string& deck, double force, double moment) {
     const Problem problem = read(deck);
-    const tools::StaticRun run = tools::run_static(problem.model, std::get<StaticSettings>(problem.analysis));
+    const tools::StaticRun run =
+        tools::run_static(problem.model, std::get<StaticSettings>(problem.analysis()));
     CHECK(std::abs(run.reactions[0][2] + force) < 1e-7 * std::abs(force));
     // The rod bends a little.
     CHECK(std::abs(run.reactions[0][4] - moment) < 1e-5 * std::abs(moment));
@@ -63,7 +64,7 @@ time_step = )" +
 std::string findings_of(const std::string& deck, const std::string& word) {
     const Problem problem = read(deck);
     std::string text;
-    for (const Finding& finding : examine_model(problem.model, problem.analysis)) {
+    for (const Finding& finding : examine_model(problem.model, problem.analysis())) {
         if (finding.message.find(word) != std::string::npos) text += finding.message + "\n";
     }
     return text;

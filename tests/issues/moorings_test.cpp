@@ -114,7 +114,7 @@ steps = 4
 std::string findings_of(const std::string& deck) {
     const Problem problem = read(deck);
     std::string all;
-    for (const Finding& finding : examine_surroundings(problem.model, problem.analysis))
+    for (const Finding& finding : examine_surroundings(problem.model, problem.analysis()))
         all += finding.message + "\n";
     return all;
 }

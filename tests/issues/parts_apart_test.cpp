@@ -49,7 +49,7 @@ const std::string one_step = "[analysis]\nkind = \"static\"\nsteps = 1\n";
 // How far the end of rod 0 is from where it was, and from its start.
 Vec3 run_hair(const std::string& deck) {
     const Problem problem = read(deck);
-    const auto analysis = make_analysis(problem.model, problem.analysis);
+    const auto analysis = make_analysis(problem.model, problem.analysis());
     REQUIRE(analysis->start().converged());
     while (!analysis->finished()) REQUIRE(analysis->advance().converged());
     const std::vector<int>& nodes = problem.model.rods[0].nodes;

@@ -20,8 +20,7 @@ namespace {
 using Catch::Contains;
 
 RunSummary run(const Problem& problem) {
-    RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}};
-    request.stages = problem.stages;
+    RunRequest request{problem};
     return run_analysis(request);
 }
 
@@ -68,7 +67,7 @@ Vec3 move_of_end(const Problem& problem, const SteppedAnalysis& analysis) {
 
 Vec3 find_static_end(const std::string& deck) {
     const Problem problem = read(deck + "[analysis]\nkind = \"static\"\nsteps = 10\n");
-    StaticAnalysis analysis(problem.model, std::get<StaticSettings>(problem.analysis));
+    StaticAnalysis analysis(problem.model, std::get<StaticSettings>(problem.analysis()));
     REQUIRE(analysis.start().converged());
     while (!analysis.finished()) REQUIRE(analysis.advance().converged());
     return move_of_end(problem, analysis);
@@ -78,7 +77,7 @@ Vec3 find_static_end(const std::string& deck) {
 void check_path(const std::string& deck, int most_steps) {
     INFO(deck);
     const Problem problem = read(deck + "[analysis]\nkind = \"path\"\nuntil = { t = 1, steps = 60 }\n");
-    PathAnalysis analysis(problem.model, std::get<PathSettings>(problem.analysis));
+    PathAnalysis analysis(problem.model, std::get<PathSettings>(problem.analysis()));
     REQUIRE(analysis.start().converged());
     int steps = 0;
     for (; !analysis.finished(); ++steps) REQUIRE(analysis.advance().converged());
@@ -115,7 +114,7 @@ force = [0, ")" +
 int count_passes(const std::string& until, double value) {
     const Problem problem = read(
         toggle("kind = \"path\"\n" + until + "\nat = [{ t = [" + fmt::format("{}", value) + "] }]\n", "-t"));
-    PathAnalysis analysis(problem.model, std::get<PathSettings>(problem.analysis));
+    PathAnalysis analysis(problem.model, std::get<PathSettings>(problem.analysis()));
     REQUIRE(analysis.start().converged());
     int passes = 0;
     while (!analysis.finished()) {
@@ -410,7 +409,7 @@ steps = 10
 )");
     for (const Finding& finding : examine_stages(problem.model, problem.stages))
         CHECK_THAT(finding.message, !Contains("nothing loads the model"));
-    CHECK(describe_static_scale(problem.model, problem.analysis) == "");
+    CHECK(describe_static_scale(problem.model, problem.analysis()) == "");
     CHECK(warnings_of(problem) == "");
 }
 
@@ -418,7 +417,7 @@ TEST_CASE("Pivots of loads that follow are unknown, and the run says so", "[issu
     const Problem problem =
         read(beam("[[load]]\nat = \"beam.end\"\nforce = [0, 0.1, 0]\nframe = \"follower\"\n"
                   "[analysis]\nkind = \"static\"\nsteps = 2\n"));
-    StaticAnalysis analysis(problem.model, std::get<StaticSettings>(problem.analysis));
+    StaticAnalysis analysis(problem.model, std::get<StaticSettings>(problem.analysis()));
     REQUIRE(analysis.start().converged());
     CHECK(analysis.solver_row().negative_pivots == -1);
     REQUIRE(analysis.advance().converged());

@@ -74,7 +74,7 @@ struct Books {
 Books keep_books(const std::string& deck, const std::string& scheme, double time_step = 0.01) {
     const Problem problem =
         read(deck, {"analysis.integrator=" + scheme, "analysis.time_step=" + std::to_string(time_step)});
-    RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}};
+    RunRequest request{problem};
     Books books;
     request.observe = [&](const Snapshot&, const LedgerRow& row) {
         books.falls = books.falls || row.dissipated_energy < books.last.dissipated_energy ||

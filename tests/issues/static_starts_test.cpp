@@ -25,7 +25,7 @@ struct Ended {
 };
 
 Ended run(const Problem& problem) {
-    StaticAnalysis analysis(problem.model, std::get<StaticSettings>(problem.analysis));
+    StaticAnalysis analysis(problem.model, std::get<StaticSettings>(problem.analysis()));
     REQUIRE(analysis.start().converged());
     Ended ended;
     while (!analysis.finished()) {
@@ -201,8 +201,7 @@ steps = 10
 
 TEST_CASE("A run says that statics relaxed, and its energies balance", "[issues]") {
     const Problem problem = read(make_deck({0.35, 300, 1e7, 100, 3, 20, 20}));
-    const RunSummary summary =
-        run_analysis({problem.model, problem.analysis, problem.output, problem.record, {}});
+    const RunSummary summary = run_analysis({problem});
     CHECK(summary.status == RunStatus::complete);
     CHECK(summary.warnings.empty());
     CHECK(summary.totals.jumps.count == 0);

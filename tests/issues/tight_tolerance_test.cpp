@@ -100,7 +100,7 @@ TEST_CASE("A tolerance of Newton's method that the deck gives and that is the li
     const auto warnings = [](const std::string& lines) {
         const Problem problem = read(top_deck + lines);
         std::string text;
-        for (const Finding& finding : examine_model(problem.model, problem.analysis)) {
+        for (const Finding& finding : examine_model(problem.model, problem.analysis())) {
             if (finding.severity == Severity::warning) text += finding.message;
         }
         return text;
@@ -139,8 +139,7 @@ TEST_CASE("Newton's tolerance bounds no finer run of a verification", "[issues]"
 TEST_CASE("Equal steps too short for Newton's tolerance are reported at the end", "[issues]") {
     const auto limit = [](const std::string& lines) {
         const Problem problem = read(replaced(top_deck, "end_time = 2.0", "end_time = 0.1") + lines);
-        return run_analysis({problem.model, problem.analysis, problem.output, problem.record, {}})
-            .newton_limit;
+        return run_analysis({problem}).newton_limit;
     };
     CHECK(limit("").empty());
     const std::string short_steps = limit("newton.tolerance = 1e-6\n");

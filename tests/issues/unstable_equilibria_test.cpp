@@ -21,7 +21,7 @@ struct Watched {
 };
 
 Watched run(const Problem& problem) {
-    StaticAnalysis analysis(problem.model, std::get<StaticSettings>(problem.analysis));
+    StaticAnalysis analysis(problem.model, std::get<StaticSettings>(problem.analysis()));
     REQUIRE(analysis.start().converged());
     Watched watched;
     while (!analysis.finished()) {

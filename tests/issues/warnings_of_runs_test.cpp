@@ -23,8 +23,7 @@ struct Ran {
 
 Ran run(const std::string& deck) {
     const Problem problem = read(deck);
-    RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}};
-    request.stages = problem.stages;
+    RunRequest request{problem};
     request.examined = examine_stages(problem.model, problem.stages);
     const ScratchFile file("run.vtkhdf", "");
     request.results = ResultsFileOptions{file.path(), Existing::replace};

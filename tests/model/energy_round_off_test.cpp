@@ -14,7 +14,8 @@ fix = ["position", "rx", "ry"]
 move = { rz = 30 }
 )");
     const double round_off = compute_energy_round_off(problem.model);
-    const tools::StaticRun run = tools::run_static(problem.model, std::get<StaticSettings>(problem.analysis));
+    const tools::StaticRun run =
+        tools::run_static(problem.model, std::get<StaticSettings>(problem.analysis()));
     CHECK(run.ledger.strain_energy > 0.0);
     CHECK(run.ledger.strain_energy < round_off);
     CHECK(std::abs(run.ledger.energy_error) < round_off);

@@ -26,7 +26,7 @@ void compare(const std::string& deck, const std::vector<std::string>& names, dou
     std::vector<VariedModels> models;
     for (const std::string& name : names) varied.emplace_back(deck, name, 3e-4);
     for (const Variation& one : varied) models.push_back(one.models());
-    Sensitivities sensitivities(simulation.analysis(), base.analysis, models);
+    Sensitivities sensitivities(simulation.analysis(), base.analysis(), models);
     REQUIRE(simulation.start());
     sensitivities.start();
     while (!simulation.has_ended()) {

@@ -53,7 +53,7 @@ Eigen::VectorXd carry_along(const std::string& deck, const std::string& name, bo
     const Variation varied(deck, name);
     Simulation simulation(request_of(base));
     REQUIRE(simulation.start());
-    Sensitivities sensitivities(simulation.analysis(), base.analysis, {varied.models()});
+    Sensitivities sensitivities(simulation.analysis(), base.analysis(), {varied.models()});
     sensitivities.start();
     while (!simulation.has_ended()) {
         sensitivities.note_before();
@@ -171,10 +171,10 @@ TEST_CASE("what cannot be differentiated is refused", "[sensitivity]") {
     Simulation simulation(request_of(base));
     REQUIRE(simulation.start());
     const Problem other = read(replaced(make_carried(), "elements = 4", "elements = 5"));
-    CHECK_THROWS_WITH(Sensitivities(simulation.analysis(), base.analysis, {vary(other, base)}),
+    CHECK_THROWS_WITH(Sensitivities(simulation.analysis(), base.analysis(), {vary(other, base)}),
                       Contains("which nodes and elements"));
     const Problem held = read(make_carried() + "[[support]]\nat = \"r.end\"\nfix = \"z\"\n");
-    CHECK_THROWS_WITH(Sensitivities(simulation.analysis(), base.analysis, {vary(held, base)}),
+    CHECK_THROWS_WITH(Sensitivities(simulation.analysis(), base.analysis(), {vary(held, base)}),
                       Contains("which motions are held"));
 }
 
@@ -185,7 +185,7 @@ TEST_CASE("functions of a state are differentiated along it", "[sensitivity]") {
     const Variation varied(deck, "EI");
     Simulation simulation(request_of(base));
     REQUIRE(simulation.start());
-    Sensitivities sensitivities(simulation.analysis(), base.analysis, {varied.models()});
+    Sensitivities sensitivities(simulation.analysis(), base.analysis(), {varied.models()});
     sensitivities.start();
     while (!simulation.has_ended()) {
         sensitivities.note_before();
@@ -253,7 +253,7 @@ void check_sections(const std::string& deck, const std::vector<std::string>& nam
         const Variation varied(deck, name);
         Simulation simulation(request_of(base));
         REQUIRE(simulation.start());
-        Sensitivities sensitivities(simulation.analysis(), base.analysis, {varied.models()});
+        Sensitivities sensitivities(simulation.analysis(), base.analysis(), {varied.models()});
         sensitivities.start();
         while (!simulation.has_ended()) {
             sensitivities.note_before();

@@ -88,8 +88,7 @@ inline double value_of(const std::string& deck, const std::string& name) {
 }
 
 inline RunRequest request_of(const Problem& problem) {
-    RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}};
-    request.stages = problem.stages;
+    RunRequest request{problem};
     return request;
 }
 

@@ -13,9 +13,8 @@ namespace gxrod::tools {
 inline RunSummary run_problem(const Problem& problem,
                               const std::optional<std::filesystem::path>& file = std::nullopt,
                               int most_steps = -1) {
-    RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}};
+    RunRequest request{problem};
     if (file) request.results = ResultsFileOptions{*file};
-    request.stages = problem.stages;
     int steps = 0;
     request.is_interrupted = [&] { return steps++ == most_steps; };
     return run_analysis(request);
@@ -23,8 +22,7 @@ inline RunSummary run_problem(const Problem& problem,
 
 inline RunSummary resume_problem(const Problem& problem, const std::filesystem::path& path) {
     ResumableFile file(path);
-    RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}, &file};
-    request.stages = problem.stages;
+    RunRequest request{problem, {}, &file};
     return run_analysis(request);
 }
 

@@ -29,8 +29,7 @@ Driven::Driven(const BuiltModel& model,
                Kept kept,
                const std::vector<Varied>& varied)
     : problem_(model.deck->build(model.overrides)), kept_(std::move(kept)) {
-    RunRequest request{problem_.model, problem_.analysis, problem_.output, problem_.record, {}};
-    request.stages = problem_.stages;
+    RunRequest request{problem_};
     request.threads = threads;
     if (!results.empty()) {
         request.results = ResultsFileOptions{results};
@@ -54,7 +53,7 @@ Driven::Driven(const BuiltModel& model,
         for (const BuiltModel* side : one.models) varied_.push_back(build(*side));
         all.push_back(pair_models({varied_.end() - 4, varied_.end()}, one.step));
     }
-    sensitivities_ = std::make_unique<Sensitivities>(simulation_->analysis(), problem_.analysis, all);
+    sensitivities_ = std::make_unique<Sensitivities>(simulation_->analysis(), problem_.analysis(), all);
 }
 
 std::vector<double> Driven::differentiate_history(std::size_t number,
@@ -124,7 +123,7 @@ std::vector<int> Driven::list_nodes(std::size_t history) const {
 
 std::vector<double> Driven::find_gradient(const std::vector<Weighted>& sum,
                                           const std::vector<Varied>& varied) {
-    const auto* settings = std::get_if<StaticSettings>(&problem_.analysis);
+    const auto* settings = std::get_if<StaticSettings>(&problem_.analysis());
     if (settings == nullptr || problem_.stages.size() > 1)
         throw std::invalid_argument("there are gradients of equilibria, of a static analysis of one stage");
     std::vector<int> nodes;

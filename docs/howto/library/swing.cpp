@@ -29,7 +29,7 @@ int main(int count, char** arguments) {
             fmt::print(stderr, "no [[history]] at a node is named {}\n", arguments[2]);
             return 2;
         }
-        const auto analysis = gxrod::make_analysis(problem.model, problem.analysis);
+        const auto analysis = gxrod::make_analysis(problem.model, problem.analysis());
         gxrod::EquilibriumReport report = analysis->start();
         double lowest = std::numeric_limits<double>::infinity();
         double when = 0.0;

@@ -82,13 +82,12 @@ class CaseRun {
     }
 
     RunSummary run(const Problem& problem, const std::vector<Finding>& findings, Collector& collector) {
-        RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}};
+        RunRequest request{problem};
         if (context_.plan.keeping != Keeping::none) {
             const std::string path = results_path(row_.number, context_.cases.count());
             request.results = ResultsFileOptions{context_.folder / path, Existing::replace};
             row_.results = path;
         }
-        request.stages = problem.stages;
         request.examined = findings;
         request.observe = [&](const Snapshot& snapshot, const LedgerRow& ledger) {
             collector.add(snapshot, ledger);

@@ -30,7 +30,7 @@ struct Actions {
     Contact contact = {};  // the same in all stages but for the motions of obstacles
 };
 
-struct StagedModel;
+struct Problem;
 
 struct StagePlan {
     std::string name;  // "" of the one stage of a deck that has [analysis]
@@ -39,16 +39,8 @@ struct StagePlan {
     long frame_interval = 1;  // as OutputSettings::every
     // Where its t ends; of a path, once it has ended. Shared with what later stages hold at its value there.
     std::shared_ptr<double> end = {};
-    // Of a sweep: the model, and all stages, with a value of what is varied. Throws std::runtime_error if
-    // there is none.
-    std::function<StagedModel(double value)> vary = {};
-};
-
-// A model with the stages of its deck.
-struct StagedModel {
-    Model model;                // with what acts in the first stage
-    AnalysisSettings analysis;  // of the first stage
-    std::vector<StagePlan> stages;
+    // The problem with another value of what a sweep varies. Throws std::runtime_error if there is none.
+    std::function<Problem(double value)> vary = {};
 };
 
 // Whether one of them follows limit points.

@@ -205,7 +205,7 @@ Json describe_analysis(const AnalysisSettings& analysis) {
 
 Json describe_tables(const Problem& problem) {
     const Model& model = problem.model;
-    Json tables = Json::array({describe_analysis(problem.analysis)});
+    Json tables = Json::array({describe_analysis(problem.analysis())});
     if (!model.sections.empty()) tables.push_back(describe_sections(model));
     if (Json centres = describe_centre_table(model); !centres["rows"].empty()) tables.push_back(centres);
     if (!model.rods.empty()) tables.push_back(describe_rods(model));

@@ -48,7 +48,7 @@ std::string beam(double hinge, double stub, const std::string& end, const std::s
 
 double find_last_load(const std::string& deck) {
     const Problem problem = read(deck);
-    const auto analysis = make_analysis(problem.model, problem.analysis, 1);
+    const auto analysis = make_analysis(problem.model, problem.analysis(), 1);
     REQUIRE(analysis->start().converged());
     while (!analysis->finished()) REQUIRE(analysis->advance().converged());
     return analysis->state().time;
@@ -138,7 +138,7 @@ std::complex<double> measure_decay(const std::string& prony, int steps) {
         problem.model.nodes[i].velocity = 1e-4 * modes.modes[0].shape.nodes[i].head<3>();
         problem.model.nodes[i].angular_velocity = 1e-4 * modes.modes[0].shape.nodes[i].tail<3>();
     }
-    const auto analysis = make_analysis(problem.model, problem.analysis, 1);
+    const auto analysis = make_analysis(problem.model, problem.analysis(), 1);
     REQUIRE(analysis->start().converged());
     std::vector<double> tip;
     while (!analysis->finished()) {

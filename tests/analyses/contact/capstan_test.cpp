@@ -67,8 +67,7 @@ struct Moment {
 
 std::vector<Moment> run(const std::string& deck) {
     const Problem problem = read(deck);
-    RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}};
-    request.stages = problem.stages;
+    RunRequest request{problem};
     Simulation simulation(request);
     REQUIRE(simulation.start());
     std::vector<Moment> moments;
@@ -291,8 +290,7 @@ TEST_CASE("Newton's method converges quadratically though a tendon rubs", "[anal
     using namespace capstan;
     const auto count = [](const std::string& deck) {
         const Problem problem = read(deck);
-        Simulation simulation(
-            RunRequest{problem.model, problem.analysis, problem.output, problem.record, {}});
+        Simulation simulation(RunRequest{problem});
         REQUIRE(simulation.start());
         while (simulation.step()) {
         }

@@ -15,7 +15,7 @@ namespace {
 class BodyRun {
   public:
     explicit BodyRun(const std::string& deck)
-        : problem_(read(deck)), analysis_(make_analysis(problem_.model, problem_.analysis, 1)) {
+        : problem_(read(deck)), analysis_(make_analysis(problem_.model, problem_.analysis(), 1)) {
         REQUIRE(analysis_->start().converged());
     }
     void step() {

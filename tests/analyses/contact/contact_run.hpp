@@ -19,7 +19,7 @@ namespace gxrod::test {
 class ContactRun {
   public:
     explicit ContactRun(const std::string& deck)
-        : problem_(read(deck)), analysis_(make_analysis(problem_.model, problem_.analysis, 1)) {
+        : problem_(read(deck)), analysis_(make_analysis(problem_.model, problem_.analysis(), 1)) {
         REQUIRE(analysis_->start().converged());
     }
     void finish() {

@@ -45,7 +45,7 @@ class StlFiles {
 
 struct MeshRun {
     explicit MeshRun(const std::string& deck)
-        : problem(read(deck)), analysis(make_analysis(problem.model, problem.analysis, 1)) {
+        : problem(read(deck)), analysis(make_analysis(problem.model, problem.analysis(), 1)) {
         REQUIRE(analysis->start().converged());
         while (!analysis->finished()) {
             REQUIRE(analysis->advance().converged());
@@ -250,7 +250,7 @@ TEST_CASE("A rod that starts in what it touches is refused, of any kind of analy
              {"kind = \"static\"\n", "kind = \"dynamic\"\nend_time = 1\ntime_step = 0.1\n"}) {
             const std::string deck = drawn_rod(obstacle, 0.04, 0.0);
             const Problem problem = read(deck.substr(0, deck.find("[analysis]")) + "[analysis]\n" + kind);
-            const auto analysis = make_analysis(problem.model, problem.analysis, 1);
+            const auto analysis = make_analysis(problem.model, problem.analysis(), 1);
             CHECK_THROWS_WITH(analysis->start(),
                               Catch::StartsWith("at the start a@") && Catch::Contains(" is 0.01 deep in ") &&
                                   Catch::Contains("obstacle \"o\"; expected a gap"));

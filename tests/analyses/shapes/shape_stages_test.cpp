@@ -124,8 +124,7 @@ TEST_CASE("A run that was stopped finds its shapes when it goes on", "[analyses]
     REQUIRE(run_problem(problem, folder / "part.vtkhdf", stop).status == RunStatus::interrupted);
     {
         ResumableFile resumed(folder / "part.vtkhdf");
-        RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}, &resumed};
-        request.stages = problem.stages;
+        RunRequest request{problem, {}, &resumed};
         REQUIRE(run_analysis(request).status == RunStatus::complete);
     }
     const Hdf5Reader whole(folder / "whole.vtkhdf");
@@ -281,8 +280,7 @@ TEST_CASE("A blade that was turning goes on from there", "[analyses][stages]") {
     REQUIRE(run_problem(problem, folder / "part.vtkhdf", 2).status == RunStatus::interrupted);
     {
         ResumableFile resumed(folder / "part.vtkhdf");
-        RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}, &resumed};
-        request.stages = problem.stages;
+        RunRequest request{problem, {}, &resumed};
         REQUIRE(run_analysis(request).status == RunStatus::complete);
     }
     const Hdf5Reader whole(folder / "whole.vtkhdf");

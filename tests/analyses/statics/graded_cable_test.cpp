@@ -36,7 +36,8 @@ steps = 10
 // The larger relative error of the moments at the ends.
 double error_of(const std::vector<std::string>& overrides) {
     const Problem problem = read(cable, overrides);
-    const tools::StaticRun run = tools::run_static(problem.model, std::get<StaticSettings>(problem.analysis));
+    const tools::StaticRun run =
+        tools::run_static(problem.model, std::get<StaticSettings>(problem.analysis()));
     const auto error = [](double moment, double is) { return std::abs(std::abs(moment) / is - 1.0); };
     return std::max(error(run.reactions.front()[4], 12394.578726126),
                     error(run.reactions.back()[4], 17461.472875684));

@@ -19,7 +19,7 @@ struct Outcome {
 
 Outcome run(const std::string& deck) {
     const Problem problem = read(deck);
-    const auto analysis = make_analysis(problem.model, problem.analysis, 1);
+    const auto analysis = make_analysis(problem.model, problem.analysis(), 1);
     REQUIRE(analysis->start().converged());
     while (!analysis->finished()) REQUIRE(analysis->advance().converged());
     Outcome outcome;
@@ -211,7 +211,7 @@ TEST_CASE("a free rod that starts bent swings about its rest without losing ener
                  "[1, 0, 0] } "
                  "}\n[analysis]\nkind = \"dynamic\"\nintegrator = \"sdirk-4\"\nend_time = 0.2\nsteps = " +
                  steps + "\nnewton = { tolerance = 1e-12 }\n");
-        const auto analysis = make_analysis(problem.model, problem.analysis, 1);
+        const auto analysis = make_analysis(problem.model, problem.analysis(), 1);
         REQUIRE(analysis->start().converged());
         CHECK(analysis->ledger_row().strain_energy == Approx(0.5 * 6.0 * 0.25).epsilon(1e-6));
         double kinetic = 0.0;

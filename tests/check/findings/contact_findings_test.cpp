@@ -21,7 +21,7 @@ std::string findings(const std::string& rest, Severity severity = Severity::note
         "material = { E = 1e9, nu = 0.3, density = 1000 }\n" +
         rest + "[analysis]\nkind = \"dynamic\"\nend_time = 1\ntime_step = 0.1\n");
     std::string text;
-    for (const Finding& finding : examine_contact(problem.model, problem.analysis)) {
+    for (const Finding& finding : examine_contact(problem.model, problem.analysis())) {
         if (finding.severity == severity) text += finding.message + "\n";
     }
     return text;
@@ -64,7 +64,7 @@ TEST_CASE("Check: what contact alone is to hold in statics", "[check][touch]") {
             rest + "[analysis]\nkind = \"" + kind + "\"\n" +
             (kind == "static" ? "" : "end_time = 1\ntime_step = 0.1\n"));
         std::string text;
-        for (const Finding& finding : examine_model(problem.model, problem.analysis)) {
+        for (const Finding& finding : examine_model(problem.model, problem.analysis())) {
             if (finding.severity == Severity::warning) text += "warning: " + finding.message + "\n";
             if (finding.severity == Severity::error) text += "error: " + finding.message + "\n";
             if (finding.severity == Severity::note) text += finding.message + "\n";

@@ -36,7 +36,7 @@ TEST_CASE("Structures on joints that can stand have no free motion", "[check][jo
         const Problem problem = read(deck_of(name));
         CHECK(find_free_mechanisms(problem.model).empty());
         CHECK(find_free_parts(problem.model).empty());
-        CHECK_FALSE(has_error(examine_model(problem.model, problem.analysis)));
+        CHECK_FALSE(has_error(examine_model(problem.model, problem.analysis())));
     }
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("A free joint holds what its motors and springs do", "[check][joint]")
 TEST_CASE("Free joints of statics are a warning that names them", "[check][joint]") {
     const Problem loose =
         read(replaced(deck_of("sprung_hinge"), "spring = { stiffness = \"k\" }", "spring = { damping = 1 }"));
-    const std::vector<Finding> findings = examine_model(loose.model, loose.analysis);
+    const std::vector<Finding> findings = examine_model(loose.model, loose.analysis());
     CHECK_FALSE(has_error(findings));
     const auto is_named = [](const Finding& finding) {
         return finding.message ==

@@ -8,12 +8,12 @@ namespace gxrod::test {
 namespace {
 
 ResponseSettings response_of(const Problem& p) {
-    const auto* response = std::get_if<ResponseSettings>(&p.analysis);
+    const auto* response = std::get_if<ResponseSettings>(&p.analysis());
     return response != nullptr ? *response : ResponseSettings{};
 }
 
 PathSettings path_of(const Problem& p) {
-    const auto* path = std::get_if<PathSettings>(&p.analysis);
+    const auto* path = std::get_if<PathSettings>(&p.analysis());
     return path != nullptr ? *path : PathSettings{};
 }
 
@@ -132,7 +132,7 @@ std::vector<RoundTrip> analysis_trips() {
     return {
         {"analysis.kind",
          static_rod_deck,
-         [](const Problem& p) { return std::holds_alternative<StaticSettings>(p.analysis); }},
+         [](const Problem& p) { return std::holds_alternative<StaticSettings>(p.analysis()); }},
         {"analysis.end_time",
          replaced(body_deck, "end_time = 1.0", "end_time = 2.5"),
          [](const Problem& p) { return dynamic_of(p).end_time == 2.5; }},
@@ -180,14 +180,14 @@ std::vector<RoundTrip> analysis_trips() {
          [](const Problem& p) { return dynamic_of(p).newton.tangent == TangentKind::paper; }},
         {"analysis.count",
          shape_deck("buckling", "count = 7"),
-         [](const Problem& p) { return std::get<BucklingSettings>(p.analysis).count == 7; }},
+         [](const Problem& p) { return std::get<BucklingSettings>(p.analysis()).count == 7; }},
         {"analysis.below",
          shape_deck("modes", "below = 7"),
-         [](const Problem& p) { return std::get<ModesSettings>(p.analysis).below == 7.0; }},
+         [](const Problem& p) { return std::get<ModesSettings>(p.analysis()).below == 7.0; }},
         {"analysis.linearization",
          shape_deck("modes", "linearization = \"loading\""),
          [](const Problem& p) {
-             return std::get<ModesSettings>(p.analysis).linearization == Linearization::loading;
+             return std::get<ModesSettings>(p.analysis()).linearization == Linearization::loading;
          }},
         {"analysis.linear_solver",
          body_deck + "linear_solver = \"klu\"",

@@ -35,7 +35,7 @@ x.toml:10:22: analysis.newton.tangent: "paper" is for decks of bodies alone; thi
 
 TEST_CASE("A static analysis has steps of the load factor", "[deck]") {
     const auto settings = [](const std::string& lines) {
-        return std::get<StaticSettings>(read(static_rod_deck + lines).analysis);
+        return std::get<StaticSettings>(read(static_rod_deck + lines).analysis());
     };
     CHECK(settings("").steps == 10);
     CHECK_FALSE(settings("").newton.tolerance);
@@ -212,7 +212,7 @@ TEST_CASE("A quasi-static analysis has time and no inertia", "[deck]") {
     CHECK(settings.adaptive->tolerance == 1e-6);
     // A load is as it is written.
     CHECK(problem.model.loads[0].force[1](0.1) == 3.0);
-    CHECK(std::string(kind_of(problem.analysis)) == "quasi-static");
+    CHECK(std::string(kind_of(problem.analysis())) == "quasi-static");
     CHECK(faults_of(deck + "[[initial]]\non = \"r\"\nvelocity = [1, 0, 0]\n").find("velocit") !=
           std::string::npos);
 }

@@ -67,7 +67,7 @@ TEST_CASE("Stages have the keys of an analysis and a name", "[deck][stages]") {
     CHECK(std::get<StaticSettings>(problem.stages[0].analysis).steps == 7);
     CHECK(std::get<DynamicSettings>(problem.stages[1].analysis).end_time == 3.0);
     CHECK(std::get<StaticSettings>(problem.stages[2].analysis).steps == 3);
-    CHECK(std::get<StaticSettings>(problem.analysis).steps == 7);
+    CHECK(std::get<StaticSettings>(problem.analysis()).steps == 7);
     CHECK(problem.record.has_statics);
     CHECK_FALSE(problem.record.is_static);
     CHECK(find_axis_start(problem.stages) == -1.0);

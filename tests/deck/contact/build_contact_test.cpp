@@ -190,7 +190,7 @@ TEST_CASE("Analyses that contact does not go with are reported", "[deck][touch]"
         read(deck(floor,
                   circle,
                   "[analysis]\nkind = \"dynamic\"\nend_time = 1\ntime_step = 0.1\nintegrator = \"auto\"\n"));
-    CHECK(std::get<DynamicSettings>(chosen.analysis).scheme == Scheme::newmark_simplified);
+    CHECK(std::get<DynamicSettings>(chosen.analysis()).scheme == Scheme::newmark_simplified);
     const std::string damped = "kind = \"dynamic\"\nend_time = 1\ntime_step = 0.1\ngamma = 0.6\n";
     CHECK_THAT(with(damped + "beta = 0.3025\n"),
                Contains("analysis.beta") && Contains("expected beta = 0.3"));

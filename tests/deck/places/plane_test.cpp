@@ -35,8 +35,8 @@ const std::string in_plane = "plane = \"xy\"\n" + arm;
 TEST_CASE("A model in its plane has three unknowns a node and the same equilibrium", "[deck][plane]") {
     const Problem free = read(arm);
     const Problem plane = read(in_plane);
-    StaticAnalysis in_space(free.model, std::get<StaticSettings>(free.analysis));
-    StaticAnalysis flat(plane.model, std::get<StaticSettings>(plane.analysis));
+    StaticAnalysis in_space(free.model, std::get<StaticSettings>(free.analysis()));
+    StaticAnalysis flat(plane.model, std::get<StaticSettings>(plane.analysis()));
     CHECK(flat.system().equations().count() * 2 == in_space.system().equations().count());
     for (StaticAnalysis* analysis : {&in_space, &flat}) {
         REQUIRE(analysis->start().converged());

@@ -35,8 +35,7 @@ Section section_of(const std::string& deck) { return read(deck).model.sections.a
 
 NodeMotion tip_of(const std::string& deck) {
     const Problem problem = read(deck);
-    RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}};
-    request.stages = problem.stages;
+    RunRequest request{problem};
     Simulation simulation(request);
     while (simulation.step()) {
     }

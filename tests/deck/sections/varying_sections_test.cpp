@@ -61,8 +61,7 @@ struct Ended {
 
 Ended run(const std::string& deck) {
     const Problem problem = read(deck);
-    RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}};
-    request.stages = problem.stages;
+    RunRequest request{problem};
     Simulation simulation(request);
     while (simulation.step()) {
     }

@@ -25,12 +25,12 @@ fix = "all"
 
 TangentChoice choose(const std::string& EIz, const std::string& analysis) {
     const Problem problem = test::read(make_deck(EIz, analysis));
-    return choose_tangent(problem.model, problem.analysis);
+    return choose_tangent(problem.model, problem.analysis());
 }
 
 double tolerance_of(const std::string& lines) {
     const std::string analysis = "kind = \"dynamic\"\nend_time = 1.0\nsteps = 10\nintegrator = \"sdirk-4\"\n";
-    return choose_newton_tolerance(test::read(make_deck("4e-3", analysis + lines)).analysis);
+    return choose_newton_tolerance(test::read(make_deck("4e-3", analysis + lines)).analysis());
 }
 
 const std::string dynamic = "kind = \"dynamic\"\nend_time = 1.0\nsteps = 10\n";
