@@ -1,7 +1,7 @@
 #include "run/run.hpp"
 
 #include "machine/phase_timer.hpp"
-#include "run/simulation.hpp"
+#include "run/stepped_run.hpp"
 
 namespace gxrod {
 
@@ -10,7 +10,7 @@ RunSummary run_analysis(const RunRequest& request) {
     RunSummary summary;
     {
         const PhaseTimer timer(seconds);
-        Simulation simulation(request);
+        SteppedRun simulation(request);
         simulation.start();
         while (!simulation.has_ended()) {
             if (request.is_interrupted())

@@ -29,9 +29,8 @@ struct Progress {
 
 struct RunRequest {
     const Problem& problem;
-    std::optional<ResultsFileOptions> results =
-        {};                            // no file is written if neither this nor `resumed` is given
-    ResumableFile* resumed = nullptr;  // a file to resume instead of writing a new one
+    std::optional<ResultsFileOptions> results = {};  // none is written without it or `resumed`
+    ResumableFile* resumed = nullptr;                // a file to resume instead of writing a new one
     std::function<void(const Progress&)> report_progress = [](const Progress&) {};
     // Called with the record from which a run resumes.
     std::function<void(const RestartRecord&)> report_resumption = [](const RestartRecord&) {};

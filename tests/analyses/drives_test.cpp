@@ -4,7 +4,7 @@
 
 #include "analyses/shapes/buckling.hpp"
 #include "deck/decks.hpp"
-#include "run/simulation.hpp"
+#include "run/stepped_run.hpp"
 #include "tools/catch.hpp"
 
 namespace gxrod::test {
@@ -33,7 +33,7 @@ struct End {
 
 End run(const std::string& deck) {
     const Problem problem = read(deck);
-    Simulation simulation(RunRequest{problem});
+    SteppedRun simulation(RunRequest{problem});
     REQUIRE(simulation.start());
     double energy_error = 0.0;
     while (simulation.step())

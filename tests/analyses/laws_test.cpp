@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "deck/decks.hpp"
-#include "run/simulation.hpp"
+#include "run/stepped_run.hpp"
 #include "tools/catch.hpp"
 
 namespace gxrod::test {
@@ -46,7 +46,7 @@ struct Books {
 Books run(const std::string& deck) {
     const Problem problem = read(deck);
     RunRequest request{problem};
-    Simulation simulation(std::move(request));
+    SteppedRun simulation(std::move(request));
     REQUIRE(simulation.start());
     Books books;
     while (simulation.step()) {
@@ -79,7 +79,7 @@ TEST_CASE("the books of rods that yield, slip and relax balance to the order of 
 TEST_CASE("a law that does nothing leaves the linear rod", "[analyses]") {
     const auto end_of = [](const std::string& law) {
         const Problem problem = read(swing(law, "kind = \"dynamic\"\ntime_step = 0.02\n"));
-        Simulation simulation(RunRequest{problem});
+        SteppedRun simulation(RunRequest{problem});
         while (simulation.step()) {
         }
         REQUIRE(simulation.summary().reason.empty());

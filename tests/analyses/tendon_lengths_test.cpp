@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "deck/decks.hpp"
-#include "run/simulation.hpp"
+#include "run/stepped_run.hpp"
 #include "tools/catch.hpp"
 
 namespace gxrod::test {
@@ -49,7 +49,7 @@ struct End {
 End run(const std::string& deck) {
     const Problem problem = read(deck);
     RunRequest request{problem};
-    Simulation simulation(request);
+    SteppedRun simulation(request);
     REQUIRE(simulation.start());
     End end;
     end.tendon = simulation.take_snapshot(false).tendons[0];
@@ -223,7 +223,7 @@ TEST_CASE("A tendon that swings loose never pushes", "[analyses][tendon]") {
 
 TEST_CASE("Sections bear the tension of a tendon that is drawn in", "[analyses][tendon]") {
     const Problem problem = read(parallel("shortening = 0.01") + statics);
-    Simulation simulation(RunRequest{problem});
+    SteppedRun simulation(RunRequest{problem});
     REQUIRE(simulation.start());
     while (simulation.step()) {
     }

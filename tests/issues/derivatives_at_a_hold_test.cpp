@@ -1,4 +1,4 @@
-#include "run/simulation.hpp"
+#include "run/stepped_run.hpp"
 #include "sensitivity/sensitivities.hpp"
 #include "sensitivity/swing.hpp"
 #include "tools/catch.hpp"
@@ -73,7 +73,7 @@ Vec3 place_of_last(const State& state) { return state.previous.back().r; }
 
 Vec3 run_with(const std::string& deck, const std::string& name, double value) {
     const Problem problem = read(set(deck, name, value));
-    Simulation simulation(request_of(problem));
+    SteppedRun simulation(request_of(problem));
     while (simulation.step()) {
     }
     REQUIRE(simulation.summary().reason.empty());
@@ -88,7 +88,7 @@ Vec3 difference_of_runs(const std::string& deck, const std::string& name) {
 Vec3 carry_along(const std::string& deck, const std::string& name) {
     const Problem base = read(deck);
     const Variation varied(deck, name);
-    Simulation simulation(request_of(base));
+    SteppedRun simulation(request_of(base));
     REQUIRE(simulation.start());
     Sensitivities sensitivities(simulation.analysis(), base.analysis(), {varied.models()});
     sensitivities.start();

@@ -21,7 +21,7 @@ double weigh(const State& state) {
 // What both give of a deck's number.
 void compare(const std::string& deck, const std::vector<std::string>& names, double tolerance) {
     const Problem base = read(deck);
-    Simulation simulation(request_of(base));
+    SteppedRun simulation(request_of(base));
     std::vector<Variation> varied;
     std::vector<VariedModels> models;
     for (const std::string& name : names) varied.emplace_back(deck, name, 3e-4);

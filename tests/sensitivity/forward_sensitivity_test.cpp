@@ -31,7 +31,7 @@ Eigen::VectorXd list_end(const State& state, bool has_rates) {
 
 Eigen::VectorXd run_with(const std::string& deck, const std::string& name, double value, bool has_rates) {
     const Problem problem = read(set(deck, name, value));
-    Simulation simulation(request_of(problem));
+    SteppedRun simulation(request_of(problem));
     while (simulation.step()) {
     }
     REQUIRE(simulation.summary().reason.empty());
@@ -51,7 +51,7 @@ Eigen::VectorXd extrapolate(const std::string& deck, const std::string& name, bo
 Eigen::VectorXd carry_along(const std::string& deck, const std::string& name, bool has_rates) {
     const Problem base = read(deck);
     const Variation varied(deck, name);
-    Simulation simulation(request_of(base));
+    SteppedRun simulation(request_of(base));
     REQUIRE(simulation.start());
     Sensitivities sensitivities(simulation.analysis(), base.analysis(), {varied.models()});
     sensitivities.start();
@@ -168,7 +168,7 @@ TEST_CASE("derivatives by numbers that move a support are those of whole runs", 
 
 TEST_CASE("what cannot be differentiated is refused", "[sensitivity]") {
     const Problem base = read(make_carried());
-    Simulation simulation(request_of(base));
+    SteppedRun simulation(request_of(base));
     REQUIRE(simulation.start());
     const Problem other = read(replaced(make_carried(), "elements = 4", "elements = 5"));
     CHECK_THROWS_WITH(Sensitivities(simulation.analysis(), base.analysis(), {vary(other, base)}),
@@ -183,7 +183,7 @@ TEST_CASE("functions of a state are differentiated along it", "[sensitivity]") {
     const double p = value_of(deck, "EI");
     const Problem base = read(deck);
     const Variation varied(deck, "EI");
-    Simulation simulation(request_of(base));
+    SteppedRun simulation(request_of(base));
     REQUIRE(simulation.start());
     Sensitivities sensitivities(simulation.analysis(), base.analysis(), {varied.models()});
     sensitivities.start();
@@ -201,7 +201,7 @@ TEST_CASE("functions of a state are differentiated along it", "[sensitivity]") {
         });
     const auto run = [&](double value) {
         const Problem problem = read(set(deck, "EI", value));
-        Simulation other(request_of(problem));
+        SteppedRun other(request_of(problem));
         while (other.step()) {
         }
         return energy(other.analysis().system(), other.analysis().state());
@@ -230,7 +230,7 @@ std::vector<double> list_sections(const System& system, const State& state) {
 // Of a whole run: the end of its last step, as it was before it was accepted.
 std::vector<double> end_sections(const std::string& deck, const std::string& name, double value) {
     const Problem problem = read(set(deck, name, value));
-    Simulation simulation(request_of(problem));
+    SteppedRun simulation(request_of(problem));
     REQUIRE(simulation.start());
     State before;
     while (!simulation.has_ended()) {
@@ -251,7 +251,7 @@ void check_sections(const std::string& deck, const std::vector<std::string>& nam
     for (const std::string& name : names) {
         INFO(name);
         const Variation varied(deck, name);
-        Simulation simulation(request_of(base));
+        SteppedRun simulation(request_of(base));
         REQUIRE(simulation.start());
         Sensitivities sensitivities(simulation.analysis(), base.analysis(), {varied.models()});
         sensitivities.start();

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "deck/decks.hpp"
-#include "run/simulation.hpp"
+#include "run/stepped_run.hpp"
 #include "sensitivity/forward_sensitivity.hpp"
 
 // A model to differentiate, its numbers, and the models next to it.
@@ -87,10 +87,7 @@ inline double value_of(const std::string& deck, const std::string& name) {
     return std::stod(deck.substr(deck.find("\n" + name + " = ") + name.size() + 4));
 }
 
-inline RunRequest request_of(const Problem& problem) {
-    RunRequest request{problem};
-    return request;
-}
+inline RunRequest request_of(const Problem& problem) { return {problem}; }
 
 // The deck's models for values of a number next to its own.
 class Variation {

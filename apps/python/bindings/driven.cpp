@@ -36,7 +36,7 @@ Driven::Driven(const BuiltModel& model,
         request.examined = examine_stages(problem_.model, problem_.stages);
     }
     request.observe = [this](const Snapshot& snapshot, const LedgerRow& ledger) { note(snapshot, ledger); };
-    simulation_ = std::make_unique<Simulation>(request);
+    simulation_ = std::make_unique<SteppedRun>(request);
     const std::vector<HistoryRequest>& requests = problem_.output.histories;
     for (std::size_t i = 0; i < requests.size(); ++i) {
         Recorded recorded{HistoryPoint(problem_.model, requests, i), {}, {}};

@@ -8,7 +8,7 @@
 
 #include "model.hpp"
 #include "results/histories/history_point.hpp"
-#include "run/simulation.hpp"
+#include "run/stepped_run.hpp"
 #include "sensitivity/sensitivities.hpp"
 #include "state_views.hpp"
 
@@ -17,7 +17,7 @@ namespace gxrod::python {
 class Driven;
 
 // A checkpoint with the derivatives there, for the simulation that has them.
-struct SavedState : Checkpoint {
+struct SavedState : RunCheckpoint {
     std::shared_ptr<const Sensitivities::Record> derivatives = {};
     const Driven* owner = nullptr;
 };
@@ -44,8 +44,8 @@ class Driven {
            Kept kept,
            const std::vector<Varied>& varied);
 
-    Simulation& simulation() { return *simulation_; }
-    const Simulation& simulation() const { return *simulation_; }
+    SteppedRun& simulation() { return *simulation_; }
+    const SteppedRun& simulation() const { return *simulation_; }
     const Problem& problem() const { return problem_; }
     StateViews& views() { return views_; }
     const std::vector<NodeMotion>& nodes() const { return simulation_->analysis().state().previous; }
@@ -110,7 +110,7 @@ class Driven {
                  std::vector<double>& to);
 
     Problem problem_;
-    std::unique_ptr<Simulation> simulation_;
+    std::unique_ptr<SteppedRun> simulation_;
     StateViews views_;
     std::vector<Recorded> histories_;
     Kept kept_;

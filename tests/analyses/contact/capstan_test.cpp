@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "deck/decks.hpp"
-#include "run/simulation.hpp"
+#include "run/stepped_run.hpp"
 #include "tools/catch.hpp"
 
 namespace gxrod::test {
@@ -68,7 +68,7 @@ struct Moment {
 std::vector<Moment> run(const std::string& deck) {
     const Problem problem = read(deck);
     RunRequest request{problem};
-    Simulation simulation(request);
+    SteppedRun simulation(request);
     REQUIRE(simulation.start());
     std::vector<Moment> moments;
     const auto take = [&] {
@@ -290,7 +290,7 @@ TEST_CASE("Newton's method converges quadratically though a tendon rubs", "[anal
     using namespace capstan;
     const auto count = [](const std::string& deck) {
         const Problem problem = read(deck);
-        Simulation simulation(RunRequest{problem});
+        SteppedRun simulation(RunRequest{problem});
         REQUIRE(simulation.start());
         while (simulation.step()) {
         }

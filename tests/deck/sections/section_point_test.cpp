@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "deck/decks.hpp"
-#include "run/simulation.hpp"
+#include "run/stepped_run.hpp"
 #include "tools/catch.hpp"
 
 namespace gxrod::test {
@@ -36,7 +36,7 @@ Section section_of(const std::string& deck) { return read(deck).model.sections.a
 NodeMotion tip_of(const std::string& deck) {
     const Problem problem = read(deck);
     RunRequest request{problem};
-    Simulation simulation(request);
+    SteppedRun simulation(request);
     while (simulation.step()) {
     }
     REQUIRE(simulation.summary().reason.empty());

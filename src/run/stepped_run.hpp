@@ -13,19 +13,19 @@
 namespace gxrod {
 
 // An accepted state that a simulation of the same deck returns to, to the last bit.
-struct Checkpoint {
+struct RunCheckpoint {
     RestartRecord record;
     std::int64_t rows = 0;
 };
 
 // A run that its owner drives step by step through all stages of its deck, with a results file if the request
 // has one. run_analysis drives one to its end.
-class Simulation {
+class SteppedRun {
   public:
     // Builds the system, and creates the file or takes it over. The request is copied, but the objects that
     // it refers to must outlive this. Throws FileError as run_analysis does.
-    explicit Simulation(RunRequest request);
-    ~Simulation();
+    explicit SteppedRun(RunRequest request);
+    ~SteppedRun();
 
     // Accepts the state at t = 0. Call it first, also for a run that is resumed. Returns false if there is no
     // such state; the summary has the reason.
@@ -52,10 +52,10 @@ class Simulation {
 
     // Returns a checkpoint of the last accepted state. Throws std::logic_error on a path that has met
     // critical points.
-    Checkpoint save() const;
+    RunCheckpoint save() const;
     // Returns to a checkpoint. Throws std::logic_error if the run writes a file, std::invalid_argument if the
     // state belongs to another model.
-    void restore(const Checkpoint& checkpoint);
+    void restore(const RunCheckpoint& checkpoint);
 
     const RunRequest& request() const { return request_; }
     const Problem& problem() const { return request_.problem; }

@@ -3,7 +3,7 @@
 #include "analyses/dynamic.hpp"
 #include "model/settings/analysis_traits.hpp"
 #include "model/settings/frame_interval.hpp"
-#include "run/simulation.hpp"
+#include "run/stepped_run.hpp"
 
 // What a simulation writes, and when.
 namespace gxrod {
@@ -29,13 +29,13 @@ std::string describe_interpolants(const std::vector<StagePlan>& stages) {
 
 }  // namespace
 
-void Simulation::note_interpolants() {
+void SteppedRun::note_interpolants() {
     if (file_ && !OutputSchedule(problem().output, 0.0).is_empty())
         file_->note_interpolant(describe_interpolants(problem().stages));
 }
 
 // Of the stage at hand, whose analysis is new.
-void Simulation::schedule_output() {
+void SteppedRun::schedule_output() {
     schedule_ = OutputSchedule();
     if (!file_ || !is_timed(stages_->settings())) return;
     schedule_ = OutputSchedule(problem().output, stages_->axis_start());
@@ -43,11 +43,11 @@ void Simulation::schedule_output() {
     stages_->analysis().keep_steps([this](double from, double to) { return schedule_.has_inner(from, to); });
 }
 
-long Simulation::frame_interval() const {
+long SteppedRun::frame_interval() const {
     return stages_->index() == 0 ? problem().output.every : problem().stages[stages_->index()].frame_interval;
 }
 
-void Simulation::record() {
+void SteppedRun::record() {
     const PhaseTimer timer(output_seconds_);
     last_framed_ = file_ && is_frame_due();
     const LedgerRow ledger = analysis().ledger_row();
@@ -70,7 +70,7 @@ void Simulation::record() {
 }
 
 // Frames and samples that are due before the end of the accepted step.
-void Simulation::record_within() {
+void SteppedRun::record_within() {
     if (!has_started_ || schedule_.is_empty()) return;
     std::vector<DueOutput> due = schedule_.list(analysis().step_start(), analysis().state().time);
     due.pop_back();
@@ -82,14 +82,14 @@ void Simulation::record_within() {
     }
 }
 
-Snapshot Simulation::take_snapshot(bool with_elements) {
+Snapshot SteppedRun::take_snapshot(bool with_elements) {
     Snapshot snapshot = stages_->analysis().snapshot(with_elements);
     complete(snapshot, analysis().state().time);
     snapshot.time = stages_->axis();
     return snapshot;
 }
 
-void Simulation::complete(Snapshot& snapshot, double time) {
+void SteppedRun::complete(Snapshot& snapshot, double time) {
     snapshot.time = stages_->axis_start() + time;
     snapshot.stage = static_cast<int>(stages_->moving_index());
     snapshot.load_factor = time;
@@ -102,7 +102,7 @@ void Simulation::complete(Snapshot& snapshot, double time) {
 }
 
 // At the accepted time.
-DueOutput Simulation::find_due() const {
+DueOutput SteppedRun::find_due() const {
     const double now = analysis().state().time;
     if (schedule_.is_empty()) return {now, false, false};
     if (!has_started_) return schedule_.list_start();
@@ -110,7 +110,7 @@ DueOutput Simulation::find_due() const {
 }
 
 // At the accepted time; the one before it is recorded. The end of a stage is shown.
-bool Simulation::is_frame_due() const {
+bool SteppedRun::is_frame_due() const {
     if (analysis().finished() && (!stages_->is_last() || is_path(stages_->settings()))) return true;
     if (schedule_.has_frames()) return !has_started_ || find_due().is_frame;
     const long interval = frame_interval();
@@ -120,13 +120,13 @@ bool Simulation::is_frame_due() const {
 }
 
 // Frames show where a path that was given up ends, too.
-void Simulation::show_last() {
+void SteppedRun::show_last() {
     if (!file_ || last_framed_ || !has_started_) return;
     file_->write_frame(take_snapshot());
     last_framed_ = true;
 }
 
-void Simulation::write_end() {
+void SteppedRun::write_end() {
     // If memory ran out, the last step may not have become a row; a resumed run takes it again.
     if (has_started_ && recorded_time_ != stages_->axis()) return;
     if (has_started_ && !stages_->has_critical_points()) file_->set_restart(restart_record());

@@ -1,4 +1,4 @@
-#include "run/simulation.hpp"
+#include "run/stepped_run.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@
 
 namespace gxrod {
 
-Simulation::Simulation(RunRequest request)
+SteppedRun::SteppedRun(RunRequest request)
     : request_(std::move(request)), books_(request_.problem.model, request_.examined), stages_(build()) {
     RunSummary& summary = books_.summary();
     summary.is_static = problem().record.is_static;
@@ -36,16 +36,16 @@ Simulation::Simulation(RunRequest request)
     summary.threads = analysis().system().team().size();
 }
 
-Simulation::~Simulation() = default;
+SteppedRun::~SteppedRun() = default;
 
-StageSequence::Plan Simulation::make_plan() const {
+StageSequence::Plan SteppedRun::make_plan() const {
     return {problem(),
             list_rod_places(problem().output.histories),
             list_contact_watches(problem().output.histories),
             request_.threads};
 }
 
-std::unique_ptr<StageSequence> Simulation::build() {
+std::unique_ptr<StageSequence> SteppedRun::build() {
     const PhaseTimer timer(setup_seconds_);
     if (request_.resumed == nullptr) return std::make_unique<StageSequence>(make_plan());
     const RestartRecord& record = request_.resumed->place().record;
@@ -56,7 +56,7 @@ std::unique_ptr<StageSequence> Simulation::build() {
 }
 
 template <class Action>
-bool Simulation::guard(const Action& action) {
+bool SteppedRun::guard(const Action& action) {
     RunSummary& summary = books_.summary();
     try {
         if (action()) return true;
@@ -79,7 +79,7 @@ bool Simulation::guard(const Action& action) {
     return false;
 }
 
-bool Simulation::start() {
+bool SteppedRun::start() {
     if (phase_ != Phase::new_run) return phase_ != Phase::ended;
     return guard([&] {
         if (!request_.resumed && !take_first()) return false;
@@ -89,14 +89,14 @@ bool Simulation::start() {
     });
 }
 
-bool Simulation::step() {
+bool SteppedRun::step() {
     if (phase_ == Phase::new_run && !start()) return false;
     if (phase_ == Phase::ended) return false;
     return guard([&] { return find_next_step(); });
 }
 
 // Through the ends of stages and paths; false at the end of the run, or if it failed.
-bool Simulation::find_next_step() {
+bool SteppedRun::find_next_step() {
     while (true) {
         if (!has_steps(stages_->settings())) {
             if (!find_shapes() || stages_->is_last() || !enter_next_stage()) return false;
@@ -117,7 +117,7 @@ bool Simulation::find_next_step() {
 }
 
 // Whether nothing can follow the last accepted step.
-void Simulation::note_end() {
+void SteppedRun::note_end() {
     if (stages_->is_last() && has_steps(stages_->settings()) && !is_path(stages_->settings()) &&
         analysis().finished()) {
         phase_ = Phase::ended;
@@ -126,13 +126,13 @@ void Simulation::note_end() {
 }
 
 // Where the main path at hand begins.
-void Simulation::begin_path() {
+void SteppedRun::begin_path() {
     if (!is_path(stages_->settings())) return;
     const bool has_start_row = stages_->index() == 0;
     stages_->begin_path(rows_ - analysis().steps().steps_done() - (has_start_row ? 1 : 0));
 }
 
-bool Simulation::enter_next_branch() {
+bool SteppedRun::enter_next_branch() {
     if (!is_path(stages_->settings())) return false;
     show_last();
     if (!stages_->enter_next_branch(cause_)) return false;
@@ -143,7 +143,7 @@ bool Simulation::enter_next_branch() {
 }
 
 // What the stage's path has found, if it is one that has not been written.
-void Simulation::write_paths() {
+void SteppedRun::write_paths() {
     const PathRecord& paths = stages_->paths();
     if (paths.empty() || written_paths_ == stages_->moving_index() + 1) return;
     written_paths_ = stages_->moving_index() + 1;
@@ -153,7 +153,7 @@ void Simulation::write_paths() {
     file_->write_paths(place_of_stage(), problem().record, problem().model, paths);
 }
 
-bool Simulation::find_shapes() {
+bool SteppedRun::find_shapes() {
     const std::string prefix = name_stage(*stages_, stage_count());
     FoundShapes found = stages_->find_shapes();
     const std::string failure = find_failure(found.record);
@@ -179,7 +179,7 @@ bool Simulation::find_shapes() {
 }
 
 // False, and the reason is kept, if it cannot start.
-bool Simulation::enter_next_stage() {
+bool SteppedRun::enter_next_stage() {
     phase_ = Phase::started;
     if (has_steps(problem().stages[stages_->index() + 1].analysis)) {
         for (const std::shared_ptr<Input>& input : problem().model.inputs) input->begin_stage();
@@ -205,12 +205,12 @@ bool Simulation::enter_next_stage() {
     return true;
 }
 
-StagePlace Simulation::place_of_stage() const {
+StagePlace SteppedRun::place_of_stage() const {
     const std::string kind = kind_of(stages_->settings());
     return {stages_->index(), stages_->name().empty() ? kind : stages_->name(), kind, stages_->axis_start()};
 }
 
-void Simulation::explain_no_step(const std::filesystem::path& path, double time) const {
+void SteppedRun::explain_no_step(const std::filesystem::path& path, double time) const {
     const double end = end_of(stages_->settings());
     if (is_path(stages_->settings()))
         throw FileError(
@@ -231,7 +231,7 @@ void Simulation::explain_no_step(const std::filesystem::path& path, double time)
 
 // False if no step of the stage can begin where the record stopped. Throws std::invalid_argument if it is of
 // another model.
-bool Simulation::take_over(const RestartRecord& record) {
+bool SteppedRun::take_over(const RestartRecord& record) {
     const std::vector<std::shared_ptr<Input>>& inputs = problem().model.inputs;
     if (record.inputs.size() != inputs.size())
         throw std::invalid_argument("the state to resume from is of a deck with other inputs");
@@ -245,7 +245,7 @@ bool Simulation::take_over(const RestartRecord& record) {
     return true;
 }
 
-void Simulation::resume() {
+void SteppedRun::resume() {
     const RestartRecord record = request_.resumed->place().record;
     const std::filesystem::path path = request_.resumed->path();
     bool has_step = false;
@@ -262,14 +262,14 @@ void Simulation::resume() {
     request_.report_resumption(record);
 }
 
-Checkpoint Simulation::save() const {
+RunCheckpoint SteppedRun::save() const {
     if (!has_started_) throw std::logic_error("the run has not started yet");
     if (stages_->has_critical_points())
         throw std::logic_error("a path cannot be saved after its first critical point");
     return {restart_record(), rows_};
 }
 
-void Simulation::restore(const Checkpoint& checkpoint) {
+void SteppedRun::restore(const RunCheckpoint& checkpoint) {
     if (file_) throw std::logic_error("a run that writes results cannot return to an earlier state");
     if (is_closed_) throw std::logic_error("the run is closed");
     if (checkpoint.record.stage >= std::max<std::int64_t>(1, stage_count()))
@@ -291,7 +291,7 @@ void Simulation::restore(const Checkpoint& checkpoint) {
     note_end();
 }
 
-bool Simulation::take_first() {
+bool SteppedRun::take_first() {
     const EquilibriumReport report = stages_->analysis().start();
     if (!report.converged()) {
         books_.fail(stages_->analysis().explain(report));
@@ -304,7 +304,7 @@ bool Simulation::take_first() {
     return true;
 }
 
-bool Simulation::take_step() {
+bool SteppedRun::take_step() {
     const bool can_be_last = file_ && is_path(stages_->settings()) && !stages_->has_critical_points();
     const std::optional<RestartRecord> before = can_be_last ? std::optional(restart_record()) : std::nullopt;
     const EquilibriumReport report = stages_->analysis().advance();
@@ -337,7 +337,7 @@ bool Simulation::take_step() {
     return true;
 }
 
-RestartRecord Simulation::restart_record() const {
+RestartRecord SteppedRun::restart_record() const {
     RestartRecord record = analysis().restart_record();
     record.totals = accepted_totals_;
     record.is_framed = last_framed_;
@@ -349,13 +349,13 @@ RestartRecord Simulation::restart_record() const {
     return record;
 }
 
-std::optional<double> Simulation::land_on(double time) {
+std::optional<double> SteppedRun::land_on(double time) {
     if (is_path(stages_->settings()) || !has_steps(stages_->settings())) return std::nullopt;
     const std::optional<double> landing = stages_->analysis().land_on(time - stages_->axis_start());
     return landing ? std::optional(stages_->axis_start() + *landing) : std::nullopt;
 }
 
-void Simulation::set_input(const std::string& name, double value, double until) {
+void SteppedRun::set_input(const std::string& name, double value, double until) {
     const auto& inputs = problem().model.inputs;
     const auto found = std::ranges::find(inputs, name, &Input::name);
     if (found == inputs.end()) throw std::invalid_argument("the deck has no input." + name);
@@ -364,7 +364,7 @@ void Simulation::set_input(const std::string& name, double value, double until) 
     analysis().system().forget_loads();
 }
 
-void Simulation::interrupt() {
+void SteppedRun::interrupt() {
     if (phase_ == Phase::ended) return;
     phase_ = Phase::ended;
     books_.summary().status = RunStatus::interrupted;
@@ -372,13 +372,13 @@ void Simulation::interrupt() {
 }
 
 // Where the analysis is, as messages say it.
-std::string Simulation::describe_place() const {
+std::string SteppedRun::describe_place() const {
     if (!is_path(stages_->settings())) return fmt::format("t = {:.10g}", stages_->axis());
     const std::string place = fmt::format("λ = {:.10g}", analysis().state().time);
     return stages_->branch() == 0 ? place : place + " of " + stages_->paths().back().name;
 }
 
-void Simulation::close() {
+void SteppedRun::close() {
     if (is_closed_) return;
     is_closed_ = true;
     interrupt();
@@ -399,7 +399,7 @@ void Simulation::close() {
 }
 
 // Of a run that ended on it.
-void Simulation::leave_path() {
+void SteppedRun::leave_path() {
     if (!is_path(stages_->settings())) return;
     if (stages_->branch() > 0 && (!file_ || file_->is_sound())) show_last();
     stages_->leave_branches();

@@ -1,5 +1,5 @@
 // A run that is driven from outside: step by step, to a time, back to an earlier state, by inputs.
-#include "run/simulation.hpp"
+#include "run/stepped_run.hpp"
 
 #include "deck/decks.hpp"
 #include "results/file/hdf5_reader.hpp"
@@ -54,10 +54,7 @@ std::string with_integrator(const std::string& deck, const std::string& name) {
 struct Driven {
     explicit Driven(const std::string& deck) : problem(read(deck)), simulation(request()) {}
 
-    RunRequest request() const {
-        RunRequest request{problem};
-        return request;
-    }
+    RunRequest request() const { return {problem}; }
     void advance(double until) {
         while (simulation.time() < until) {
             REQUIRE(simulation.land_on(until) == until);
@@ -67,11 +64,11 @@ struct Driven {
     Vec3 tip() const { return simulation.analysis().state().previous[4].r; }
 
     Problem problem;
-    Simulation simulation;
+    SteppedRun simulation;
 };
 
 // Everything that moves at the last accepted state.
-std::vector<double> bits_of(const Simulation& simulation) {
+std::vector<double> bits_of(const SteppedRun& simulation) {
     std::vector<double> bits;
     const State& state = simulation.analysis().state();
     for (const NodeMotion& node : state.previous) {
@@ -184,7 +181,7 @@ TEST_CASE("A simulation returns to a saved state to the last bit", "[analyses][s
     driven.advance(0.1234);
     driven.simulation.set_input("u", 4.0, 0.2);
     REQUIRE(driven.simulation.step());
-    const Checkpoint checkpoint = driven.simulation.save();
+    const RunCheckpoint checkpoint = driven.simulation.save();
     const std::vector<double> there = bits_of(driven.simulation);
     while (driven.simulation.step()) {
     }
@@ -212,7 +209,7 @@ TEST_CASE("A simulation returns to a saved state to the last bit", "[analyses][s
 TEST_CASE("What ended a run is forgotten where it returns to before that", "[analyses][simulation]") {
     Driven driven(with_push("\"abs(t - 0.0801) < 1e-9 ? 1/(t - t) : 3\""));
     REQUIRE(driven.simulation.start());
-    const Checkpoint checkpoint = driven.simulation.save();
+    const RunCheckpoint checkpoint = driven.simulation.save();
     REQUIRE(driven.simulation.land_on(0.0801));
     while (driven.simulation.step()) {
     }
@@ -232,9 +229,9 @@ TEST_CASE("A simulation that writes results does not go back", "[analyses][simul
     Driven driven(with_push("3"));
     RunRequest request = driven.request();
     request.results = ResultsFileOptions{folder / "results"};
-    Simulation simulation(request);
+    SteppedRun simulation(request);
     REQUIRE(simulation.step());
-    const Checkpoint checkpoint = simulation.save();
+    const RunCheckpoint checkpoint = simulation.save();
     CHECK_THROWS_WITH(simulation.restore(checkpoint), Contains("writes results"));
 }
 
@@ -309,7 +306,7 @@ TEST_CASE("Inputs are recorded, and resumed to the last bit", "[analyses][simula
     const Problem problem = read(deck);
     const auto drive = [&](const std::string& name, double stop) {
         RunRequest request{problem, ResultsFileOptions{folder / name}};
-        Simulation simulation(request);
+        SteppedRun simulation(request);
         simulation.start();
         while (!simulation.has_ended() && simulation.time() < stop) {
             if (simulation.time() == 0.1) simulation.set_input("u", 4.0, 0.3);
