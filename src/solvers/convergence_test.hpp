@@ -7,20 +7,20 @@
 
 namespace gxrod {
 
-// When Newton's method stops (see solve_equilibrium). It sees each residual and each increment.
+// Decides when Newton's method stops (see solve_equilibrium), from each residual and each increment.
 class ConvergenceTest {
   public:
-    // The system must outlive it. The level is that of the equations of joints.
+    // Takes the level of the equations of joints. The system must outlive it.
     ConvergenceTest(const System& system,
                     const NewtonSettings& settings,
                     ConstraintLevel level = ConstraintLevel::position);
 
-    // Sets the report's residual; before its gap of joints is set.
+    // Sets the report's residual. Call it before the report's gap of joints is set.
     void measure(const Residual& residual, EquilibriumReport& report);
-    // The largest |δr| relative to its scale, or |δφ|.
+    // Notes the larger of |δr| relative to its scale and |δφ| of all nodes.
     void add_increment(const std::vector<Vec6>& deltas, const State& state);
     double last_increment() const { return last_increment_; }
-    // Whether the residual last measured is small, or as small as round-off lets it be.
+    // Returns whether the residual last measured is small, or as small as round-off allows.
     bool is_met(const Residual& residual, const EquilibriumReport& report) const;
 
   private:
@@ -32,11 +32,11 @@ class ConvergenceTest {
     double absolute_residual_;
     bool of_accelerations_;
     double first_gap_ = 0.0;                                       // before the first increment
-    double gap_before_ = std::numeric_limits<double>::infinity();  // of the iteration before
-    // Of the last two iterations.
+    double gap_before_ = std::numeric_limits<double>::infinity();  // of the previous iteration
+    // Increments of the last two iterations.
     double last_increment_ = std::numeric_limits<double>::infinity();
     double increment_before_ = std::numeric_limits<double>::infinity();
-    double residual_before_ = std::numeric_limits<double>::infinity();  // the last iteration's
+    double residual_before_ = std::numeric_limits<double>::infinity();  // of the last iteration
 };
 
 }  // namespace gxrod

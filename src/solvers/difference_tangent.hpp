@@ -7,13 +7,13 @@
 
 namespace gxrod {
 
-// Groups of equations whose columns share no row of the pattern, so that one difference of the residual gives
-// all of them (Curtis, Powell & Reid 1974).
+// Returns groups of equations whose columns share no row of the pattern, so that one difference of the
+// residual gives all of them (Curtis, Powell & Reid 1974).
 std::vector<std::vector<std::int64_t>> group_columns(const SparsePattern& pattern);
 
-// The tangent by central differences of the residual, moving the nodes' (δr, δφ) through the integrator;
-// values on the pattern; but for the rows and columns of joints' multipliers. Slow: for checking a tangent,
-// or without one. Restores the state.
+// Computes the tangent by central differences of the residual, moving the nodes' (δr, δφ) through the
+// integrator: values on the pattern, except rows and columns of joints' multipliers. It is slow: use it to
+// check a tangent, or if there is none. Restores the state.
 class DifferenceTangent {
   public:
     explicit DifferenceTangent(const System& system);

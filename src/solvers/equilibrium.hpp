@@ -34,36 +34,37 @@ enum class Outcome {
                           // equilibrium, or, on a path, a bend or critical points
 };
 
-// How the search for one equilibrium went. Not converging is a value, not an exception.
+// The outcome of the search for one equilibrium. A failure to converge is a value, not an exception.
 struct EquilibriumReport {
     Outcome outcome = Outcome::converged;
     int iterations = 0;     // linear solves
     double residual = 0.0;  // the larger of force and moment, each relative to its scale
-    int worst_node = -1;    // where: of the residual, the pivot, the rotation or the non-finite number
+    int worst_node = -1;    // node of the residual, the pivot, the rotation or the non-finite number
     int worst_component = -1;
-    double step_error = 0.0;                                     // of error_too_large: the estimate
+    double step_error = 0.0;                                     // the estimate for error_too_large
     LargestGap joint_gap;                                        // of the equations of joints
-    double least_gap = std::numeric_limits<double>::infinity();  // of contact, of all iterations
+    double least_gap = std::numeric_limits<double>::infinity();  // of contact in all iterations
     int shortened = 0;                  // iterations whose increment contact has shortened
-    std::int64_t negative_pivots = -1;  // of the last factorization, of the nodes' unknowns; −1: not known
+    std::int64_t negative_pivots = -1;  // of nodes' unknowns in the last factorization; −1: not known
 
     bool converged() const { return outcome == Outcome::converged; }
 };
 
-// At one instant.
+// Powers at one instant.
 struct Power {
     double driving = 0.0;  // of loads and moving supports
     double damping = 0.0;  // dissipated
 };
 
-// Of the trial motions; `residual` is theirs, `step` the one that `time` belongs to, if there is any.
+// Computes the power at the trial motions with their residual; `step` is the step that `time` belongs to, if
+// any.
 Power compute_power(const System& system,
                     const State& state,
                     double time,
                     const Residual& residual,
                     const TimeSpan& step = {0.0, 0.0});
 
-// What solving needs in addition to the State, allocated once.
+// Memory for solving in addition to the State, allocated once.
 struct SolverWorkspace {
     Residual residual;
     std::vector<NodeLinearization> linearizations;
@@ -71,35 +72,35 @@ struct SolverWorkspace {
     Eigen::VectorXd vector;
     std::vector<Vec6> increments;  // (δr, δφ) of each node
     std::unique_ptr<LinearSolver> linear_solver;
-    // Of a model whose rods touch each other, in which Newton's method solves; nullptr otherwise.
+    // The matrix in which Newton's method solves if rods touch each other; else null.
     std::unique_ptr<PairedMatrix> paired;
-    bool is_paired = false;           // whether `paired` has the matrix to solve
+    bool is_paired = false;           // whether `paired` holds the matrix
     std::vector<Power> stage_powers;  // of the last step, if the scheme weighs them
     PhaseSeconds seconds;
     const FrameColumns* frame =
-        nullptr;  // what a frame that turns adds to the tangent, if the model is in one
+        nullptr;  // columns that a rotating frame adds to the tangent, if there is one
 
     // Spatial forces and moments on nodes that Newton's method takes from the residual; empty without any.
     std::vector<Vec6> held_back;
 
-    std::unique_ptr<CoupledWorkspace> coupled;  // of stages that are found together, from the first step on
+    std::unique_ptr<CoupledWorkspace> coupled;  // for stages that are found together, from the first step on
 
     SolverWorkspace(const System& system, LinearSolverKind kind);
     ~SolverWorkspace();
     SolverWorkspace(SolverWorkspace&&) noexcept;
 };
 
-// Newton's method for the equilibrium of one stage of an implicit scheme, from the integrator's prediction.
-// Where the mixed tangent fails, the consistent one is tried from the same prediction; with `automatic` the
-// other way round.
+// Finds the equilibrium of one stage of an implicit scheme by Newton's method, from the integrator's
+// prediction. If the mixed tangent fails, tries the consistent one from the same prediction; with `automatic`
+// the other way round.
 //
-// Converged when the largest residual force and moment are below tolerance times the largest force and moment
-// that an element, joint or load puts on a node, and joints are closed to 1e-12 of the length of their part;
-// or, where round-off hides that, when the last increment was below 1e-4 × tolerance or four units of
-// rounding, or the next one would be (going by the ratio of the last two) and the residual, not as large as
-// all forces, no longer falls, or it was below 1e-10 and no longer shrinking (δr relative to the model's
-// length or the node's distance from the origin, δφ in rad). `level`: at which joints are met, in place of
-// the one that the integrator asks for.
+// It has converged when the largest residual force and moment are below tolerance times the largest force and
+// moment that an element, joint or load puts on a node, and joints are closed to 1e-12 of the length of their
+// part. If round-off hides that, it has converged when the last increment was below 1e-4 × tolerance or four
+// units of rounding; or the next one would be (by the ratio of the last two) and the residual, not as large
+// as all forces, no longer falls; or the last one was below 1e-10 and no longer shrinking (δr relative to the
+// model's length or the node's distance from the origin, δφ in rad). `level`: level at which joints are met,
+// in place of the integrator's.
 EquilibriumReport solve_equilibrium(const System& system,
                                     const Integrator& integrator,
                                     const NewtonSettings& settings,
@@ -110,11 +111,13 @@ EquilibriumReport solve_equilibrium(const System& system,
 
 // Sets the trial accelerations, and the multipliers of joints, from equilibrium at the trial's positions,
 // rotations and velocities: M a − Gᵀλ = f, with the equations of joints at the level of accelerations.
-// Supports set those of their components first, by differences within `step`, which `time` belongs to.
+// Supports first set the accelerations of their components, by differences within `step`, which `time`
+// belongs to.
 EquilibriumReport solve_accelerations(
     const System& system, double time, const TimeSpan& step, SolverWorkspace& workspace, State& state);
 
-// One whole step of any scheme: each stage in turn, until one fails. The trial motions hold the result.
+// Solves one whole step of any scheme: each stage in turn, until one fails. The trial motions hold the
+// result.
 EquilibriumReport solve_step(const System& system,
                              const Integrator& integrator,
                              const NewtonSettings& settings,

@@ -10,27 +10,27 @@
 
 namespace gxrod {
 
-// A tangent of a model whose rods touch each other: its own pattern and that of pairs of elements that are
-// near each other, which change. The pattern of a step follows from what is near at its start; it grows
-// within the step. Where its factors fill in much, as in piles, the system is solved for the forces between
-// rods by iterations (CouplingSolver), and directly in the rest of a step in which these fail.
+// The tangent of a model whose rods touch each other: its pattern is the system's and the changing pairs of
+// elements that are near each other. The pattern of a step starts from the pairs that are near at its start,
+// and grows within the step. If its factors fill in much, as in piles, the forces between rods are found by
+// iterations (CouplingSolver); if these fail, the rest of the step is solved directly.
 class PairedMatrix {
   public:
     // The system must outlive it.
     PairedMatrix(const System& system, LinearSolverKind kind) : system_(&system), kind_(kind) {}
 
-    // For a new step: the pattern becomes that of these groups.
+    // Starts a new step: the pattern becomes the pattern of these groups.
     void start(std::vector<NodeGroup> groups);
-    // Of values on the system's pattern, and blocks of pairs in global axes.
+    // Sets the matrix from values on the system's pattern, and blocks of pairs in global axes.
     void set_values(const std::vector<double>& values, std::vector<PairBlock> blocks);
-    // All of the values that were set, on a pattern that has all groups.
+    // Returns all of the values that were set, on a pattern that has all groups.
     const std::vector<double>& assemble();
     const SparsePattern& pattern() const { return pattern_; }  // of assemble
     Factorization factorize();
-    // Not finite where the system is found to be singular.
+    // Solves in place. The result is not finite if the system is found to be singular.
     void solve(Eigen::VectorXd& right_hand_side);
 
-    // How often a pattern was made.
+    // Returns how often a pattern was made.
     int orderings() const { return orderings_; }
     bool is_iterative() const { return is_iterative_; }
 
@@ -44,17 +44,17 @@ class PairedMatrix {
     const System* system_;
     LinearSolverKind kind_;
     std::vector<NodeGroup> groups_;                 // sorted
-    std::vector<std::vector<std::int64_t>> slots_;  // of each group's matrix, once it is needed
+    std::vector<std::vector<std::int64_t>> slots_;  // slots of each group's matrix, once they are needed
     SparsePattern pattern_;
-    std::vector<std::int64_t> places_;  // of each value of the system's pattern
+    std::vector<std::int64_t> places_;  // place of each value of the system's pattern
     std::unique_ptr<LinearSolver> solver_;
-    std::vector<double> values_;         // with those of the blocks
-    std::vector<double> system_values_;  // without
+    std::vector<double> values_;         // with the blocks
+    std::vector<double> system_values_;  // without the blocks
     std::vector<PairBlock> blocks_;      // in the axes of the unknowns
     std::unique_ptr<CouplingSolver> coupling_;
     bool is_stale_ = false;      // whether the pattern lacks groups
-    bool is_iterative_ = false;  // the last factorization
-    bool has_failed_ = false;    // iterations, in this step
+    bool is_iterative_ = false;  // whether the last factorization was
+    bool has_failed_ = false;    // whether iterations failed in this step
     int orderings_ = 0;
 };
 

@@ -5,29 +5,29 @@
 
 #include "solvers/equilibrium.hpp"
 
-// Pseudo-time, in which a model falls to a stable equilibrium: drag x′ = −residual(x). It has no physical
-// meaning (docs/theory/stability.md).
+// Steps in pseudo-time, in which a model falls to a stable equilibrium: drag x′ = −residual(x). It has no
+// physical meaning (docs/theory/stability.md).
 namespace gxrod {
 
-// What resists motion in pseudo-time: each node's displacement by 1/N of the model's N nodes, and its
-// rotation by the square of an arm over N, the arm a tenth of the length of the node's part. Along rods
-// bending and twist are resisted too, the more the sharper, so that slack lines swing round before they fold.
+// The drag on motion in pseudo-time: 1/N on the displacement of each of the model's N nodes, and the square
+// of an arm over N on its rotation, the arm a tenth of the length of the node's part. Along rods it also
+// resists bending and twist, sharper ones more, so that slack lines swing round before they fold.
 class PseudoDrag {
   public:
     // The system must outlive it.
     explicit PseudoDrag(const System& system);
 
-    // The drag on displacements since `from`, times a factor, is added to the forces on the nodes.
+    // Adds the drag on displacements since `from`, times a factor, to the forces on the nodes.
     void add_forces(double factor,
                     const std::vector<NodeMotion>& from,
                     const std::vector<NodeMotion>& motions,
                     std::vector<Vec6>& nodal) const;
-    // Its matrix for small motions, symmetric, times a factor, on the system's pattern.
+    // Makes its symmetric matrix for small motions, times a factor, on the system's pattern.
     std::vector<double> make_matrix(double factor = 1.0) const;
 
   private:
     struct Pair {
-        int first, second;  // next to each other along a rod
+        int first, second;  // neighbours along a rod
         double bending;
     };
 
@@ -46,7 +46,7 @@ class PseudoStep {
 
     double stiffness() const { return stiffness_; }
     void add_forces(const State& state, Residual& residual) const;
-    // The derivative of the forces, for small rotations.
+    // Makes the derivative of the forces, for small rotations.
     std::vector<double> make_tangent() const;
 
   private:
@@ -55,8 +55,8 @@ class PseudoStep {
     std::vector<NodeMotion> from_;
 };
 
-// Newton's method on such a step in statics, from the trial motions instead of a prediction. Models with
-// contact have none.
+// Solves such a step in statics by Newton's method, from the trial motions instead of a prediction. Not for
+// models with contact.
 EquilibriumReport solve_pseudo_step(const System& system,
                                     const Integrator& integrator,
                                     const NewtonSettings& settings,

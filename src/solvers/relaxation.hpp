@@ -11,8 +11,8 @@ struct RelaxationReport {
 
 // Lets a model fall in pseudo-time from the last accepted motions to a stable equilibrium under the loads at
 // the end of the stage, in statics without contact, and ends with Newton's method there. Pseudo-steps grow as
-// they succeed, and stay so short that the energy is convex about each: they cannot end where the model does
-// not stay. The trial motions hold the result; what sections, joints and the ground remember is that of the
+// they succeed, and stay so short that the energy is convex about each, so they cannot end at an unstable
+// equilibrium. The trial motions hold the result; sections, joints and the ground keep their memory of the
 // last accepted step, as in any other load step.
 RelaxationReport relax(const System& system,
                        const Integrator& integrator,

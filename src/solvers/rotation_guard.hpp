@@ -8,14 +8,14 @@
 
 namespace gxrod {
 
-// Follows how far the increments of Newton's method can have turned nodes of one element against each other:
-// beyond half a turn no logarithm sees which way round they went.
+// Bounds how far the increments of Newton's method can have turned nodes of one element against each other:
+// beyond half a turn a logarithm cannot tell in which direction they turned.
 class RotationGuard {
   public:
     // The system must outlive it.
     explicit RotationGuard(const System& system) : system_(&system) {}
 
-    // False, and so reported, if these spins of nodes with these motions could do that.
+    // Returns false, and reports it, if these spins of nodes with these motions could turn them so far.
     template <class SpinOf>
     bool admits(const std::vector<NodeMotion>& motions, const SpinOf& spin, EquilibriumReport& report) {
         const auto square = [&](std::size_t node) { return spin(node).squaredNorm(); };
@@ -34,11 +34,11 @@ class RotationGuard {
 
   private:
     const System* system_;
-    // No relative rotation of an element's nodes is larger; at first that is not known.
+    // Bound on relative rotations of an element's nodes; not known at first.
     double bound_ = std::numbers::pi;
 };
 
-// False, and so reported, if a node turned by π or more since the last accepted step, up to rounding.
+// Returns false, and reports it, if a node turned by π or more since the last accepted step, up to rounding.
 inline bool check_step_rotations(const System& system,
                                  const std::vector<NodeMotion>& motions,
                                  EquilibriumReport& report) {

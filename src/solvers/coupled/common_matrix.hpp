@@ -5,23 +5,23 @@
 
 namespace gxrod {
 
-// One matrix for all stages and iterations of a step, that of its start (docs/theory/newmark.md, (R3) to
-// (R5)): one equation of the model's size for each eigenvalue of the scheme, in axes that turn with the nodes
+// One matrix for all stages and iterations of a step, taken at its start (docs/theory/newmark.md, (R3) to
+// (R5)): one system of the model's size for each eigenvalue of the scheme, in axes that turn with the nodes
 // from stage to stage.
 class CommonMatrix {
   public:
     CommonMatrix(const System& system, LinearSolverKind kind);
 
-    // Of the last accepted motions. False, and so reported, if it is singular.
+    // Factorizes the matrix of the last accepted motions. Returns false, and reports it, if it is singular.
     bool factorize(const StagesOfStep& stages, SolverWorkspace& workspace, EquilibriumReport& report);
-    // The increments of each stage for minus the residuals, nodes in the axes of the start of the step; and
-    // those of the nodes of a stage in global axes.
+    // Solve for the increments of each stage with minus the residuals, nodes in the axes at the start of the
+    // step, and for the increments of a stage's nodes in global axes.
     void solve(const StagesOfStep& stages,
                const std::vector<Residual>& residuals,
                SolverWorkspace& workspace,
                std::vector<Eigen::VectorXd>& increments);
     static void turn_increments(const StagesOfStep& stages, std::size_t j, std::vector<Vec6>& increments);
-    // Estimates of errors for each node, of placements and of rates times Δt, (R6).
+    // Estimates the errors of each node, of placements and of rates times Δt, (R6).
     void estimate_errors(const StagesOfStep& stages,
                          SolverWorkspace& workspace,
                          std::vector<Vec6>& placements,

@@ -5,7 +5,7 @@
 
 namespace gxrod {
 
-// What the stages of a step need that are found together, allocated once.
+// Memory for stages of a step that are found together, allocated once.
 struct CoupledWorkspace {
     std::vector<Residual> residuals;  // of each stage
     CommonMatrix common;
@@ -15,9 +15,9 @@ struct CoupledWorkspace {
     CoupledWorkspace(const System& system, LinearSolverKind kind) : common(system, kind) {}
 };
 
-// All stages of a step by Newton's method with the common matrix; where that converges slowly or not at all,
-// with the exact one of all stages, which is kept as long as increments fall fast. The trial becomes the end
-// of the step; workspace.stage_powers and the estimates of errors are set.
+// Solves all stages of a step by Newton's method with the common matrix. If that converges slowly or not at
+// all, uses the exact matrix of all stages, and keeps it as long as increments fall fast. The trial becomes
+// the end of the step; sets workspace.stage_powers and the estimates of errors.
 EquilibriumReport solve_coupled_step(const System& system,
                                      const CoupledStages& scheme,
                                      const NewtonSettings& settings,

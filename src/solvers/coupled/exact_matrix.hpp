@@ -5,34 +5,34 @@
 
 namespace gxrod {
 
-// The derivative of the equations of all stages by the placements of all, where the common matrix is not
-// near enough: a system of as many times the model's size as there are stages. It is written in the unknowns
-// that would part the common one (docs/theory/newmark.md, (R4)), so that elimination needs no exchange of
-// equations either. Joints are met by positions.
+// The derivative of the equations of all stages by the placements of all stages, for steps in which the
+// common matrix is too inexact. The size of the system is the model's times the number of stages. It is
+// written in the unknowns that would decouple the common matrix (docs/theory/newmark.md, (R4)), so that
+// elimination needs no exchange of equations here, either. Joints are met by positions.
 class ExactMatrix {
   public:
     ExactMatrix(const System& system, const CoupledStages& scheme, LinearSolverKind kind);
 
-    // Of the stages as they stand. False if it is singular.
+    // Factorizes it at the present stages. Returns false if it is singular.
     bool factorize(const StagesOfStep& stages, SolverWorkspace& workspace);
-    // The increments of each stage for minus the residuals, in global axes.
+    // Solves for the increments of each stage with minus the residuals, in global axes.
     void solve(const StagesOfStep& stages,
                const std::vector<Residual>& residuals,
                SolverWorkspace& workspace,
                std::vector<Eigen::VectorXd>& increments);
 
-    // The tangent of a stage by its own placements, which scales the equations of its joints.
+    // Returns the tangent of a stage by its own placements, which scales the equations of its joints.
     const std::vector<double>& values_of(std::size_t stage) const { return of_stages_[stage]; }
 
   private:
-    // Sets values_ to the blocks of the stacked system, the first index the equations'.
+    // Sets values_ to the blocks of the stacked system; the first index counts equations.
     void assemble(const StagesOfStep& stages, SolverWorkspace& workspace);
 
     StackedPattern stacked_;
     std::unique_ptr<LinearSolver> solver_;
     Eigen::MatrixXd to_equations_, from_unknowns_;  // of the stages
-    std::vector<std::vector<double>> blocks_;       // equations of all, unknowns of one
-    std::vector<std::vector<double>> of_stages_;    // equations and unknowns of the same one
+    std::vector<std::vector<double>> blocks_;       // equations of all stages, unknowns of one
+    std::vector<std::vector<double>> of_stages_;    // equations and unknowns of the same stage
     std::vector<double> block_, values_;
 };
 

@@ -7,14 +7,14 @@
 
 namespace gxrod {
 
-// The stages of one step of a scheme that finds them together: what all that works on them needs.
+// The stages of one step of a scheme that finds them together, with the data that work on them needs.
 struct StagesOfStep {
     const System& system;
     const CoupledStages& scheme;
     const Stage& step;
     State& state;
-    // How equations of joints are asked for: by positions, or by accelerations, here multiplied by Δt², since
-    // by positions the schemes lose two orders. Linear ones are met by positions without loss.
+    // Whether equations of joints are met by positions, or by accelerations times Δt², since by positions the
+    // schemes lose two orders. Linear equations are met by positions without loss.
     bool asks_for_positions;
 
     std::size_t count() const { return static_cast<std::size_t>(scheme.stage_count()); }
@@ -28,9 +28,10 @@ struct StagesOfStep {
         if (asks_for_positions) return {ConstraintLevel::position, span()};
         return {ConstraintLevel::acceleration, span(), step.time_step * step.time_step};
     }
-    // Of tangents, whose equations are all of positions: to them the rows of residuals are converted.
+    // Returns the request for tangents, all of whose equations are by positions; rows of residuals are
+    // converted to these.
     ConstraintRequest tangent_request() const { return {ConstraintLevel::position, span()}; }
-    // By how much positions would have to miss the equations of joints for these rows, to first order.
+    // Computes, to first order, by how much positions would miss the equations of joints to give these rows.
     std::vector<std::vector<double>> convert_rows(const std::vector<Residual>& residuals) const;
 
     // Makes a stage the trial while work() is called.

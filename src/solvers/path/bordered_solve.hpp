@@ -8,9 +8,9 @@
 
 namespace gxrod {
 
-// What borders a matrix K: [K columns; rowsᵀ corner].
+// The borders of a matrix K: [K columns; rowsᵀ corner].
 struct Borders {
-    Eigen::MatrixXd columns;  // as many columns as there are borders; so of the rows
+    Eigen::MatrixXd columns;  // a column for each border; likewise the rows
     Eigen::MatrixXd rows;
     Eigen::MatrixXd corner;
 };
@@ -22,7 +22,7 @@ struct BorderedVector {
 
 // Solves bordered systems with the factors of K alone (block elimination): one solve for each border, once,
 // and one for each right-hand side. The bordered matrix may be regular where K is nearly singular; then
-// `solve_refined` gets back the digits that elimination loses (Govaerts 1991).
+// `solve_refined` recovers the digits that elimination loses (Govaerts 1991).
 class BorderedSolve {
   public:
     // The solver has the factors of K; it, the pattern and the values of K must outlive this.
@@ -31,13 +31,13 @@ class BorderedSolve {
                   const std::vector<double>& values,
                   Borders borders);
 
-    // K⁻¹ columns.
+    // Returns K⁻¹ columns.
     const Eigen::MatrixXd& solved_columns() const { return solved_; }
     BorderedVector solve(const BorderedVector& right_hand_side) const;
     BorderedVector solve_refined(const BorderedVector& right_hand_side) const;
 
   private:
-    // What a solution leaves of the right-hand side.
+    // Computes the residual of a solution.
     BorderedVector compute_rest(const BorderedVector& right_hand_side, const BorderedVector& solution) const;
 
     LinearSolver* solver_;

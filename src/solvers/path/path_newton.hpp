@@ -6,17 +6,17 @@
 
 namespace gxrod {
 
-// An equilibrium that is sought in the unknowns and the load factor together, from the last accepted one.
+// The search for an equilibrium in the unknowns and the load factor together, from the last accepted one.
 struct PathProblem {
     PathVector prediction;  // the first increment
-    // All further increments are orthogonal to these rows: as many as there are further unknowns, the load
-    // factor, one amplitude of each column of `disturbances`, and the other load factor.
+    // All further increments are orthogonal to these rows. There is a row for each further unknown: the load
+    // factor, the amplitude of each column of `disturbances`, and the other load factor.
     std::vector<PathVector> rows;
-    // Forces on the unknowns that are added to the residual, times their amplitudes. Empty but for reduced
+    // Forces on the unknowns that are added to the residual, times their amplitudes. Empty except for reduced
     // equations.
     std::vector<Eigen::VectorXd> disturbances;
-    // Another load factor, on which loads and moves of the system rest: a further unknown, the last one. It
-    // starts from the value it has and holds that of the solution.
+    // Another load factor, on which loads and moves of the system depend: the last further unknown. It holds
+    // the initial value, and afterwards the solution.
     double* other_factor = nullptr;
 
     std::size_t amplitude_count() const { return disturbances.size() + (other_factor != nullptr ? 1 : 0); }
@@ -25,14 +25,14 @@ struct PathProblem {
 struct PathSolution {
     double load_factor = 0.0;
     Eigen::VectorXd amplitudes;  // of the disturbances; last, the change of the other load factor
-    // How the unknowns follow the load factor, and by one of the rows alone: K⁻¹ (−∂R/∂λ) of the last
-    // iteration's tangent. Not scaled.
+    // The direction of the path, not scaled: the derivative of the unknowns by the load factor, K⁻¹ (−∂R/∂λ)
+    // with the tangent of the last iteration, and 1 for the load factor.
     PathVector direction;
 };
 
-// Newton's method for (PA2) by bordered solves; state.time is the load factor of the last accepted
-// equilibrium. The trial motions and the workspace's residual are those of the solution. Where the mixed
-// tangent fails, the consistent one is tried from the same prediction.
+// Solves (PA2) by Newton's method with bordered solves; state.time is the load factor of the last accepted
+// equilibrium. The trial motions and the workspace's residual hold the solution. If the mixed tangent fails,
+// tries the consistent one from the same prediction.
 EquilibriumReport solve_path_equilibrium(const System& system,
                                          const Integrator& integrator,
                                          const NewtonSettings& settings,
@@ -41,15 +41,15 @@ EquilibriumReport solve_path_equilibrium(const System& system,
                                          State& state,
                                          PathSolution& solution);
 
-// By another load factor, as PathProblem has it.
+// Computes the derivative of the residual by PathProblem's other load factor.
 Eigen::VectorXd compute_other_gradient(const System& system,
                                        double& other_factor,
                                        double load_factor,
                                        const std::vector<double>& values,
                                        const State& state);
 
-// ∂R/∂λ of the trial motions by all that acts on them, within sections and in joints too, and by supports
-// that move; from the values of their tangent.
+// Computes ∂R/∂λ at the trial motions from all loads, actions within sections and in joints, and moving
+// supports; uses the values of the tangent.
 Eigen::VectorXd compute_load_gradient(const System& system,
                                       double load_factor,
                                       const std::vector<double>& values,

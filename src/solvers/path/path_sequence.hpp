@@ -5,8 +5,8 @@
 
 namespace gxrod {
 
-// Steps along a path, whose time is the arc length. The next one is longer or shorter as the last one took
-// few or many iterations; what ends the path in other ways than by its arc or steps is for the path to say.
+// Steps along a path, whose time is the arc length. The next step is longer or shorter if the last one took
+// few or many iterations. The path itself decides on ends other than by its arc or steps.
 class PathSequence : public StepSequence {
   public:
     explicit PathSequence(const PathSettings& settings);
@@ -26,25 +26,25 @@ class PathSequence : public StepSequence {
     StepMemory memory() const override;
     bool resume(const StepMemory& memory) override;
 
-    // The first step, where the settings leave it open.
+    // Sets the first step, if the settings leave it open.
     void start(double step);
-    // Whether the last steps, many of them, were all short compared with the longest one. A path that ends by
-    // its number of steps alone may take them.
+    // Returns whether many last steps were all short compared with the longest one. A path that ends only by
+    // its number of steps may take them.
     bool is_crawling() const;
-    // Whether the next step cannot be cut; and whether that is no use to find out what happens within it, for
-    // it is short compared with what was tried first.
+    // Return whether the next step cannot be cut, and whether it is so short, compared with the first try,
+    // that a cut would show nothing new within it.
     bool is_shortest() const { return planned_ <= 2.0 * settings_.min_step; }
     bool is_short() const { return is_shortest() || planned_ <= first_tried_ / 60.0; }
-    // The trial ends there instead; a frame is due there. The step after it is as long as if it had not.
+    // Makes the trial end there, where a frame is due. The step after it is as long as it would have been.
     void end_at(double step);
-    // What the step took, before it is accepted.
+    // Notes the iterations of a step before it is accepted.
     void adapt(int iterations) { iterations_ = iterations; }
     void finish() { is_finished_ = true; }
-    // How much of the path is done by what the steps do not know, 0 … 1.
+    // Notes the part of the path, 0 … 1, that is done by criteria other than its steps.
     void note_part(double part) { part_ = part; }
 
   private:
-    // Within what is left.
+    // Plans the next step within the rest of the path.
     void plan(double step);
 
     PathSettings settings_;
@@ -52,12 +52,12 @@ class PathSequence : public StepSequence {
     double step_ = 0.0;
     double planned_ = 0.0;
     double first_tried_ = 0.0;  // since the last accepted step
-    double longest_ = 0.0;      // of the accepted steps
-    long short_steps_ = 0;      // the last accepted ones that were short compared with it
+    double longest_ = 0.0;      // longest accepted step
+    long short_steps_ = 0;      // number of last accepted steps that were short compared with it
     int iterations_ = 0;
     std::int64_t accepted_ = 0;
-    bool is_marked_ = true;  // whether the accepted point was asked for
-    bool is_cut_ = false;    // the trial
+    bool is_marked_ = true;  // whether the accepted point was requested
+    bool is_cut_ = false;    // whether the trial was cut
     bool has_failed_ = false;
     bool is_finished_ = false;
     double part_ = 0.0;

@@ -7,15 +7,15 @@
 
 namespace gxrod {
 
-// At an equilibrium of a path, by its consistent tangent.
+// The tangent of a path at an equilibrium, by the consistent tangent matrix.
 struct PathTangent {
     PathVector direction;              // of unit length
     std::int64_t negative_pivots = 0;  // −1: not counted
 };
 
-// Of the trial motions; the workspace has their residual, and the factors of K afterwards. The direction is
-// that within 90° of `along`, by a bordered solve with refinement, so that its load factor's part is as exact
-// as the tangent where that is nearly singular. nullopt if the tangent has no inverse.
+// Computes it at the trial motions; the workspace has their residual, and afterwards the factors of K. The
+// direction lies within 90° of `along`. A bordered solve with refinement makes its load factor exact even if
+// K is nearly singular. nullopt if K has no inverse.
 std::optional<PathTangent> compute_path_tangent(const System& system,
                                                 const Integrator& integrator,
                                                 const PathMetric& metric,
@@ -24,7 +24,7 @@ std::optional<PathTangent> compute_path_tangent(const System& system,
                                                 SolverWorkspace& workspace,
                                                 State& state);
 
-// The consistent tangent of the trial motions into the workspace's values.
+// Computes the consistent tangent at the trial motions into the workspace's values.
 void compute_consistent_tangent(const System& system,
                                 const Integrator& integrator,
                                 double load_factor,

@@ -5,26 +5,26 @@
 
 namespace gxrod {
 
-// Two places where a function has values of unlike sign.
+// Two places at which a function has values of opposite sign.
 struct RootRange {
     double a, value_at_a;
     double b, value_at_b;
 };
 
-// When a root is good enough: its place, its value, and how many evaluations at most.
+// Tolerances of a root: its place, its value, and the largest number of evaluations.
 struct RootTolerance {
     double place, value;
     int evaluations;
 };
 
-// Where a continuous function passes zero within the range (Chandrupatla 1997: inverse quadratic
-// interpolation where that is safe, else halving). It was last evaluated there, so that what an evaluation
-// leaves behind belongs to it. It may return NaN, which ends the search and is returned.
+// Finds a zero of a continuous function within the range (Chandrupatla 1997: inverse quadratic interpolation
+// if that is safe, else halving). The function is last evaluated there, so that its side effects belong to
+// the zero. If it returns NaN, the search ends and returns NaN.
 template <class Function>
 double find_root(const RootRange& range, const RootTolerance& tolerance, const Function& function) {
     double a = range.b, fa = range.value_at_b;
     double b = range.a, fb = range.value_at_a;
-    double part = fa / (fa - fb);  // of the way from a to b
+    double part = fa / (fa - fb);  // part of the way from a to b
     for (int i = 0; i < tolerance.evaluations; ++i) {
         const double x = a + part * (b - a);
         const double fx = function(x);

@@ -12,8 +12,8 @@ struct SoftModes {
     Eigen::MatrixXd vectors;
 };
 
-// By inverse iteration on a few vectors at once, from `start` if that has columns. The solver has the factors
-// of K, whose values these are. Of an unsymmetric K one alone, and real.
+// Finds them by inverse iteration on a few vectors at once, from `start` if it has columns. The solver has
+// the factors of K, and `values` its values. If K is unsymmetric, finds a single real one.
 SoftModes find_soft_modes(LinearSolver& solver,
                           const SparsePattern& pattern,
                           const std::vector<double>& values,
@@ -22,8 +22,8 @@ SoftModes find_soft_modes(LinearSolver& solver,
                           bool is_symmetric,
                           const Eigen::MatrixXd& start = {});
 
-// How close K is to singular in one direction alone: of eigenvalues μ as above the one closest to zero, over
-// the next one, both estimated by a few solutions; and its vector, with xᵀ W x = 1. Of 1, if that is unknown.
+// A measure of how close K is to singular in one direction alone: the eigenvalue μ closest to zero over the
+// next one, both estimated by a few solutions, and its vector with xᵀ W x = 1. The ratio is 1 if not known.
 struct LoneSoftness {
     double ratio = 1.0;
     Eigen::VectorXd vector;

@@ -15,8 +15,8 @@ namespace gxrod {
 // to end at end_time.
 class ErrorControl : public StepSequence {
   public:
-    // The error estimate falls with the power `order` of the step. The settings' min_step bounds what
-    // rejections may ask for; the step that is left at the end may be shorter.
+    // The error estimate falls with the power `order` of the step. The settings' min_step bounds steps after
+    // rejections; the last step may be shorter.
     ErrorControl(double end_time, double first_step, int order, const AdaptiveSettings& settings);
 
     double time() const override { return time_; }
@@ -35,12 +35,12 @@ class ErrorControl : public StepSequence {
     double part_done() const override { return time_ / end_time_; }
     bool is_frame_due(long every) const override { return accepted_ % every == 0; }
 
-    // As it was before any rejection since.
+    // Returns the memory before any rejection since the last accepted step.
     StepMemory memory() const override { return memory_; }
     bool resume(const StepMemory& memory) override;
 
   private:
-    // Sets the next step to this length, or to what fits before the end.
+    // Sets the next step to this length, or a length that fits before the end.
     void plan(double step);
     void remember() {
         memory_ = {.time = time_,
@@ -56,11 +56,11 @@ class ErrorControl : public StepSequence {
     double shortest_, longest_;
     double time_ = 0.0;
     double step_ = 0.0;
-    double wanted_ = 0.0;  // step_ before it was fitted to what is left
+    double wanted_ = 0.0;  // step_ before it was fitted to the time that is left
     double next_time_ = 0.0;
     std::optional<double> landing_;  // a time ahead at which a step is to end
-    // Relative to the tolerance: of the step tried last, negative if not known, and of the step accepted
-    // before.
+    // Errors relative to the tolerance: of the step tried last, negative if not known, and of the step
+    // accepted before.
     double error_ = -1.0;
     double error_before_ = -1.0;
     bool just_rejected_ = false;

@@ -6,17 +6,17 @@
 
 namespace gxrod {
 
-// Called around a part of the way: with the last accepted motions as the trial, and with those of the
-// equilibrium before they are committed. The workspace has the residual of either.
+// Functions that are called before and after a part of settling: with the last accepted motions as the trial,
+// and with the equilibrium's before they are committed. The workspace has the residual of the trial.
 struct SettlingBooks {
     std::function<void()> begin;
     std::function<void()> end;
 };
 
-// Finds the equilibrium at an instant from a last accepted state that is out of balance there: what is out of
-// balance is let go at once, or, where Newton's method fails on that, in parts, each an accepted state. Parts
-// are equilibria with the rest of it as a dead force. `stage` is that of the integrator, InstantStep or that
-// of statics; the state's time stays. If the report is not converged, the state is the last part's.
+// Finds the equilibrium at an instant from a last accepted state that is out of balance there. The unbalanced
+// force is released at once, or, if Newton's method then fails, in parts, each of which is an accepted state:
+// an equilibrium with the rest as a dead force. `stage` belongs to the integrator, InstantStep or that of
+// statics; the state's time stays. If the report is not converged, the state is the last part.
 EquilibriumReport settle(const System& system,
                          const Integrator& integrator,
                          const NewtonSettings& settings,

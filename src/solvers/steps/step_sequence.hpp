@@ -8,47 +8,47 @@
 
 namespace gxrod {
 
-// The steps of an analysis: where the next one ends, and what follows from how it went.
+// The steps of an analysis: chooses the end of the next one from the course of the last ones.
 class StepSequence {
   public:
     virtual ~StepSequence() = default;
 
-    // Of the last accepted step's end.
+    // Returns the time at the end of the last accepted step.
     virtual double time() const = 0;
-    // Of the step to try next: where it ends, to the last bit, and its length.
+    // Return the exact end and the length of the next step to try.
     virtual double next_time() const = 0;
     virtual double time_step() const = 0;
     virtual bool finished() const = 0;
 
-    // Whether steps are chosen by their error; then, whether the step that was just solved may be accepted
-    // with this estimate of it.
+    // Return whether steps are chosen by their error, and if so, whether the step that was just solved may be
+    // accepted with this estimate.
     virtual bool needs_error() const { return false; }
     virtual bool admits(double /*error*/) { return true; }
-    // Has a step end at this time, once; steps go on from there as before. The time that it will be, which is
-    // this one but for rounding: one at which steps end anyway, or the accepted time. nullopt if it is before
-    // that or after the end, or steps are not of time.
+    // Makes one step end at this time; later steps continue as before. Returns the exact time, which may
+    // differ by rounding: a time at which steps end anyway, or the accepted time. nullopt if it is before
+    // that or after the end, or if steps are not in time.
     virtual std::optional<double> land_on(double /*time*/) { return std::nullopt; }
-    // The step was accepted.
+    // Notes that the step was accepted.
     virtual void accept() = 0;
-    // The step failed, or was not admitted: a shorter one comes next. False if it is already as short as it
-    // may be.
+    // Notes that the step failed or was rejected: the next one is shorter. Returns false if it is already the
+    // shortest.
     virtual bool reject() = 0;
 
-    // Progress for a reader: steps done, of how many (0: not known beforehand), and the part of the whole
+    // Return the progress for a reader: steps done, steps in all (0: not known in advance), and the part
     // done, 0 … 1.
     virtual long steps_done() const = 0;
     virtual long steps_in_all() const = 0;
     virtual double part_done() const = 0;
-    // Whether a frame is due at the accepted time when one is due every so many steps.
+    // Returns whether a frame is due at the accepted time if one is due every so many steps.
     virtual bool is_frame_due(long every) const = 0;
 
-    // To resume later from the accepted time, with a sequence of the same settings or of others. False if
-    // that time is not one that these steps can meet, or is past the end.
+    // Store and restore the accepted time, to resume with a sequence of the same or other settings. Restoring
+    // returns false if these steps cannot meet that time, or it is past the end.
     virtual StepMemory memory() const = 0;
     virtual bool resume(const StepMemory& memory) = 0;
 };
 
-// Equal steps, or steps by their error if the settings have `adaptive`.
+// Makes equal steps, or steps by their error if the settings have `adaptive`.
 std::unique_ptr<StepSequence> make_step_sequence(const DynamicSettings& settings);
 
 }  // namespace gxrod
