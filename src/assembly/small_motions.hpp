@@ -7,7 +7,7 @@
 
 #include "assembly/system.hpp"
 #include "linear/eigen/quadratic_problem.hpp"
-#include "model/settings.hpp"
+#include "model/settings/settings.hpp"
 
 namespace gxrod {
 
