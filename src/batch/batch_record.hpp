@@ -29,10 +29,10 @@ struct BatchColumn {
 };
 
 struct BatchRecord {
-    std::string version;  // of gxrod
+    std::string version;  // version of gxrod
     std::string plan;     // file name; "" for a list of decks
     std::string plan_text;
-    std::string title;    // of the first deck
+    std::string title;    // title of the first deck
     std::string combine;  // the plan's word, or "decks"
     std::uint64_t seed = 0;
     long cases = 0;

@@ -37,8 +37,8 @@ class TakenNumber {
     double last_ = 0.0;
     double least_ = std::numeric_limits<double>::infinity();
     double largest_ = -std::numeric_limits<double>::infinity();
-    double integral_ = 0.0;         // of the value
-    double square_integral_ = 0.0;  // of its square
+    double integral_ = 0.0;         // ∫ of the value
+    double square_integral_ = 0.0;  // ∫ of its square
     double at_value_ = std::numeric_limits<double>::quiet_NaN();
 };
 

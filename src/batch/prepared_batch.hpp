@@ -46,7 +46,7 @@ class PreparedBatch {
     Plan plan_;
     CaseList cases_;
     std::deque<DeckTemplate> decks_;
-    std::vector<MeshDigests> meshes_;  // of each deck
+    std::vector<MeshDigests> meshes_;  // meshes of each deck
     KeptResults kept_;
     BatchRecord record_;
 };

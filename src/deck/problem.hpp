@@ -26,7 +26,7 @@ class DeckTemplate {
   public:
     // Throws DeckError if the text is not TOML, and FileError if it cannot be read.
     explicit DeckTemplate(const std::filesystem::path& deck);
-    // The same for a text; `file` is what faults name, and meshes are relative to its folder.
+    // Reads a deck from a text; faults name `file`, and meshes are relative to its folder.
     DeckTemplate(std::string text, const std::filesystem::path& file);
 
     // Builds the deck as read_problem does.

@@ -11,10 +11,10 @@ struct ChildLimits {
     // Processor time after which the child is ended, counted from its start or from the last
     // restart_processor_clock(); 0: no limit.
     int processor_seconds = 0;
-    // The child is ended if it computes next to nothing for so long: it waits for what does not come. 0: no
-    // limit, for slow disks.
+    // The child is ended if it computes next to nothing for so long: it waits in vain. 0: no limit, for slow
+    // disks.
     int waiting_seconds = 0;
-    bool reads_only = false;  // as machine/confinement.hpp has it
+    bool reads_only = false;  // see machine/confinement.hpp
 };
 
 // A child process that did not end as it should; what() says how it ended.

@@ -20,9 +20,9 @@ class SmoothLine {
     // The part of the line between two neighbouring points.
     struct Piece {
         double start = 0.0;                                // arc length
-        double length = 0.0;                               // of the piece
+        double length = 0.0;                               // length of the piece
         int first = 0;                                     // index of the first of its points
-        int count = 0;                                     // of its points
+        int count = 0;                                     // number of its points
         Coefficients coefficients = Coefficients::Zero();  // a row a point
 
         // Computes M_i and its derivatives by s, of all orders below `Orders`: by order, then by point.

@@ -17,7 +17,7 @@ struct BatchStory {
     std::string folder;                          // its name
     std::string pages;                           // address of the folder of the cases' pages, from the page
     std::vector<long> cases_with_page;
-    std::size_t most_bytes = 0;  // of the page
+    std::size_t most_bytes = 0;  // largest size of the page
 };
 
 // The parts of these data that fit into the page.

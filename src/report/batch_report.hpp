@@ -13,17 +13,17 @@ namespace gxrod {
 struct BatchReportOptions {
     std::filesystem::path folder;
     std::filesystem::path page;
-    std::size_t most_bytes = 20'000'000;      // of the page
-    std::size_t most_case_bytes = 3'000'000;  // of the page of each case
-    Existing existing = Existing::refuse;     // of the page; pages of cases are replaced if they are older
+    std::size_t most_bytes = 20'000'000;      // largest size of the page
+    std::size_t most_case_bytes = 3'000'000;  // largest size of each case's page
+    Existing existing = Existing::refuse;     // for the page; pages of cases are replaced if they are older
     CaseChoice cases = {};
     PageProgress progress = [](std::size_t, std::size_t) {};
 };
 
 struct BatchReportSummary {
-    std::size_t bytes = 0;              // of the page
+    std::size_t bytes = 0;              // size of the page
     std::size_t finished = 0;           // cases in the table
-    long cases = 0;                     // of the batch
+    long cases = 0;                     // cases of the batch
     std::vector<std::string> left_out;  // parts omitted to stay within most_bytes, a sentence each
     CasePages pages;
 };

@@ -25,7 +25,7 @@ struct CasePages {
     std::size_t kept = 0;             // pages that were up to date already
     std::size_t passed_over = 0;      // cases that the choice left out, as there were too many
     std::size_t lost = 0;             // cases in the table whose results do not exist
-    std::vector<std::string> faults;  // of results that cannot be shown, a sentence each
+    std::vector<std::string> faults;  // faults of results that cannot be shown, a sentence each
 };
 
 // Reports how many of all pages are written.

@@ -12,14 +12,14 @@ namespace gxrod {
 struct ReportOptions {
     std::filesystem::path results;
     std::filesystem::path page;
-    std::size_t most_bytes = 20'000'000;  // of the page
+    std::size_t most_bytes = 20'000'000;  // largest size of the page
     Existing existing = Existing::refuse;
 };
 
 struct ReportSummary {
-    std::size_t bytes = 0;              // of the page
+    std::size_t bytes = 0;              // size of the page
     std::vector<std::string> left_out;  // parts omitted to stay within most_bytes, a sentence each
-    std::vector<std::string> warnings;  // of the run, as on the page
+    std::vector<std::string> warnings;  // warnings of the run, as on the page
 };
 
 // Writes one HTML page that shows the results of a run, or the results so far of a running job: the motion in

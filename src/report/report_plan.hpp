@@ -15,8 +15,8 @@ struct ReportContent {
     std::vector<int> marked_nodes;  // supports, loads, bodies, places of a failure: always kept
     std::size_t frames = 0;
     std::size_t steps = 0;
-    std::size_t columns = 0;  // of all histories and tables, one number a step each
-    std::size_t arrows = 0;   // of loads
+    std::size_t columns = 0;  // columns of all histories and tables, one number a step each
+    std::size_t arrows = 0;   // arrows of loads
     std::size_t touches = 0;  // contacts of rods, most of them in a frame
     std::size_t moved_obstacles = 0;
     // Vectors of three numbers, for each node, of the shapes that stages have found.

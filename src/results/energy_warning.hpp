@@ -10,8 +10,8 @@ namespace gxrod {
 struct EnergySurvey {
     bool is_static = false;
     double largest = 0.0;        // kinetic and strain energy, or external work
-    double largest_error = 0.0;  // of the balance
-    EnergyJumps jumps;           // of a series of equilibria
+    double largest_error = 0.0;  // largest error of the balance
+    EnergyJumps jumps;           // jumps in a series of equilibria
 };
 
 // Returns a warning if energies are out of balance by more than round-off, so that results cannot be trusted:

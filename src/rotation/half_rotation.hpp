@@ -113,7 +113,7 @@ void fill_small(const Eigen::Quaternion<Real>& q, HalfRotation<Real>& rotation) 
 template <class Real>
 void split_half(const Eigen::Quaternion<Real>& q, HalfRotation<Real>& rotation) {
     using std::sqrt;
-    const Real cosine = sqrt(Real(0.5) * (Real(1.0) + q.w()));  // of θ/4
+    const Real cosine = sqrt(Real(0.5) * (Real(1.0) + q.w()));  // cos(θ/4)
     rotation.tau = q.vec() / (Real(1.0) + q.w());
     rotation.half.w() = cosine;
     rotation.half.vec() = q.vec() * (Real(0.5) / cosine);

@@ -30,7 +30,7 @@ class TimeSeries {
 struct DueOutput {
     double time;
     bool is_frame;
-    bool is_sample;  // of histories
+    bool is_sample;  // whether a sample of histories is due
 };
 
 // Frames and samples of histories that a deck asks for at given times, in t of a stage. They depend on the

@@ -35,7 +35,7 @@ class PathFollower {
 
     PathSettings settings_;
     PathRecord record_;
-    int generation_ = 0;  // of the current path
+    int generation_ = 0;  // generation of the current path
     std::deque<Waiting> waiting_;
     std::vector<std::vector<NodeMotion>> origins_;  // starts of branches that were queued
 };

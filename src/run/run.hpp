@@ -20,10 +20,10 @@ namespace gxrod {
 struct Progress {
     std::string stage;  // its name; "" if the run has only one
     long step;          // steps done
-    long steps;         // of the whole run; 0 if not known in advance
+    long steps;         // steps of the whole run; 0 if not known in advance
     double part;        // share of the run that is done, 0 … 1
     double time;
-    double time_step;  // of the last step
+    double time_step;  // length of the last step
     int newton_iterations;
 };
 
@@ -44,16 +44,16 @@ struct RunRequest {
 
 struct RunSummary {
     RunStatus status = RunStatus::running;
-    std::string reason;                      // of a failure
+    std::string reason;                      // reason of a failure
     std::vector<std::int64_t> reason_nodes;  // nodes that it names
-    std::optional<Failure> failure;          // of the step that failed
+    std::optional<Failure> failure;          // failure of a step
     std::string cuts;                        // how often and why steps were cut, if more than a few times
     std::string newton_limit;                // says if Newton's tolerance bounds the accuracy; else ""
     bool deck_fault = false;                 // whether the deck is the cause: a load without a finite value
     bool out_of_memory = false;
     std::vector<std::string> notes;   // remarks on how stages begin, a sentence each
     std::vector<FoundShapes> shapes;  // in the order of the stages
-    std::vector<PathRecord> paths;    // of stages that follow one, in their order
+    std::vector<PathRecord> paths;    // paths of stages, in their order
     // Critical points of paths and states to which statics relaxed, a sentence each.
     std::vector<std::string> findings;
     // Warnings to read before the results are trusted, a sentence each: on the model, equilibria, shapes,
@@ -67,7 +67,7 @@ struct RunSummary {
     std::string integrators;  // as in DeckRecord
     RunTotals totals;         // since t = 0, also if the run was resumed
     double time = 0.0;        // reached
-    std::string place;        // the same for messages: "t = 1", "λ = 2 of path.1+"
+    std::string place;        // `time` for messages: "t = 1", "λ = 2 of path.1+"
     int threads = 1;
     double wall_seconds = 0.0;
     PhaseSeconds phases;
@@ -80,7 +80,7 @@ struct RunSummary {
 // Runs, and closes the results file whatever happens. The summary reports a failure if a step does not
 // converge, memory runs out or a load is NaN. Throws FileError if the file cannot be created, or cannot be
 // resumed with this analysis; WriteError if it cannot be written, and std::bad_alloc if there is too little
-// memory for that: what was written stays.
+// memory for that: the data written so far stay.
 RunSummary run_analysis(const RunRequest& request);
 
 }  // namespace gxrod

@@ -50,7 +50,7 @@ class RunBooks {
     const Model& model_;
     RunSummary summary_;
     std::vector<std::string> examined_;     // warnings of the model
-    std::vector<std::string> warnings_;     // of shapes and paths
+    std::vector<std::string> warnings_;     // warnings on shapes and paths
     long first_step_ = 0;                   // steps done when the stage began or was resumed
     EnergyPoint last_point_;                // last step in statics
     std::optional<std::size_t> summed_up_;  // last stage that was summed up

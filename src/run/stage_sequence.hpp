@@ -112,7 +112,7 @@ class StageSequence {
     double axis_start_ = 0.0;
     Current current_;
     std::optional<PathFollower> follower_;  // if the stage follows a path
-    std::unique_ptr<PathAnalysis> branch_;  // at hand
+    std::unique_ptr<PathAnalysis> branch_;  // the current branch
     std::optional<double> branch_start_;    // on the axis
     std::optional<double> axis_end_;        // end of a path whose branches were followed
     // Times of earlier stages.

@@ -112,17 +112,17 @@ class SteppedRun {
     double output_seconds_ = 0.0;
     std::unique_ptr<StageSequence> stages_;
     std::unique_ptr<ResultsFile> file_;
-    OutputSchedule schedule_;  // of the current stage
+    OutputSchedule schedule_;  // schedule of the current stage
     Phase phase_ = Phase::new_run;
     bool is_closed_ = false;
     std::string cause_;              // why a branch of a path was given up
     std::string entering_;           // "stage NAME: " while the stage starts
     std::size_t written_paths_ = 0;  // number of the last stage whose paths were written, from 1
-    std::int64_t rows_ = 0;          // of the histories
+    std::int64_t rows_ = 0;          // rows of the histories
     RunTotals accepted_totals_;      // without the cost of a step that failed
     bool has_started_ = false;       // has recorded an accepted state
     bool last_framed_ = false;
-    double recorded_time_ = 0.0;  // of the last step that is a row of the results
+    double recorded_time_ = 0.0;  // time of the last row of the results
     std::vector<double> input_values_;
 };
 

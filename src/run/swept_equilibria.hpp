@@ -37,7 +37,7 @@ class SweptEquilibria {
     const StagePlan& plan_;
     std::size_t index_;
     int threads_;
-    std::int64_t unknowns_ = 0;  // of all models
+    std::int64_t unknowns_ = 0;  // number in each model
     Equilibrium last_;
 };
 

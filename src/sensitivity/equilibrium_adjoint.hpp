@@ -39,7 +39,7 @@ class EquilibriumAdjoint {
     State state_;
     double time_;
     LinearSolverKind linear_solver_;
-    std::vector<double> values_;   // of the tangent
+    std::vector<double> values_;   // values of the tangent
     Eigen::VectorXd multipliers_;  // λ
 };
 

@@ -52,7 +52,7 @@ class Sensitivities {
     bool projects_start_ = false;
     LinearSolverKind linear_solver_ = LinearSolverKind::automatic;
     State before_;
-    Pieces pieces_;  // of the end of the last step
+    Pieces pieces_;  // pieces at the end of the last step
 };
 
 }  // namespace gxrod

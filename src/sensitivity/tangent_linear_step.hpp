@@ -23,7 +23,7 @@ struct VariedSystem {
     // The end of a step as its trial motions, before they are accepted. Recorded quantities of a step are
     // computed there, because forces of `simo` elements and of laws depend on the start of the step.
     State ended;
-    std::vector<double> values;  // of its matrix at its trial motions, if joints need it
+    std::vector<double> values;  // its matrix at its trial motions, if joints need it
     // Joints and law memory of State at the start of stages.
     std::vector<JointState> joints_before;
     std::vector<double> memory_before;

@@ -12,7 +12,7 @@ namespace gxrod {
 struct StepStart {
     double energy = 0.0;  // kinetic and strain energy, and potential of gravity
     Momentum momentum;
-    Resultant acting;          // of all external forces
+    Resultant acting;          // resultant of all external forces
     std::vector<Vec6> forces;  // forces that do work, of each node
 };
 

@@ -32,11 +32,11 @@ class ConvergenceTest {
     double absolute_residual_;
     bool of_accelerations_;
     double first_gap_ = 0.0;                                       // before the first increment
-    double gap_before_ = std::numeric_limits<double>::infinity();  // of the previous iteration
+    double gap_before_ = std::numeric_limits<double>::infinity();  // gap of the previous iteration
     // Increments of the last two iterations.
     double last_increment_ = std::numeric_limits<double>::infinity();
     double increment_before_ = std::numeric_limits<double>::infinity();
-    double residual_before_ = std::numeric_limits<double>::infinity();  // of the last iteration
+    double residual_before_ = std::numeric_limits<double>::infinity();  // residual of the last iteration
 };
 
 }  // namespace gxrod

@@ -9,7 +9,7 @@ namespace gxrod {
 // The motion by which a model leaves an equilibrium in pseudo-time.
 struct Divergence {
     double rate = 0.0;       // x grows as exp(rate · pseudo-time)
-    double stiffness = 0.0;  // of pseudo-steps: above it each has one solution nearby
+    double stiffness = 0.0;  // least stiffness of pseudo-steps with one solution nearby
     Eigen::VectorXd shape;   // over the equations
 };
 

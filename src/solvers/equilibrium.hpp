@@ -29,7 +29,7 @@ enum class Outcome {
     energy_out_of_reach,  // no moderate scaling of the vibrations' rates gives the energy that is due
     joints_open,          // joints cannot be closed, or velocities do not fit them
     control_turned,       // the displacement that controls a path turns back
-    path_crawls,          // a path's steps stay short compared with those that it took before
+    path_crawls,          // a path's steps stay short compared with earlier ones
     lost_stability        // the step is good, but shorter ones seek what it may have passed: a stable
                           // equilibrium, or, on a path, a bend or critical points
 };
@@ -42,17 +42,17 @@ struct EquilibriumReport {
     int worst_node = -1;    // node of the residual, the pivot, the rotation or the non-finite number
     int worst_component = -1;
     double step_error = 0.0;                                     // the estimate for error_too_large
-    LargestGap joint_gap;                                        // of the equations of joints
-    double least_gap = std::numeric_limits<double>::infinity();  // of contact in all iterations
+    LargestGap joint_gap;                                        // gap of the equations of joints
+    double least_gap = std::numeric_limits<double>::infinity();  // least gap of contact in all iterations
     int shortened = 0;                  // iterations whose increment contact has shortened
-    std::int64_t negative_pivots = -1;  // of nodes' unknowns in the last factorization; −1: not known
+    std::int64_t negative_pivots = -1;  // for nodes' unknowns in the last factorization; −1: not known
 
     bool converged() const { return outcome == Outcome::converged; }
 };
 
 // Powers at one instant.
 struct Power {
-    double driving = 0.0;  // of loads and moving supports
+    double driving = 0.0;  // by loads and moving supports
     double damping = 0.0;  // dissipated
 };
 
@@ -75,7 +75,7 @@ struct SolverWorkspace {
     // The matrix in which Newton's method solves if rods touch each other; else null.
     std::unique_ptr<PairedMatrix> paired;
     bool is_paired = false;           // whether `paired` holds the matrix
-    std::vector<Power> stage_powers;  // of the last step, if the scheme weighs them
+    std::vector<Power> stage_powers;  // powers in the last step, if the scheme weighs them
     PhaseSeconds seconds;
     const FrameColumns* frame =
         nullptr;  // columns that a rotating frame adds to the tangent, if there is one

@@ -25,7 +25,7 @@ class PairedMatrix {
     void set_values(const std::vector<double>& values, std::vector<PairBlock> blocks);
     // Returns all of the values that were set, on a pattern that has all groups.
     const std::vector<double>& assemble();
-    const SparsePattern& pattern() const { return pattern_; }  // of assemble
+    const SparsePattern& pattern() const { return pattern_; }  // pattern of assemble
     Factorization factorize();
     // Solves in place. The result is not finite if the system is found to be singular.
     void solve(Eigen::VectorXd& right_hand_side);

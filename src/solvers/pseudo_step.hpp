@@ -33,7 +33,7 @@ class PseudoDrag {
 
     const System* system_;
     double share_;
-    std::vector<double> turning_;  // of each node
+    std::vector<double> turning_;  // drag on the rotation of each node
     std::vector<Pair> pairs_;
 };
 

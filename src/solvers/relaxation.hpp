@@ -5,7 +5,7 @@
 namespace gxrod {
 
 struct RelaxationReport {
-    EquilibriumReport equilibrium;  // of Newton's method at the end; iterations of all pseudo-steps
+    EquilibriumReport equilibrium;  // report of Newton's method at the end; iterations of all pseudo-steps
     int pseudo_steps = 0;
 };
 

@@ -8,10 +8,10 @@ namespace gxrod {
 // The position and rates of a bushing's end B relative to its end A (docs/theory/springs.md).
 struct BushingMotion {
     Mat3 axes = Mat3::Identity();     // half way between the axes that A and B carry; columns: x, y, z
-    HalfRotation<double> turn;        // of B against A, in the axes
+    HalfRotation<double> turn;        // turn of B against A, in the axes
     PointDistance distance;           // spatial
     Vec3 turn_rate = Vec3::Zero();    // ω of B − ω of A, spatial
-    Vec3 middle_spin = Vec3::Zero();  // of the axes, spatial
+    Vec3 middle_spin = Vec3::Zero();  // spin of the axes, spatial
     Vec6 strain = Vec6::Zero();       // displacement and rotation vector of B against A, in the axes
     Vec6 strain_rate = Vec6::Zero();
 };

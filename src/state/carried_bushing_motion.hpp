@@ -15,7 +15,7 @@ struct BushingTurn {
         vector  // the rotation vector
     };
     Kind kind = Kind::spin;
-    int axis = 0;  // of the swing
+    int axis = 0;  // axis of the swing
 };
 BushingTurn find_bushing_turn(const Bushing& bushing);
 

@@ -26,7 +26,7 @@ struct EnergyPoint {
     double load_factor = 0.0;
     double strain_energy = 0.0;
     double external_work = 0.0;
-    double work_uncertainty = 0.0;  // of the load step that led to it
+    double work_uncertainty = 0.0;  // uncertainty of the load step that led to it
 };
 
 // Share of the largest energy of a run so far; smaller jumps are not reported.

@@ -16,7 +16,7 @@ struct TendonPull {
 // Actions within a section at a force point, at the time of an equilibrium.
 struct PointDrive {
     Vec6 strain = Vec6::Zero();  // (Γ, K) that the section would take unloaded, added to the reference strain
-    std::vector<TendonPull> pulls;  // of the tendons that pass there
+    std::vector<TendonPull> pulls;  // pulls of the tendons that pass there
 };
 
 // Quantities for the work of the actions within a section, at a force point and a time.

@@ -11,7 +11,7 @@ namespace gxrod {
 // The vector from A to B, which nodes or the ground carry.
 struct PointDistance {
     Vec3 d = Vec3::Zero();
-    Vec3 rate = Vec3::Zero();  // of d
+    Vec3 rate = Vec3::Zero();  // rate of d
 };
 
 // Computes it from the motions `a`, `b` of the nodes that carry A and B; nullptr for the ground.

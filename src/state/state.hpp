@@ -21,7 +21,7 @@ struct StageRates {
     Vec3 v = Vec3::Zero();
     Vec3 a = Vec3::Zero();
     Vec3 alpha = Vec3::Zero();
-    Vec3 theta_dot = Vec3::Zero();                             // of the rotation vector of the step
+    Vec3 theta_dot = Vec3::Zero();                             // rate of the rotation vector of the step
     Eigen::Vector4d quaternion_dot = Eigen::Vector4d::Zero();  // (x, y, z, w)
 };
 
@@ -35,15 +35,15 @@ struct CarriedAcceleration {
 // All variables that evolve. A copy is enough to come back to this state; to drop a step that is not
 // committed, undo_trial is enough.
 struct State {
-    double time = 0.0;                     // of `previous`
-    double trial_time = 0.0;               // of `trial`
+    double time = 0.0;                     // time of `previous`
+    double trial_time = 0.0;               // time of `trial`
     std::vector<NodeMotion> previous;      // per node, at the last accepted step
     std::vector<NodeMotion> trial;         // per node, where equilibrium is sought
     std::vector<SectionHistory> sections;  // per force point, in element order
     // Memory per force point with a law, then the tensions of tendons with friction; of `previous`.
     std::vector<double> law_memory;
     std::vector<BedContact> bed_contacts;                   // per piece that can touch, of `previous`
-    ContactMemory contact_memory;                           // of `previous`
+    ContactMemory contact_memory;                           // memory at `previous`
     std::vector<JointState> joints_previous, joints_trial;  // per joint
     // Resultants (N, M) per force point, material, from which the mixed tangent is computed; empty with other
     // tangents.

@@ -7,7 +7,7 @@ namespace gxrod {
 // The place in a sequence of steps, enough to resume it.
 struct StepMemory {
     bool has_failed = false;   // even with the shortest step after `time`
-    double time = 0.0;         // of the last accepted step's end
+    double time = 0.0;         // end of the last accepted step
     bool is_off_grid = false;  // whether `time` is not one of the times of equal steps
     double lead = 0.0;         // part of the next step for which a settled state has crept already
     // If steps are chosen by their error:

@@ -14,7 +14,7 @@ namespace gxrod {
 // Runs a deck's text in memory, without a results file, for studies.
 class DeckRun {
   public:
-    // Throws DeckError. `name` is what messages call the deck.
+    // Takes the deck's text, and its name for messages. Throws DeckError.
     DeckRun(const std::string& name, const std::string& text, const std::vector<std::string>& overrides);
 
     const Problem& problem() const { return problem_; }
@@ -43,7 +43,7 @@ class DeckRun {
 
     long steps() const { return steps_; }
     long newton_iterations() const { return newton_iterations_; }
-    double seconds() const { return seconds_; }  // of run, without the time in visit
+    double seconds() const { return seconds_; }  // time of run, without the time in visit
 
   private:
     void check(const EquilibriumReport& report);

@@ -22,7 +22,7 @@ struct VariantRun {
     long steps = 0;
     std::vector<long> steps_at;  // taken up to each sample
     long rejected_steps = 0;
-    bool is_cut_alike = true;  // of turned runs: whether they cut the same steps as the run before
+    bool is_cut_alike = true;  // for turned runs: whether they cut the same steps as the run before
     long newton_iterations = 0;
     double seconds = 0.0;
     std::string untried;  // why there was nothing to run or to compare with; it counts as whole then
@@ -62,8 +62,8 @@ struct SeriesReport {
 };
 
 struct DeckStudyOptions {
-    unsigned seed = 1;        // of the random rotation
-    double tolerance = 0.01;  // of errors relative to the scale of each series
+    unsigned seed = 1;        // seed of the random rotation
+    double tolerance = 0.01;  // for errors relative to the scale of each series
     std::function<bool()> is_interrupted = [] { return false; };
     std::function<void(const VariantRun&)> report_run = [](const VariantRun&) {};
 };
@@ -87,8 +87,8 @@ struct DeckStudy {
     std::vector<DeckVariant> variants;  // planned
     std::vector<VariantRun> runs;
     std::vector<SeriesReport> series;
-    std::vector<double> times;                              // of samples
-    std::vector<std::vector<HistoryPoint::Row>> base_rows;  // of each series, for the unchanged deck
+    std::vector<double> times;                              // times of samples
+    std::vector<std::vector<HistoryPoint::Row>> base_rows;  // rows of each series, for the unchanged deck
     bool is_interrupted = false;
 
     const VariantRun* find(VariantKind kind, int level = 0) const;

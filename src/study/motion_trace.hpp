@@ -13,8 +13,8 @@ namespace gxrod {
 
 // A quantity of a point that is followed through several runs of a model.
 struct Series {
-    std::string point;  // the history's name
-    std::string name;  // of the quantity; "rotation" for a rotation_vector, which is followed as a quaternion
+    std::string point;    // the history's name
+    std::string name;     // the quantity; "rotation" for a rotation_vector, which is followed as a quaternion
     std::size_t history;  // in OutputSettings::histories
     Quantity quantity;
     Turning turning;
@@ -61,10 +61,10 @@ struct TraceBooks {
 
 // The results of one run of a model.
 struct MotionTrace {
-    std::vector<std::vector<HistoryPoint::Row>> rows;  // of each series, at the sample times
+    std::vector<std::vector<HistoryPoint::Row>> rows;  // rows of each series, at the sample times
     std::size_t samples = 0;                           // samples that were reached
     TraceBooks books;
-    double length = 0.0;  // of the model, as in System
+    double length = 0.0;  // length of the model, as in System
     double mass = 0.0;
     long unknowns = 0;
     long elements = 0;

@@ -9,11 +9,11 @@ namespace gxrod {
 
 // Rows of the series of a study from its runs, at its samples.
 struct StudyRows {
-    using Rows = std::vector<std::vector<HistoryPoint::Row>>;  // of each series
+    using Rows = std::vector<std::vector<HistoryPoint::Row>>;  // rows of each series
     Rows base;                                                 // the unchanged deck
     std::vector<Rows> steps;                                   // for each level that reached its end
     std::vector<Rows> meshes;
-    NaturalScales natural;                       // of the unchanged deck
+    NaturalScales natural;                       // scales of the unchanged deck
     std::vector<std::vector<double>> round_off;  // differences of each series; empty if not known
     // The largest differences of each series; empty without the run.
     std::vector<double> order_differences;

@@ -27,7 +27,7 @@ class TraceSampler {
     const std::vector<double>* times_;
     double tolerance_;
     std::vector<Rows> samples_;
-    std::vector<double> last_times_;  // of the last steps, four at most
+    std::vector<double> last_times_;  // times of the last steps, four at most
     std::vector<Rows> last_rows_;
 };
 

@@ -9,9 +9,9 @@
 // surroundings, in its plane if it has one. Its exact motion is the original motion, rotated likewise.
 namespace gxrod {
 
-// Restricts a rotation to what the model allows: its part about z if water, air or ground give it a vertical
-// direction, and its part about the normal of a plane model; half a turn about z for a plane model in water,
-// air or on the ground, whose plane is upright.
+// Restricts a rotation to the part that the model allows: its part about z if water, air or ground give it a
+// vertical direction, and its part about the normal of a plane model; half a turn about z for a plane model
+// in water, air or on the ground, whose plane is upright.
 Quat restrict_rotation(const Quat& rotation, const Model& model);
 // Finds an axis of small turns that the model allows; nullopt for an upright plane model.
 std::optional<Vec3> find_small_turn(const Model& model);

@@ -38,8 +38,8 @@ struct BenchmarkValue {
 struct Refinement {
     std::string name;
     std::vector<std::vector<std::string>> rows;  // "KEY=VALUE" of each run
-    double order = 0.0;                          // of the error, from row to row; 0: not checked
-    double tolerance = 0.0;                      // of the last row's error; 0: not checked
+    double order = 0.0;                          // order of the error, from row to row; 0: not checked
+    double tolerance = 0.0;                      // for the last row's error; 0: not checked
     double floor = 0.0;  // smaller errors come from the reference or round-off: no order is checked
 };
 
@@ -47,7 +47,7 @@ struct Benchmark {
     std::string name;
     std::string sentence;
     std::string kind;    // "statics", "vibrations", "stability", "dynamics", "rigid body", …
-    std::string source;  // of the problem, and how the reference was found
+    std::string source;  // source of the problem, and of the reference
     std::string deck;    // its text
     std::vector<BenchmarkValue> values;
     std::vector<Refinement> refinements;

@@ -7,7 +7,7 @@ namespace gxrod {
 
 // An example of docs/examples that has a reference.toml, with its text at build time.
 struct ExampleText {
-    std::string name;  // of its folder
+    std::string name;  // name of its folder
     std::string deck;
     std::string reference;
 };

@@ -26,8 +26,8 @@ struct StudyResult {
 
 struct Study {
     std::string name;
-    std::string sentence;  // says what it shows
-    std::string kind;      // of mechanics: "statics", "dynamics", "rigid body", …
+    std::string sentence;  // its statement
+    std::string kind;      // kind of mechanics: "statics", "dynamics", "rigid body", …
     std::string source;    // sources of the problem and its reference
     std::function<StudyResult(const StudyOptions&)> run;
 };

@@ -15,8 +15,8 @@ struct KeptResults {
 };
 
 struct CheckedCases {
-    std::string title;                // of the first case
-    std::vector<MeshDigests> meshes;  // of each deck
+    std::string title;                // title of the first case
+    std::vector<MeshDigests> meshes;  // meshes of each deck
     KeptResults kept;
 };
 

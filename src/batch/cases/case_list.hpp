@@ -31,7 +31,7 @@ class CaseList {
 
     const Plan& plan_;
     long count_ = 0;
-    std::vector<std::vector<double>> probabilities_;  // of a Latin hypercube, for each variation
+    std::vector<std::vector<double>> probabilities_;  // for each variation of a Latin hypercube
 };
 
 }  // namespace gxrod

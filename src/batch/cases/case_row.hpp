@@ -24,10 +24,10 @@ const char* name_of(CaseStatus status);
 // The outcome of one case.
 struct CaseRow {
     long number = 0;
-    std::vector<std::string> parameters;  // of BatchRecord::parameters
+    std::vector<std::string> parameters;  // values of BatchRecord::parameters
     CaseStatus status = CaseStatus::done;
     std::string reason;             // "" if it is done
-    std::vector<double> collected;  // of BatchRecord::columns; NaN for none
+    std::vector<double> collected;  // values of BatchRecord::columns; NaN for none
     long steps = 0;
     long newton_iterations = 0;
     long rejected_steps = 0;

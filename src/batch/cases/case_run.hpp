@@ -15,7 +15,7 @@ struct CaseContext {
     const Plan& plan;
     const CaseList& cases;
     const std::deque<DeckTemplate>& decks;
-    const std::vector<MeshDigests>& meshes;  // of each deck when the batch began
+    const std::vector<MeshDigests>& meshes;  // meshes of each deck when the batch began
     std::filesystem::path folder;
 
     Problem build(long number) const;

@@ -36,7 +36,7 @@ Remainder find_remainder(const std::vector<CaseRow>& rows,
 struct Submission {
     SlurmScript script;
     std::string file;                  // the script's name
-    std::vector<std::string> options;  // of sbatch
+    std::vector<std::string> options;  // options of sbatch
     std::vector<CaseRange> retried;    // cases that have a row
 };
 

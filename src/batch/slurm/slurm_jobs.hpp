@@ -15,7 +15,7 @@ struct SlurmJob {
     std::string cluster;               // "" for the default cluster
     std::string script;                // its file name
     std::string submitted;             // "2024-05-17 09:30:00"
-    std::vector<std::string> options;  // of sbatch
+    std::vector<std::string> options;  // options of sbatch
     std::vector<CaseRange> slices;     // cases of task 1, 2, …
     std::vector<CaseRange> retried;    // cases that had a row, and were not done
 

@@ -11,11 +11,11 @@ namespace gxrod {
 
 // An array job, each of whose tasks runs a slice of a batch.
 struct SlurmScript {
-    std::string name;                 // of the job
+    std::string name;                 // name of the job
     std::filesystem::path program;    // gxrod
     std::filesystem::path directory;  // where it runs
     std::vector<std::string> files;   // plan or decks, as the user named them in that directory
-    std::filesystem::path folder;     // of the batch, absolute
+    std::filesystem::path folder;     // folder of the batch, absolute
     std::vector<CaseRange> slices;    // cases of task 1, 2, …
     bool retry_failed = false;
 };

@@ -31,7 +31,7 @@ struct FunctionDefinition {
     std::string expression;
     double operations = 1.0;                               // largest number in one evaluation
     int depth = 1;                                         // depth of functions that call functions
-    Interpolation interpolation = Interpolation::linear;   // of the table
+    Interpolation interpolation = Interpolation::linear;   // interpolation of the table
     std::shared_ptr<const TableFunction> curve = nullptr;  // the curve of the table, if it was made already
 };
 

@@ -121,7 +121,7 @@ struct CheckedTable {
     Place place;
     std::vector<CheckedValue> values;  // values that are given or have a default
     std::map<std::string, std::shared_ptr<Input>> inputs =
-        {};  // of a whole deck: values that expressions read
+        {};  // values that expressions read, in a whole deck
 
     // Finds the value of a key; nullptr if it is neither given nor has a default.
     const CheckedValue* find(std::string_view key) const;

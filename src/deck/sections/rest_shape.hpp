@@ -13,7 +13,7 @@ namespace gxrod {
 // The geometry of a rod in the deck.
 struct DrawnRod {
     const Centreline& line;
-    std::function<Quat(std::size_t piece, double fraction)> axes;  // of the section
+    std::function<Quat(std::size_t piece, double fraction)> axes;  // axes of the section
 };
 
 // Another curve as the stress-free shape; the rod's arc length is then measured along it.

@@ -15,7 +15,7 @@
 namespace gxrod {
 
 struct SectionRow {
-    double fraction;  // of the rod's length
+    double fraction;  // fraction of the rod's length
     Section section;  // with the name of the file; its mass is zero if the file has none
 };
 

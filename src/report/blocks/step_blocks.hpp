@@ -22,7 +22,7 @@ struct StepChart {
     std::string frame;
     struct Source {
         std::string dataset;
-        std::vector<std::string> labels;  // of its columns, and of a vector's magnitude
+        std::vector<std::string> labels;  // labels of its columns, and of a vector's magnitude
         std::size_t width = 1;            // columns in the file
     };
     std::vector<Source> sources;

@@ -13,7 +13,7 @@ struct FoundStage {
     std::string name;
     std::string kind;           // the deck's word
     std::size_t number = 0;     // among the stages of the deck
-    std::size_t first_row = 0;  // of the histories; for a stage without steps, number of rows before it
+    std::size_t first_row = 0;  // row of the histories; for a stage without steps, number of rows before it
 
     std::string group() const { return "/stages/" + name; }
     bool has(const Hdf5Reader& file, const std::string& member) const;

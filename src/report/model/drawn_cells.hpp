@@ -18,7 +18,7 @@ struct DrawnCell {
     std::vector<std::array<double, 2>> radii;
     int source = 0;  // row in CellData of the element at its middle
     int rod = -1;    // in the order of the deck; −1, and no arc lengths, if the model is not known
-    std::vector<double> arc_length;  // of `nodes`, from the start of the rod
+    std::vector<double> arc_length;  // arc length of `nodes`, from the start of the rod
     double middle = 0.0;             // arc length of the middle of `source`
 };
 

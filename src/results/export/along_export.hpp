@@ -12,13 +12,13 @@ namespace gxrod {
 // The rod and the frames to export.
 struct AlongRod {
     std::string rod;
-    std::optional<double> time;  // of the frame, about; without it the last frame
+    std::optional<double> time;  // time of the frame, about; without it the last frame
     bool all_frames = false;
 };
 
 struct AlongExport {
     std::vector<std::filesystem::path> files;
-    std::vector<double> times;  // of the frames that were written
+    std::vector<double> times;  // times of the frames that were written
 };
 
 // Writes the frames' values along a rod as CSV, with all digits: along_ROD_nodes.csv, a row for each node,

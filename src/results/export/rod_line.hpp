@@ -12,7 +12,7 @@ struct RodLine {
     struct Element {
         std::size_t cell = 0;             // row in CellData
         double middle = 0.0;              // arc length
-        std::vector<std::size_t> points;  // rows in PointData: the two ends, then those between them
+        std::vector<std::size_t> points;  // rows in PointData: the two ends, then points between them
     };
     struct Node {
         std::size_t point = 0;

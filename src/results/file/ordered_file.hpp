@@ -77,7 +77,7 @@ class OrderedFile : public std::enable_shared_from_this<OrderedFile> {
 
     int descriptor_;
     std::uint64_t size_ = 0;       // wanted
-    std::uint64_t disk_size_ = 0;  // of the file at present
+    std::uint64_t disk_size_ = 0;  // present size of the file
     std::uint64_t end_ = 0;
     std::uint64_t adopted_ = 0;                                        // end of the data that existed before
     std::uint64_t committed_ = 0;                                      // end of the committed data

@@ -38,7 +38,7 @@ class HistoryPoint {
     // The state of the point at t = 0 and now.
     struct Seen {
         Vec3 start;
-        Quat start_axes;  // of the section or body
+        Quat start_axes;  // axes of the section or body
         NodeMotion motion;
     };
     Seen see(const Snapshot& snapshot) const;
@@ -53,7 +53,7 @@ class HistoryPoint {
     Vec3 section_value(Quantity quantity, const Snapshot& snapshot, const Quat& axes) const;
     Row continuous_quaternion(const Quat& rotation, Quat& last);
 
-    Vec3 start_ = Vec3::Zero();  // of a node
+    Vec3 start_ = Vec3::Zero();  // start of a node
     Quat start_axes_ = Quat::Identity();
     int node_;                          // or -1
     std::size_t point_ = 0;             // or a point of a rod, by index in Snapshot::points

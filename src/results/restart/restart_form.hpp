@@ -14,7 +14,7 @@
 namespace gxrod {
 
 inline constexpr std::int64_t no_slot = -1;
-inline constexpr std::int64_t form_version = 16;  // of /restart; raise it with every change
+inline constexpr std::int64_t form_version = 16;  // version of /restart; raise it with every change
 inline std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
 
 using Vec1 = Eigen::Matrix<double, 1, 1>;

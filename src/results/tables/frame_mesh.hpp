@@ -14,8 +14,8 @@ struct FrameMesh {
     std::vector<std::int64_t> offsets;       // start of each cell in connectivity, and the end
     std::vector<std::uint8_t> types;         // VTK cell types
     std::vector<double> cell_radius;         // for drawing; 0 for bodies
-    std::vector<double> point_radius;        // of each node, from its first rod; 0 without a rod
-    std::vector<Quat> triads;  // of each node: section axes at t = 0, or a body's axes without a rod
+    std::vector<double> point_radius;        // radius of each node, from its first rod; 0 without a rod
+    std::vector<Quat> triads;  // for each node: section axes at t = 0, or a body's axes without a rod
 
     std::size_t cell_count() const { return cell_radius.size(); }
 };

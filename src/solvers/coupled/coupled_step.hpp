@@ -7,7 +7,7 @@ namespace gxrod {
 
 // Memory for stages of a step that are found together, allocated once.
 struct CoupledWorkspace {
-    std::vector<Residual> residuals;  // of each stage
+    std::vector<Residual> residuals;  // residual of each stage
     CommonMatrix common;
     std::unique_ptr<ExactMatrix> exact;               // from the first step on that needs it
     std::vector<Vec6> placement_errors, rate_errors;  // estimates for each node; of rates times Δt

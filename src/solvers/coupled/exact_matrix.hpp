@@ -30,7 +30,7 @@ class ExactMatrix {
 
     StackedPattern stacked_;
     std::unique_ptr<LinearSolver> solver_;
-    Eigen::MatrixXd to_equations_, from_unknowns_;  // of the stages
+    Eigen::MatrixXd to_equations_, from_unknowns_;  // transformations of the stages
     std::vector<std::vector<double>> blocks_;       // equations of all stages, unknowns of one
     std::vector<std::vector<double>> of_stages_;    // equations and unknowns of the same stage
     std::vector<double> block_, values_;

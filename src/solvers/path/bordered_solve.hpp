@@ -17,7 +17,7 @@ struct Borders {
 
 struct BorderedVector {
     Eigen::VectorXd x;
-    Eigen::VectorXd y;  // of the borders
+    Eigen::VectorXd y;  // unknowns of the borders
 };
 
 // Solves bordered systems with the factors of K alone (block elimination): one solve for each border, once,
@@ -45,7 +45,7 @@ class BorderedSolve {
     const std::vector<double>* values_;
     Borders borders_;
     Eigen::MatrixXd solved_;
-    Eigen::PartialPivLU<Eigen::MatrixXd> schur_;  // of corner − rowsᵀ K⁻¹ columns
+    Eigen::PartialPivLU<Eigen::MatrixXd> schur_;  // factors of corner − rowsᵀ K⁻¹ columns
 };
 
 }  // namespace gxrod

@@ -16,7 +16,7 @@ struct PathProblem {
     // equations.
     std::vector<Eigen::VectorXd> disturbances;
     // Another load factor, on which loads and moves of the system depend: the last further unknown. It holds
-    // the initial value, and afterwards the solution.
+    // the initial value before, and the solution after.
     double* other_factor = nullptr;
 
     std::size_t amplitude_count() const { return disturbances.size() + (other_factor != nullptr ? 1 : 0); }
@@ -24,7 +24,7 @@ struct PathProblem {
 
 struct PathSolution {
     double load_factor = 0.0;
-    Eigen::VectorXd amplitudes;  // of the disturbances; last, the change of the other load factor
+    Eigen::VectorXd amplitudes;  // amplitudes of the disturbances; last, the change of the other load factor
     // The direction of the path, not scaled: the derivative of the unknowns by the load factor, K⁻¹ (−∂R/∂λ)
     // with the tangent of the last iteration, and 1 for the load factor.
     PathVector direction;

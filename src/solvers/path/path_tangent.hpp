@@ -9,7 +9,7 @@ namespace gxrod {
 
 // The tangent of a path at an equilibrium, by the consistent tangent matrix.
 struct PathTangent {
-    PathVector direction;              // of unit length
+    PathVector direction;              // direction of unit length
     std::int64_t negative_pivots = 0;  // −1: not counted
 };
 

@@ -15,7 +15,7 @@ struct SettlingBooks {
 
 // Finds the equilibrium at an instant from a last accepted state that is out of balance there. The unbalanced
 // force is released at once, or, if Newton's method then fails, in parts, each of which is an accepted state:
-// an equilibrium with the rest as a dead force. `stage` belongs to the integrator, InstantStep or that of
+// an equilibrium with the rest as a dead force. `stage` belongs to the integrator: InstantStep or the one of
 // statics; the state's time stays. If the report is not converged, the state is the last part.
 EquilibriumReport settle(const System& system,
                          const Integrator& integrator,

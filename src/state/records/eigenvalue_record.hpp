@@ -8,7 +8,7 @@
 namespace gxrod {
 
 // A small motion x e^(λt) about a state, T(λ) x = 0 (docs/theory/vibrations.md, (V12) and (V21)), whose real
-// part is what moves. A conjugate pair is represented by its member with Im λ ≥ 0.
+// part is the motion. A conjugate pair is represented by its member with Im λ ≥ 0.
 struct Eigenmode {
     double growth = 0.0;         // Re λ, per time; negative if it decays
     double omega = 0.0;          // Im λ, rad per time
@@ -18,7 +18,7 @@ struct Eigenmode {
     // The real part of x; its words and shares of strain energy count both parts. The largest component of x
     // is real and positive, and xᴴ M x = 1 if anything that moves has inertia.
     Shape shape;
-    std::vector<Vec6> imaginary;  // of each node
+    std::vector<Vec6> imaginary;  // imaginary part at each node
     // The left vector, real and imaginary part of yᵀ in yᵀ T(λ) = 0, with yᵀ T′(λ) x = 1
     // (or its length is 1 where this vanishes); only if asked for.
     std::vector<Vec6> left, left_imaginary;
@@ -38,7 +38,7 @@ struct EigenvaluesRecord {
     bool is_complete = false;   // counted and all found
     bool is_all = false;        // the model has no others
     std::int64_t unstable = 0;  // modes that grow, beyond round-off
-    std::int64_t steps = 0;     // of Arnoldi's method
+    std::int64_t steps = 0;     // steps of Arnoldi's method
 };
 
 }  // namespace gxrod

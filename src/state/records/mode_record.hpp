@@ -40,8 +40,8 @@ struct ModesRecord {
     double time = 0.0;        // at which loads were taken
     std::vector<Mode> modes;  // by rising ω²
 
-    Vec6 total_mass = Vec6::Zero();       // of the model with held nodes, in the same six directions
-    Vec6 effective_share = Vec6::Zero();  // of all modes together in the total
+    Vec6 total_mass = Vec6::Zero();       // mass of the model with held nodes, in the same six directions
+    Vec6 effective_share = Vec6::Zero();  // share of all modes together in the total
 
     // Numbers of modes below ω² = limit: as counted by pivots, and as found.
     double limit = 0.0;

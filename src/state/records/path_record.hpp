@@ -41,7 +41,7 @@ struct CriticalPoint {
     double load_factor = 0.0;
     // Negative pivots of the tangent before and after it; −1: not counted.
     std::int64_t pivots_before = -1, pivots_after = -1;
-    int multiplicity = 1;  // of the tangent's eigenvalue zero
+    int multiplicity = 1;  // multiplicity of the tangent's eigenvalue zero
     // As many shapes (δr, δφ of each node) without stiffness, orthonormal; any basis if there are several.
     std::vector<std::vector<Vec6>> kernel;
     std::string shape;              // the first of them in words
@@ -54,7 +54,7 @@ struct FollowedPath {
     int parent = -1;        // index of the path that it leaves; −1 for the main one
     std::size_t point = 0;  // index of the parent's critical point where it begins
     int side = 0;           // 1 or −1, along the kernel's shape; 0 for the main path
-    std::int64_t first_row = 0;  // of its rows in the histories
+    std::int64_t first_row = 0;  // first of its rows in the histories
     std::vector<CriticalPoint> points = {};
     std::vector<std::int64_t> rows = {};     // rows of the histories, one for each point
     std::vector<std::string> findings = {};  // the points in words

@@ -17,8 +17,8 @@ struct ComplexVectors {
 struct Response {
     double omega = 0.0;        // rad per time
     std::string failure;       // "" if it was found; an undamped model has none at its natural frequencies
-    ComplexVectors motion;     // of each node, about the state
-    ComplexVectors reactions;  // of supports, in addition to their reactions in the state
+    ComplexVectors motion;     // motion of each node, about the state
+    ComplexVectors reactions;  // reactions of supports, in addition to their reactions in the state
     double error = 0.0;        // relative error of the motion by round-off in the equations
 };
 

@@ -13,8 +13,8 @@ namespace gxrod {
 // The energy ledger of a run at an accepted step.
 struct LedgerMemory {
     double initial_energy = 0.0;     // kinetic and strain
-    double initial_potential = 0.0;  // of gravity
-    double work = 0.0;               // of loads and moving supports
+    double initial_potential = 0.0;  // potential of gravity
+    double work = 0.0;               // work of loads and moving supports
     double dissipated = 0.0;
     double dissipated_by_scheme = 0.0;
     double fluid_work = 0.0;
@@ -41,7 +41,7 @@ struct RunTotals {
     std::int64_t rejected_steps = 0;
     std::int64_t newton_iterations = 0;
     double largest_energy = 0.0;        // kinetic and strain, or external work
-    double largest_energy_error = 0.0;  // of the ledger
+    double largest_energy_error = 0.0;  // largest error of the ledger
     EnergyJumps jumps;                  // in statics
 };
 
@@ -69,13 +69,13 @@ struct RestartRecord {
     LedgerMemory ledger;
     StepMemory steps;
     RunTotals totals;
-    std::int64_t negative_pivots = -1;  // of the tangent at that step, in statics
+    std::int64_t negative_pivots = -1;  // negative pivots of the tangent at that step, in statics
     bool is_framed = false;             // whether the last frame shows this state
     std::int64_t stage = 0;             // the last stage that took a step or found shapes, from 0
     double axis_start = 0.0;            // time, on the axis that the stages share, at which its own t is 0
     PathMemory path;                    // empty without a path
     std::vector<double> stage_ends;     // t at which each stage ended, or will end as far as is known
-    std::vector<InputState> inputs;     // of Model::inputs
+    std::vector<InputState> inputs;     // states of Model::inputs
 };
 
 // A restart record with its place in a results file.

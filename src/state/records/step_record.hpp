@@ -21,7 +21,7 @@ struct LedgerRow {
     double fluid_work = 0.0;             // the part of it by water, air and the ground
     double contact_energy = 0.0;         // stored in contact of rods
     double contact_loss = 0.0;           // lost by impacts and friction of contact since t = 0
-    double work_uncertainty = 0.0;       // of the work in the last load step; 0 in dynamics
+    double work_uncertainty = 0.0;       // uncertainty of the work in the last load step; 0 in dynamics
     double dissipated_energy = 0.0;      // by material and mass-proportional damping since t = 0
     double numerical_dissipation = 0.0;  // by the scheme itself since t = 0
     // (kinetic + strain + contact) − its value at t = 0 − external work + dissipated + numerical dissipation
@@ -56,11 +56,11 @@ struct Snapshot {
     std::span<const PointValues> points = {};  // as list_rod_places orders them
     int stage = 0;
     double load_factor = 0.0;  // t of the stage; on a path it may fall
-    int branch = 0;            // of a path; 0: the main one
+    int branch = 0;            // branch of a path; 0: the main one
     // Load factor of the limit point in a stage that follows limit points; in other stages t, too.
     double limit_load_factor = 0.0;
     std::span<const JointValues> joints = {};  // in the order of Model::joints, then of Model::gears
-    std::span<const double> inputs = {};       // of Model::inputs
+    std::span<const double> inputs = {};       // values of Model::inputs
     // Surroundings of Model::bodies; empty if the model has none.
     std::span<const PointSurroundings> bodies = {};
     std::span<const TendonValues> tendons = {};  // in the order of Model::tendons; empty if no history asks

@@ -9,7 +9,7 @@ namespace gxrod {
 
 // A value of the parameter at which motions begin or cease to grow.
 struct Onset {
-    double value = 0.0;  // of the parameter
+    double value = 0.0;  // value of the parameter
     double omega = 0.0;  // rad per time; 0 where the model diverges
     bool is_flutter = false;
     bool is_merging = false;  // two undamped frequencies merge, or one vanishes
@@ -32,7 +32,7 @@ struct SweepRecord {
         bool is_growing = false;  // beyond round-off
     };
     std::string key;                 // the key of the deck whose value is swept
-    std::vector<std::string> words;  // of each mode, at the first point
+    std::vector<std::string> words;  // words for each mode, at the first point
     std::vector<Point> points;
     std::vector<Onset> onsets;  // in order of the parameter
     long equilibria = 0;        // solved in all

@@ -9,7 +9,7 @@ struct BushingValues {
     Mat3 axes = Mat3::Identity();  // spatial: columns are x, y, z
     Vec3 displacement = Vec3::Zero();
     Vec3 turn = Vec3::Zero();
-    Vec3 force = Vec3::Zero();  // that B exerts on it
+    Vec3 force = Vec3::Zero();  // force of B on it
     Vec3 moment = Vec3::Zero();
 };
 

@@ -7,7 +7,7 @@ namespace gxrod {
 // Values of a joint at a step that histories record. A exerts the forces and moments on B, moments about the
 // joint's point.
 struct JointValues {
-    double turn = 0.0;  // of B against A, any number of turns; 0 if the joint has none
+    double turn = 0.0;  // turn of B against A, any number of turns; 0 if the joint has none
     double turn_rate = 0.0;
     double slide = 0.0;  // likewise
     double slide_rate = 0.0;
