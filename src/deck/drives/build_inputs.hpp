@@ -4,7 +4,7 @@
 
 namespace gxrod {
 
-// Gives the inputs that the deck's expressions read the course of their [input.NAME].
+// Gives the inputs in the deck's expressions the course of their [input.NAME].
 void build_inputs(BuildContext& context);
 
 }  // namespace gxrod

@@ -5,7 +5,7 @@
 
 namespace gxrod {
 
-// The times at which [output] asks for frames and for samples of histories. After the stages.
+// Builds the times of frames and of samples of histories from [output]. Call it after the stages.
 void build_output_times(const CheckedTable& table, const BuildContext& context, OutputSettings& output);
 
 }  // namespace gxrod

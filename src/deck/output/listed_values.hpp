@@ -4,7 +4,7 @@
 
 namespace gxrod {
 
-// The numbers of a table that has their ends, from the first to the last, or lists them.
+// Lists the numbers of a table that gives their ends or lists them.
 std::vector<double> list_values(const CheckedTable& table, const BuildContext& context);
 
 }  // namespace gxrod

@@ -6,8 +6,8 @@
 
 namespace gxrod {
 
-// The times of an analysis's steps, from 0 to its end; `most` + 1 of them, evenly spread, if there are more
-// than `most` steps.
+// Returns the times of an analysis's steps, from 0 to its end; `most` + 1 of them, evenly spread, if there
+// are more than `most` steps.
 std::vector<double> sample_times(const AnalysisSettings& analysis, long most);
 
 }  // namespace gxrod

@@ -15,7 +15,7 @@ namespace gxrod {
 
 struct RodPoint {
     int rod;            // index in Model::rods
-    double fraction;    // of the length, 0 to 1
+    double fraction;    // fraction of the length, 0 to 1
     int position = -1;  // index in Rod::nodes of a rod from a mesh, which has its nodes already
 };
 
@@ -26,8 +26,9 @@ struct NetPoints {
         std::vector<int> positions;  // indices in Rod::nodes; a point only if it is one
     };
 
-    std::vector<Group> groups;      // 0-dimensional physical groups that have nodes on the rod
-    std::vector<double> fractions;  // of the length, by index in Rod::nodes; none if the rod has no two ends
+    std::vector<Group> groups;  // 0-dimensional physical groups that have nodes on the rod
+    std::vector<double>
+        fractions;  // fractions of the length, by index in Rod::nodes; none if the rod has no two ends
 };
 
 struct BodyPoint {
@@ -36,16 +37,16 @@ struct BodyPoint {
 
 using Point = std::variant<RodPoint, BodyPoint>;
 
-// Whether a node has to be at a fraction of a rod from a mesh; others get one.
+// Whether a rod from a mesh must have a node at a fraction; other rods get one there.
 enum class PointNeeds { node, place };
 
 // The rods and bodies of a deck by name.
 class PointNames {
   public:
-    // `nets` has an entry for each rod of the deck that a mesh was read for, by the index of the rod.
+    // `nets` has an entry for each rod of the deck with a mesh, by the index of the rod.
     explicit PointNames(const CheckedTable& deck, std::map<int, NetPoints> nets = {});
 
-    // The point of a text, or what is wrong with the text.
+    // Finds the point of a text, or the fault of the text.
     std::variant<Point, std::string> find(const std::string& text, PointNeeds needs = PointNeeds::node) const;
 
   private:

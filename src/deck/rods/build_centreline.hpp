@@ -7,8 +7,8 @@
 
 namespace gxrod {
 
-// The centreline that the line, arc, helix, polyline, spline or catenary of a table describes: of a rod, or
-// of its rest. What is wrong with it goes to the faults, and nullopt comes back.
+// Finds the centreline of a rod, or of its rest shape, from the line, arc, helix, polyline, spline or
+// catenary of a table. If that is wrong, adds a fault and returns nullopt.
 std::optional<Centreline> find_centreline(const CheckedTable& shape,
                                           const CheckedTable& rod,
                                           const BuildContext& context);

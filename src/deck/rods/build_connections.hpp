@@ -4,8 +4,9 @@
 
 namespace gxrod {
 
-// Makes one node of the points that a [[connect]] names: nodes of the model are renumbered, and those of rods
-// that become one with an earlier one are gone. After build_rods and before anything else that has nodes.
+// Makes one node of the points that a [[connect]] names: removes nodes of rods that coincide with an earlier
+// node, and renumbers the nodes of the model. Call it after build_rods and before anything else that has
+// nodes.
 void build_connections(BuildContext& context);
 
 }  // namespace gxrod

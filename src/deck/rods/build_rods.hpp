@@ -6,8 +6,8 @@
 
 namespace gxrod {
 
-// Adds the rods and their nodes to the model. `points` are those of the deck's texts that name a point of a
-// rod; `nets` are the rods from meshes, `files` those with sections from files.
+// Adds the rods and their nodes to the model. `points` are the points of rods that texts of the deck name;
+// `nets` are the rods from meshes, `files` the rods with sections from files.
 void build_rods(const std::vector<RodPoint>& points,
                 const RodNets& nets,
                 const SectionFiles& files,

@@ -2,15 +2,15 @@
 
 #include "deck/places/build_context.hpp"
 
-// How far a stress-free rod can be bent and twisted within one of its elements.
+// Limits on the bending and twist of a stress-free rod within one of its elements.
 namespace gxrod {
 
-// By how much the section axes turn within an element whose tangent turns by `bend`, with a twist of its own.
+// Computes the turn of the section axes within an element whose tangent turns by `bend`, with a twist in
+// addition.
 double compute_element_turn(double bend, double twist);
 
-// A fault of the rod, at this key, if this is more than its elements can have: from their middle node, or
-// from one node to the other where there are two, no logarithm sees half a turn. `order` is that of the
-// elements.
+// Adds a fault of the rod, at this key, if this turn is too large for its elements of this order: a logarithm
+// cannot tell half a turn from the middle node, or from one node to the other if there are two.
 void check_element_turn(
     double turn, int order, const CheckedTable& rod, const char* key, const BuildContext& context);
 

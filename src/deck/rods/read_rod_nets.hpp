@@ -20,14 +20,14 @@ struct NamedNet {
 
 using RodNets = std::map<int, NamedNet>;  // by index in Model::rods
 
-// Reads the meshes of a deck, each once, from where `files` has them. What is wrong goes to the faults, and
-// the rod has no entry. `records` gets the files' bytes.
+// Reads the meshes of a deck, each once, through `files`. If a mesh is wrong, adds a fault and no entry for
+// the rod. Adds the files' bytes to `records`.
 RodNets read_rod_nets(const CheckedTable& deck,
                       const MeshFiles& files,
                       FaultList& faults,
                       std::vector<MeshRecord>& records);
 
-// The points by rod, as PointNames takes them.
+// Returns the points by rod, for PointNames.
 std::map<int, NetPoints> points_of(const RodNets& nets);
 
 }  // namespace gxrod

@@ -4,7 +4,7 @@
 
 namespace gxrod {
 
-// Adds the supports to the model, one a node. After build_bodies.
+// Adds the supports to the model, one per node. Call it after build_bodies.
 void build_supports(BuildContext& context);
 
 }  // namespace gxrod
