@@ -7,7 +7,7 @@
 
 namespace gxrod {
 
-// What snapshots say of contact; empty without it.
+// The contact values that snapshots show; empty without contact.
 struct ContactRecord {
     std::vector<ObstacleValues> obstacles, watched;
     std::vector<ContactTouch> touches;
@@ -17,7 +17,7 @@ struct ContactRecord {
     void show_in(Snapshot& snapshot) const;
 };
 
-// Of an accepted state at this time; touches, forces and gaps if they are for a frame.
+// Records the contact of an accepted state at this time; touches, forces and gaps only for a frame.
 ContactRecord record_contacts(const System& system,
                               const State& state,
                               double time,

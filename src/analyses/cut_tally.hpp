@@ -9,15 +9,15 @@
 
 namespace gxrod {
 
-// Counts the trials of steps that fail, and why and where they do.
+// Counts the failed trials of steps, with their reasons and places.
 class CutTally {
   public:
-    // A failed trial of the step after so many.
+    // Adds a failed trial; `step` steps were accepted before it.
     void add(const EquilibriumReport& report, long step);
 
     StepCuts count(long steps) const;
-    // "Newton's method did not converge (880 times, mostly at b.end (ry)), a node turned by half a turn or
-    // more within a step (23 times, mostly at b.end)".
+    // Describes why trials failed, as in "Newton's method did not converge (880 times, mostly at b.end (ry)),
+    // a node turned by half a turn or more within a step (23 times, mostly at b.end)".
     std::string describe_reasons(const Model& model) const;
 
   private:

@@ -10,20 +10,21 @@ namespace gxrod {
 
 // How often steps had to be repeated with shorter ones.
 struct StepCuts {
-    std::int64_t steps = 0;      // that a run has gone through: of equal ones, those asked for
-    std::int64_t cut_steps = 0;  // of these, each once
-    std::int64_t cuts = 0;       // trials that failed
-    std::int64_t by_error = 0;   // of these, because the estimated error was too large
+    std::int64_t steps = 0;      // steps that a run has completed; with equal steps, the steps asked for
+    std::int64_t cut_steps = 0;  // cut steps, each counted once
+    std::int64_t cuts = 0;       // failed trials
+    std::int64_t by_error = 0;   // trials that failed because the estimated error was too large
 };
 
-// Whether these are more than a few; steps chosen by their error are cut for that as a matter of course.
+// Whether the cuts are worth a warning; steps chosen by their error are cut for that error as a matter of
+// course.
 bool are_worth_telling(const StepCuts& cuts);
 
-// "412 of 1000 steps were cut, 903 times in all".
+// Counts cuts in words, as in "412 of 1000 steps were cut, 903 times in all".
 std::string count_cuts(const StepCuts& cuts);
 
-// What makes Newton's method cut steps of this model, and what to try, as the end of a sentence: "; rod b is
-// … times as stiff in …. Try …". Nothing that lets a run pass by where it is unstable.
+// Says why Newton's method cuts steps of this model and what to try, as the end of a sentence: "; rod b is …
+// times as stiff in …. Try …". Suggests nothing that would let an unstable run continue.
 std::string advise_on_cuts(const Model& model, const AnalysisSettings& analysis, bool is_unstable);
 
 }  // namespace gxrod

@@ -9,7 +9,7 @@
 
 namespace gxrod {
 
-// The scheme of a dynamic or a quasi-static analysis.
+// Makes the scheme of a dynamic or a quasi-static analysis.
 std::unique_ptr<Integrator> make_scheme(const DynamicSettings& settings);
 
 // Motion in time from given initial conditions.
@@ -18,8 +18,8 @@ class DynamicAnalysis : public SteppedAnalysis {
     // The model must outlive the analysis.
     DynamicAnalysis(const Model& model, const DynamicSettings& settings, int threads = 1);
 
-    // Solves for the initial accelerations; without inertia, for the equilibrium under what acts at once.
-    // Throws EvaluationError if the initial velocities do not fit the joints, unless they are to be
+    // Solves for the initial accelerations; without inertia, for the equilibrium under loads that jump at the
+    // start. Throws EvaluationError if the initial velocities do not fit the joints, unless they are to be
     // projected.
     EquilibriumReport start() override;
 
@@ -32,13 +32,13 @@ class DynamicAnalysis : public SteppedAnalysis {
     void recall(const RestartRecord&) override { find_jumps(); }
 
   private:
-    // Where something that acts without inertia jumps.
+    // Finds the times at which an action without inertia jumps.
     void find_jumps();
     std::optional<double> find_jump_at(double time) const;
 
     bool projects_start_;
     Interval times_;
-    int samples_;  // of functions, to find jumps
+    int samples_;  // samples of functions, to find jumps
     InstantStep instant_step_;
 };
 

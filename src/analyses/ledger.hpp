@@ -12,7 +12,7 @@
 
 namespace gxrod {
 
-// The books at the end of a stage, for the next one.
+// The totals at the end of a stage, for the next stage.
 struct LedgerTotals {
     double initial_energy = 0.0;
     double external_work = 0.0;
@@ -25,15 +25,15 @@ struct LedgerTotals {
     double largest_energy = 0.0;
 };
 
-// Keeps the books of a run: energies, work and momenta, and how far they fail to balance
-// (docs/theory/energy.md).
+// Keeps the books of a run: energies, work, momenta and their errors of balance (docs/theory/energy.md).
 class Ledger {
   public:
-    // Empty books, for resume().
+    // Makes an empty ledger, for resume().
     Ledger(const System& system, const Integrator& integrator)
         : system_(&system), integrator_(&integrator), power_weights_(integrator.power_weights()) {}
-    // `state` is the initial one and `residual` its own; whether its loads act there already, in statics. Of
-    // a stage after another one, where they do: with the books at the end of that.
+    // Starts the books with the initial state and its residual. `is_loaded`: in statics, whether the loads
+    // act there already. For a stage that follows another one, `before` has the totals at the end of that
+    // stage.
     Ledger(const System& system,
            const Integrator& integrator,
            const State& state,
@@ -41,8 +41,8 @@ class Ledger {
            bool is_loaded,
            const LedgerTotals* before = nullptr);
 
-    // A step from state.previous to state.trial, which ends at `time`; before it is committed. `residual` is
-    // that of the trial, `stage_powers` what the step's stages recorded.
+    // A step from state.previous to state.trial, which ends at `time`, before it is committed. `residual`
+    // belongs to the trial; the stages of the step recorded `stage_powers`.
     struct Step {
         double time;
         double time_step;
@@ -51,17 +51,18 @@ class Ledger {
     };
     void add_step(const State& state, const Step& step);
 
-    // The state settles at an instant (solvers/steps/settling.hpp): with the last accepted motions as the
-    // trial, and then with those of the equilibrium before they are committed. `residual` is that of either.
-    // What loads and supports do on the way and the model does not store is dissipated.
+    // Book that the state settles at an instant (solvers/steps/settling.hpp). The first is called with the
+    // last accepted motions as the trial, the second with the motions of the equilibrium before they are
+    // committed, each with the residual of its trial. Work of loads and supports on the way that the model
+    // does not store is dissipated.
     void begin_settling(const State& state, double time, const Residual& residual);
     void end_settling(const State& state, double time, const Residual& residual);
 
-    // Whether the work of the last load step parts so far from the strain energy, before the step is
-    // committed, that only equilibria in between show whether the structure jumped; and the ends of the
-    // step, to look for these, and the work that they make of it.
+    // Whether the work of the last load step differs so much from the change of the strain energy, before the
+    // step is committed, that only equilibria in between show whether the structure jumped. Then
+    // load_step_ends() gives the ends of the step for that search, and replace_work() takes its result.
     bool is_unclear() const;
-    // Whether the last load step has released what a start that is not in equilibrium held back.
+    // Whether the last load step has released stresses of a start that was not in equilibrium.
     bool has_released() const { return release_ > energy_worth_a_word * largest_energy_; }
     struct LoadStepEnds {
         const std::vector<Vec6>& forces_before;
@@ -78,11 +79,11 @@ class Ledger {
                 largest_energy_};
     }
     void replace_work(const StepWork& work);
-    // Books what the work of the last load step exceeds the change of the strain energy by as dissipated: by
-    // relaxation, which knows no path of equilibria. The next load step follows none either.
+    // Books work of the last load step beyond the change of the strain energy as dissipated: relaxation
+    // follows no path of equilibria. The next load step does not extrapolate from this one either.
     void settle_load_step();
 
-    // What turns the model with a frame does the work that the balance leaves, which is then its own.
+    // Declares that a drive turns the model with a frame; the rest of the balance is the work of that drive.
     void add_drive() { has_drive_ = true; }
 
     LedgerRow row(const State& state) const;
@@ -92,14 +93,14 @@ class Ledger {
     void resume(const LedgerMemory& memory);
 
   private:
-    // Schemes of several stages weigh the powers that these record.
+    // Whether the scheme has several stages; it then weighs the powers that they record.
     bool weighs_powers() const { return !power_weights_.empty(); }
     std::vector<Vec6> compute_forces(const State& state, double time, const Residual& residual) const;
     void add_load_step(const State& state, const Step& step, const std::vector<Vec6>& forces);
     void add_powers(const Step& step);
     void add_fluid_work(const State& state, double time);
     void add_contact_work(const State& state, double time);
-    // In statics, after a step.
+    // Updates the largest energy after a step, in statics.
     void measure_largest_energy();
     double compute_scheme_dissipation(const State& state, double time_step) const;
 
@@ -108,23 +109,23 @@ class Ledger {
     std::vector<double> power_weights_;
     double initial_energy_ = 0.0;
     double initial_potential_ = 0.0;
-    // At the last accepted step. The forces of one-stage schemes, the powers of others.
+    // Values at the last accepted step: forces for one-stage schemes, powers for others.
     std::vector<Vec6> forces_;
     Power power_;
-    LoadStep load_step_;  // in statics, the last one, and what it came from
+    LoadStep load_step_;  // in statics, the last load step, and the forces at its start
     std::vector<Vec6> forces_before_;
-    std::optional<Balance> balance_;  // there; none before the first load step of a run
+    std::optional<Balance> balance_;  // at the last accepted step; none before the first load step of a run
     double strain_energy_before_ = 0.0;
     double strain_energy_ = 0.0;
-    double drive_work_ = 0.0;       // of what acts within sections, in the last step
-    double law_dissipation_ = 0.0;  // of sections, in the last step
+    double drive_work_ = 0.0;       // work of actions within sections, in the last step
+    double law_dissipation_ = 0.0;  // dissipation of sections, in the last step
     double largest_energy_before_ = 0.0;
     double largest_energy_ = 0.0;  // in statics: strain energy or work
-    StepWork step_work_;           // of the last load step
+    StepWork step_work_;           // work of the last load step
     std::vector<Vec6>
-        held_;              // what would hold the start where it is, in statics; empty from the first step on
-    double release_ = 0.0;  // how much work that could have done in the last step, if it vanished there
-    double work_before_ = 0.0;  // of loads and moving supports, before that step
+        held_;  // forces that would hold the start in place, in statics; empty from the first step on
+    double release_ = 0.0;      // the work of these forces in the last step, if they vanish there
+    double work_before_ = 0.0;  // work of loads and moving supports before that step
     double work_ = 0.0;
     double dissipated_ = 0.0;
     double dissipated_by_scheme_ = 0.0;
@@ -133,9 +134,9 @@ class Ledger {
     double contact_energy_ = 0.0;  // at the last accepted step
     double contact_change_ = 0.0;  // in the last step: stored and lost, less what obstacles did
     double initial_contact_energy_ = 0.0;
-    std::vector<Vec6> fluid_forces_;  // at the last accepted step; empty where nothing is around
+    std::vector<Vec6> fluid_forces_;  // at the last accepted step; empty without surroundings
     bool has_drive_ = false;
-    // Where the state begins to settle.
+    // Values at which the state begins to settle.
     std::vector<Vec6> forces_before_settling_;
     double error_before_settling_ = 0.0;
 };

@@ -6,7 +6,7 @@
 
 namespace gxrod {
 
-// Equilibria while the load factor runs from 0, the reference shape, to 1.
+// Finds equilibria while the load factor runs from 0, the reference shape, to 1.
 class StaticAnalysis : public SteppedAnalysis {
   public:
     // The model must outlive the analysis.
@@ -21,8 +21,8 @@ class StaticAnalysis : public SteppedAnalysis {
     EquilibriumReport solve_trial() override;
     bool tries_otherwise(const EquilibriumReport& report, bool is_shortest) override;
     bool has_relaxed() const override { return relaxes_; }
-    // An equilibrium with more negative pivots than the last one lies beyond a bifurcation or on another
-    // branch: shorter steps seek a stable one first.
+    // Rejects an equilibrium with more negative pivots than the last one, since it lies beyond a bifurcation
+    // or on another branch; shorter steps seek a stable equilibrium first.
     void judge_equilibrium(EquilibriumReport& report) override;
     void note_equilibrium() override;
     bool settles_after_stage() const override { return true; }
@@ -32,35 +32,35 @@ class StaticAnalysis : public SteppedAnalysis {
 
   private:
     Stage current_stage() const;
-    // Whether the next step may relax: the first one of a stage, whose start no stable branch has reached
-    // yet.
+    // Whether the next step may relax: only the first step of a stage, before any stable branch is reached.
     bool may_relax() const;
-    // Whether the model leaves the trial equilibrium in pseudo-time.
+    // Whether the model moves away from the trial equilibrium in pseudo-time.
     bool diverges();
-    // Whether the loads of the next step are large compared with what holds the model before: then no stable
-    // branch leads there through shorter steps.
+    // Whether the loads of the next step are large compared with the model's stiffness before it: then no
+    // stable branch leads there through shorter steps.
     bool starts_loose();
 
-    bool relaxes_ = false;         // the step at hand
-    bool wants_to_relax_ = false;  // since the equilibrium that Newton's method found is not stable
+    bool relaxes_ = false;         // whether the current step relaxes
+    bool wants_to_relax_ = false;  // because the equilibrium of Newton's method is not stable
     bool gave_up_ = false;         // after a relaxation that found no equilibrium
     int pseudo_steps_ = 0;
-    std::string leaving_shape_;  // of the end, where pivots do not show it
+    std::string leaving_shape_;  // how the model moves away from the end, where pivots do not show it
     std::vector<std::string> findings_;
     double nominal_step_;
     PivotCounter counter_;
     bool has_potential_;
     std::int64_t trial_ =
-        0;  // negative pivots at the trial equilibrium; of det K's sign alone without potential
-    std::int64_t accepted_;   // −1: not counted (any more); with a contrast of stiffness, whose round-off
-                              // makes pivots negative, or where iterations solve
+        0;  // negative pivots at the trial equilibrium; without potential, only the sign of det K
+    std::int64_t accepted_;   // −1: not counted (any more): with a contrast of stiffness, whose round-off
+                              // makes pivots negative, or with an iterative solver
     bool is_counted_ = true;  // whether the last equilibrium's pivots are known
     int sought_ = 0;          // losses of stability that shorter steps could not avoid
     bool was_unstable_ = false;
     std::vector<StabilityChange> changes_;
 };
 
-// The analysis that the settings ask for; so many threads share its work, and their number changes no result.
+// Makes the analysis that the settings ask for. The threads share its work; their number does not change the
+// results.
 std::unique_ptr<SteppedAnalysis> make_analysis(const Model& model,
                                                const AnalysisSettings& settings,
                                                int threads = 1);

@@ -5,7 +5,8 @@
 
 namespace gxrod {
 
-// Equilibria in a frame that turns steadily, while the load factor t runs from 0 to 1. Supports turn with it.
+// Finds equilibria in a frame that turns steadily, while the load factor t runs from 0 to 1. Supports turn
+// with it.
 class SteadyAnalysis : public SteppedAnalysis {
   public:
     // The model must outlive the analysis. Throws std::runtime_error if a load is not steady in the frame.
@@ -16,11 +17,11 @@ class SteadyAnalysis : public SteppedAnalysis {
 
     EquilibriumReport start() override;
 
-    // For matrices about its states.
+    // The columns for matrices about its states.
     const FrameColumns& frame_columns() const { return columns_; }
 
   protected:
-    // What the supports of a turning frame do is not among the work of the loads.
+    // False: the work of the loads does not include the supports of a turning frame.
     bool looks_into_load_steps() const override { return false; }
 
   private:

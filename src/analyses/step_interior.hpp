@@ -9,26 +9,28 @@
 
 namespace gxrod {
 
-// The last accepted step as it was before it was committed, to see the model at times between its ends.
-// Motions are those of the scheme's interpolant. Forces and strains of sections, reactions and multipliers
-// are not those of these motions, whose errors a stiff section would multiply: they are interpolated between
-// those at the start, the stages and the end of the step (docs/theory/newmark.md, (D3)).
+// Keeps the last accepted step as it was before it was committed, to show the model at times between its
+// ends. Motions come from the scheme's interpolant. Forces and strains of sections, reactions and multipliers
+// are interpolated between their values at the start, the stages and the end of the step; computed from the
+// interpolated motions, they would have errors that a stiff section multiplies (docs/theory/newmark.md,
+// (D3)).
 class StepInterior {
   public:
-    // These must outlive it.
+    // The system and the integrator must outlive this.
     StepInterior(const System& system, const Integrator& integrator);
 
-    // Of the trial that is accepted, at `end_time`; whether the state has settled at the step's start, so
-    // that it has no rates there.
+    // Keeps the accepted trial, which ends at `end_time`. `is_settled`: the state has settled at the start of
+    // the step, so it has no rates there.
     void keep(const State& state, double end_time, bool is_settled = false);
-    // At a time between; valid until the next call. With the sections of all elements only if asked for.
+    // Returns the snapshot at a time in between; valid until the next call. Sections of all elements are
+    // included only if asked for.
     Snapshot snapshot(double time,
                       bool with_elements,
                       const std::vector<RodPlace>& watched,
                       const std::vector<ContactWatch>& watched_contacts = {});
 
   private:
-    // Values at one of the places between which they are interpolated; found when they are asked for.
+    // Values at one of the places between which they are interpolated; computed on demand.
     struct Place {
         std::vector<SectionValues> sections;
         std::vector<PointValues> points;
@@ -37,7 +39,7 @@ class StepInterior {
     };
 
     void find_first_rates();
-    // Of the places' values.
+    // Returns the weights of the places' values.
     std::vector<double> weights_at(double fraction) const;
     State state_at(std::size_t place) const;
     void find_contacts(bool is_for_frame, const std::vector<ContactWatch>& watched);
@@ -49,18 +51,18 @@ class StepInterior {
 
     const System& system_;
     const Integrator& integrator_;
-    std::vector<double> fractions_;  // 0, of the stages, 1
-    State state_;                    // the step
+    std::vector<double> fractions_;  // 0, those of the stages, 1
+    State state_;                    // the trial is the end of the step
     double end_time_ = 0.0;
-    // A quasi-static stage starts without rates, and so not in equilibrium: its first step has the forces at
+    // A quasi-static stage starts without rates, and so not in equilibrium: its first step uses the forces at
     // its end.
     bool starts_at_rest_ = false;
     std::vector<Place> places_;
-    // Of the end of the step: contact is an impulse of it.
+    // The contact at the end of the step: contact acts as an impulse over the whole step.
     ContactRecord contact_record_;
     bool has_contacts_ = false, has_frame_contacts_ = false;
 
-    State between_;  // the same, with the trial at the time asked for
+    State between_;  // the same state, with the trial at the requested time
     std::vector<SectionValues> sections_;
     std::vector<PointValues> points_;
     std::vector<Vec6> reactions_;

@@ -7,12 +7,12 @@ namespace gxrod {
 
 // The branches that leave a path at a simple bifurcation.
 struct FoundBranches {
-    std::vector<BranchStart> starts;  // to both sides, where equilibria were found
+    std::vector<BranchStart> starts;  // starts to both sides, where equilibria were found
     Branching branching = Branching::unknown;
 };
 
-// The trial motions of `work` hold the bifurcation, and the workspace its residual afterwards.
-// `pivots_before` are those of the path before it; `settings` say how long first steps can be.
+// Finds the branches at the bifurcation in the trial motions of `work`; the workspace has its residual
+// afterwards. `pivots_before` are the pivots of the path before it; `settings` bound the first steps.
 FoundBranches find_branches(PathContext& work,
                             const LocatedPoint& located,
                             std::int64_t pivots_before,

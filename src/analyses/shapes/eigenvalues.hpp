@@ -6,15 +6,15 @@
 
 namespace gxrod {
 
-// Eigenvalues of small motions about the trial motions of a state, with loads at `time`, with damping, loads
-// that follow and gyroscopic terms (docs/theory/vibrations.md). Relative to a frame that turns, if the state
-// turns with one.
+// Finds eigenvalues of small motions about the trial motions of a state, with loads at `time`, with damping,
+// follower loads and gyroscopic terms (docs/theory/vibrations.md). If the state turns with a frame, motions
+// are relative to it.
 EigenvaluesRecord find_eigenvalues(const System& system,
                                    const State& state,
                                    double time,
                                    const EigenvalueSettings& settings,
                                    const FrameColumns* frame = nullptr);
-// The same of matrices that are known.
+// Finds them from given matrices.
 EigenvaluesRecord find_eigenvalues(const System& system,
                                    const State& state,
                                    double time,

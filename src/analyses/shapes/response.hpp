@@ -5,9 +5,9 @@
 
 namespace gxrod {
 
-// The steady answers (K + iω D − ω² M + Σ iωτ/(1 + iωτ) R) u = f to the force and moment f on each node at
-// each ω, about the trial motions of a state, with loads at `time`. Relative to a frame that turns, if the
-// state turns with one.
+// Computes the steady answers (K + iω D − ω² M + Σ iωτ/(1 + iωτ) R) u = f to the force and moment f on each
+// node at each ω, about the trial motions of a state, with loads at `time`. If the state turns with a frame,
+// motions are relative to it.
 ResponseRecord find_response(const System& system,
                              const State& state,
                              double time,

@@ -7,8 +7,8 @@
 
 namespace gxrod {
 
-// A shape in a user's words, by its shares of strain energy: "bending about y of wing", "torsion of shaft and
-// bending about z of arm"; or "the whole model turns about z", if it strains nothing.
+// Describes a shape for users, by its shares of strain energy: "bending about y of wing", "torsion of shaft
+// and bending about z of arm"; or "the whole model turns about z" if it strains nothing.
 std::string describe_shape(const System& system, const State& state, const Shape& shape);
 
 }  // namespace gxrod

@@ -8,29 +8,29 @@
 
 namespace gxrod {
 
-// A state about which eigenvalues are sought; what it points at must live until the next one is asked for.
+// A state about which eigenvalues are sought; its pointers must be valid until the next state is asked for.
 struct SweepState {
     std::string failure;  // why there is no equilibrium, "" if there is
     const System* system = nullptr;
     const State* state = nullptr;
-    double time = 0.0;                    // of loads
+    double time = 0.0;                    // time of loads
     const FrameColumns* frame = nullptr;  // if the state turns with one
-    double speed = 0.0;                   // of that
+    double speed = 0.0;                   // spin of the frame
 };
 
-// The equilibrium at a value of the parameter, from the one that was asked for before. All models have the
-// same unknowns.
+// Finds the equilibrium at a value of the parameter, starting from the equilibrium asked for before. All
+// models have the same unknowns.
 using FindSweepState = std::function<SweepState(double value)>;
 
 struct SweepSettings {
     EigenvalueSettings eigenvalues{.counts = false};  // `count` modes are followed from the first value on
     bool finds_onset = true;
-    // A mode that has more of another one than this is followed at values in between too.
+    // If another mode has a larger share of a mode than this, the sweep adds values in between.
     double most_corruption = 0.5;
     int halvings = 4;
 };
 
-// Eigenvalues at each value of a parameter, mode by mode.
+// Finds eigenvalues at each value of a parameter, mode by mode.
 SweepRecord sweep_eigenvalues(const std::vector<double>& values,
                               const FindSweepState& find_state,
                               const SweepSettings& settings);
