@@ -7,15 +7,15 @@
 
 namespace gxrod {
 
-// How the equations of joints are asked for.
+// Options for the equations of joints.
 struct ConstraintRequest {
     ConstraintLevel level = ConstraintLevel::position;
-    TimeSpan step{0.0, 0.0};  // within which motors are differentiated
-    double factor = 1.0;  // by which the equations are multiplied: 1 over the linearization's acceleration
-    double contact_weight = 1.0;  // of forces of contact; 0: they are left out
-    // If given, D is that of these values of a tangent, so that differences of tangents have none of it.
+    TimeSpan step{0.0, 0.0};      // motors are differentiated within it
+    double factor = 1.0;          // multiplies the equations: 1 over the linearization's acceleration
+    double contact_weight = 1.0;  // weight of contact forces; 0 leaves them out
+    // If given, D comes from these values of a tangent, so that it drops out of differences of tangents.
     const std::vector<double>* scaled_as = nullptr;
-    // If given, added to the tangent before D is chosen: its place is the system's pattern.
+    // If given, these values on the system's pattern are added to the tangent before D is chosen.
     const std::vector<double>* added = nullptr;
 };
 

@@ -16,13 +16,14 @@
 
 namespace gxrod {
 
-// What sections of elements are asked for, besides motions.
+// The inputs of sections of elements besides motions.
 struct Instant {
-    double elapsed = 0.0;                 // since the last accepted step; infinite where no time passes
-    const DriveValues* drives = nullptr;  // at the time of the equilibrium; nullptr of a model without any
+    double elapsed = 0.0;  // time since the last accepted step; infinite if no time passes
+    const DriveValues* drives =
+        nullptr;  // drives at the time of the equilibrium; nullptr for a model without drives
 };
 
-// All elements of one kind and one number of nodes, with where their entries go.
+// All elements of one kind and one number of nodes, with the places of their entries.
 template <Element E>
 struct ElementBlock {
     using ElementType = E;
@@ -33,23 +34,23 @@ struct ElementBlock {
 
     std::vector<E> elements;
     std::vector<ElementPlaces<node_count>> places;
-    std::size_t first_history = 0;  // of this block in State::sections
-    std::size_t first_point = 0;    // in State::resultants
-    // Of each element in State::law_memory, and the end; empty where no section remembers.
+    std::size_t first_history = 0;  // first of this block in State::sections
+    std::size_t first_point = 0;    // first of this block in State::resultants
+    // The start of each element in State::law_memory, and the end; empty if no section remembers.
     std::vector<std::size_t> first_memory;
     bool has_laws = false;           // whether any section is not linear
-    std::vector<int> section_index;  // of a rod element among all rod elements of the model
+    std::vector<int> section_index;  // index of a rod element among all rod elements of the model
     struct InRod {
         int rod, element;
     };
-    std::vector<InRod> rods;  // where a rod element is
-    std::vector<int> groups;  // of each element in ScaleGroups, ascending
+    std::vector<InRod> rods;  // rod and element of each rod element
+    std::vector<int> groups;  // group of each element in ScaleGroups, ascending
     bool is_damped = false;   // whether any element is
     WorkPhases phases;        // of the elements
-    // Of each part: the entries of the matrix that it is the first to add to, and so sets to zero.
+    // For each part, the entries of the matrix that it is the first to add to, and so sets to zero.
     std::vector<std::vector<EntryRange>> cleared;
 
-    // The groups that a part's elements belong to, with those between: the first, and how many.
+    // The groups of a part's elements as a range: the first group and the number of groups.
     int first_group(std::size_t part) const { return groups[phases.first(part)]; }
     std::size_t group_count(std::size_t part) const {
         const int last_group = groups[phases.last(part) - 1];
@@ -94,8 +95,8 @@ struct ElementBlock {
     }
 };
 
-// Every kind of element: one entry here and, unless it is a rod's, a builder in build_system.cpp make a
-// new one known.
+// Every kind of element. A new kind needs one entry here and, unless it is a rod's, a builder in
+// build_system.cpp.
 using ElementBlocks = std::tuple<ElementBlock<RigidBody>,
                                  ElementBlock<ObjectiveElement<2>>,
                                  ElementBlock<ObjectiveElement<3>>,

@@ -10,16 +10,15 @@
 
 namespace gxrod {
 
-// Unknowns that are no node's, such as the multipliers of a joint, and the node behind whose unknowns they
-// are counted.
+// Unknowns that belong to no node, such as the multipliers of a joint, and the node whose unknowns they
+// follow.
 struct AttachedUnknowns {
     int node = 0;
     int count = 0;
 };
 
-// Which equation each unknown has: each of a node's six (δr, δφ), −1 where a support holds it, and behind
-// them those that are attached to the node. The unknowns of a node whose support has its own axes are counted
-// in those.
+// The equation of each unknown: six for each node (δr, δφ), −1 where a support holds it, followed by the
+// unknowns attached to the node. If a node's support has its own axes, its unknowns are in these axes.
 class EquationNumbers {
   public:
     // The supports must outlive it.
@@ -34,9 +33,9 @@ class EquationNumbers {
         for (int i = 0; i < 6; ++i) numbers[i] = held[i] ? -1 : next++;
         return numbers;
     }
-    // Whether a node has all six unknowns, in global axes: then their numbers follow each other.
+    // Whether a node has all six unknowns, in global axes: then their numbers are consecutive.
     bool is_free(int node) const { return free_count(node) == 6 && !supports_->has_own_axes(node); }
-    // The equations of a node and of what is attached to it: those from first_of to end_of.
+    // The equations of a node and its attached unknowns: from first_of to end_of.
     std::int64_t first_of(int node) const { return firsts_[node]; }
     std::int64_t end_of(int node) const { return firsts_[node + 1]; }
     // The first equation of attached unknowns.
@@ -45,15 +44,15 @@ class EquationNumbers {
     const Supports& supports() const { return *supports_; }
 
     struct Unknown {
-        int node;           // of attached unknowns, the one behind which they are counted
+        int node;           // node; for attached unknowns, the node that they follow
         int component;      // 0 … 5: x y z rx ry rz; −1: attached
-        int attached = -1;  // index of what is attached
-        int place = -1;     // of the unknown in it
+        int attached = -1;  // index of the attached group
+        int place = -1;     // place within that group
     };
-    // Searched for: not for every equation.
+    // Finds the unknown of an equation by search: not for use in loops over equations.
     Unknown unknown(std::int64_t equation) const;
 
-    // From global components of a node to those in which its unknowns are counted, and back.
+    // Turn global components of a node into the axes of its unknowns, and back.
     Vec6 to_own_axes(int node, const Vec6& global) const;
     Vec6 to_global_axes(int node, const Vec6& own) const;
     // The increment (δr, δφ) of a node, global components, zero where held.
@@ -63,7 +62,7 @@ class EquationNumbers {
     std::int64_t free_count(int node) const;
 
     const Supports* supports_;
-    std::vector<std::int64_t> firsts_;  // of each node, and the number of all
+    std::vector<std::int64_t> firsts_;  // first equation of each node, and the number of all
     std::vector<AttachedUnknowns> attached_;
     std::vector<std::int64_t> attached_firsts_;
     std::int64_t attached_count_ = 0;

@@ -9,10 +9,10 @@
 
 namespace gxrod {
 
-// The nodes that an element ties together.
+// The nodes that an element couples.
 using NodeGroup = std::vector<int>;
 
-// The pattern in which all unknowns of a group's nodes, and those attached to them, are coupled to each
+// Computes the pattern that couples all unknowns of a group's nodes, and those attached to them, to each
 // other.
 SparsePattern compute_pattern(const EquationNumbers& equations, std::span<const NodeGroup> groups);
 

@@ -9,8 +9,8 @@
 
 namespace gxrod {
 
-// The largest force and moment that one element or load puts on a node, and of bodies the part due to
-// accelerations; a residual is small against these.
+// The largest force and moment that one element or load exerts on a node; for bodies, also their inertia
+// forces. A residual is compared with them.
 struct ForceScales {
     double force_scale = 0.0;
     double moment_scale = 0.0;
@@ -20,7 +20,7 @@ struct ForceScales {
         moment_scale = std::max(moment_scale, moment);
     }
     void raise(const ForceScales& other) { raise(other.force_scale, other.moment_scale); }
-    // To what a force on one node, or a stack of them, holds.
+    // Raises the scales to a force on one node, or a stack of them.
     template <class Vector>
         requires(!std::is_same_v<Vector, ForceScales>)
     void raise(const Vector& force) {
@@ -31,7 +31,7 @@ struct ForceScales {
     }
 };
 
-// Those of the groups (ScaleGroups) that one part of the work belongs to.
+// The scales of the groups (ScaleGroups) of one part of the work.
 struct PartScales {
     std::span<ForceScales> scales;
     int first_group = 0;
@@ -39,11 +39,11 @@ struct PartScales {
     ForceScales& of(int group) const { return scales[static_cast<std::size_t>(group - first_group)]; }
 };
 
-// What is out of balance at every node: internal + damping + inertial − external.
+// The imbalance at every node: internal + damping + inertial − external.
 struct Residual : ForceScales {
-    std::vector<Vec6> nodal;          // held components hold the force that the support exerts
+    std::vector<Vec6> nodal;          // at held components, the force that the support exerts
     std::vector<double> rows;         // equations of joints, one joint after the other (JointAssembly)
-    std::vector<ForceScales> groups;  // of each group of the model; empty where no scales are asked for
+    std::vector<ForceScales> groups;  // scales of each group of the model; empty if no scales are asked for
 
     void raise_group(int group, const Vec6& force) {
         if (!groups.empty()) groups[static_cast<std::size_t>(group)].raise(force);

@@ -8,16 +8,17 @@
 
 namespace gxrod {
 
-// What a residual's forces and moments are small against.
+// The force and the moment with which a residual is compared.
 struct ResidualScales {
     double force, moment;
     double of(int component) const { return component < 3 ? force : moment; }
 };
 
-// Those of each node.
+// The scales of each node.
 class NodeScales {
   public:
-    // The same for all nodes; or of each group, and the group of each node, which must outlive this.
+    // Takes the same scales for all nodes; or scales for each group, and the group of each node, which must
+    // outlive this.
     explicit NodeScales(const ResidualScales& common) : common_(common) {}
     NodeScales(std::vector<ResidualScales> of_groups, const std::vector<int>& group_of_node)
         : of_groups_(std::move(of_groups)), group_of_node_(&group_of_node) {}
@@ -32,11 +33,11 @@ class NodeScales {
     const std::vector<int>* group_of_node_ = nullptr;
 };
 
-// Which forces a node's residual is compared with. A group is a rod, a body, a spring, a bushing, or a node
-// that several of them share; each belongs to one part of the model, whose nodes elements tie to each other.
-// A residual is small if it is so against the largest force in its part and, against a thousand times that,
-// in its own group: a weakly loaded rod next to a strong one is solved too. Neither falls below the round-off
-// of forces there.
+// Chooses the forces with which a node's residual is compared. A group is a rod, a body, a spring, a bushing,
+// or a node that several of them share. A part of the model consists of the groups whose nodes elements
+// couple to each other. A residual is small if it is small against the largest force in its part and against
+// a thousand times the largest force in its own group, so that a weakly loaded rod next to a strong one is
+// solved too. Neither falls below the round-off of forces there.
 class ScaleGroups {
   public:
     explicit ScaleGroups(const Model& model);
@@ -49,13 +50,13 @@ class ScaleGroups {
     int of_bushing(int bushing) const { return first_bushing_ + bushing; }
     int of_node(int node) const { return group_of_node_[node]; }
     int part_of_node(int node) const { return part_of_group_[group_of_node_[node]]; }
-    // The length for scaling of the node's part: the largest of its extent and its bodies' own sizes; 1 if
+    // Returns the length scale of the node's part: its extent or its largest body, whichever is larger; 1 if
     // both are zero.
     double length_at(int node) const { return lengths_[part_of_group_[group_of_node_[node]]]; }
 
-    // What acts in a group and, at a shared node, in those that meet there.
+    // Returns the forces in a group and, at a shared node, in the groups that meet there.
     ForceScales acting_in(int group, const Residual& residual) const;
-    // Of each node, from what acts in the groups; valid as long as this.
+    // Computes the scales of each node from the forces in the groups; valid as long as this.
     NodeScales compute_scales(const Residual& residual) const;
 
   private:
@@ -68,13 +69,13 @@ class ScaleGroups {
     int first_bushing_;
     std::vector<int> group_of_node_;
     std::vector<int> part_of_group_;
-    std::vector<double> lengths_;  // of each part
+    std::vector<double> lengths_;  // length scale of each part
     std::vector<std::vector<int>>
-        neighbours_;  // of each group that is a shared node: the groups that meet there
-    std::vector<ResidualScales> round_off_;  // of each group: of the forces on a node
+        neighbours_;  // for each group that is a shared node: the groups that meet there
+    std::vector<ResidualScales> round_off_;  // for each group, the round-off of forces on a node
 };
 
-// With what acts on either: a force at some length is a moment, so neither falls to round-off of the other.
+// Relates forces and moments: a force at some length is a moment, so neither falls to round-off of the other.
 ResidualScales relate_scales(const ForceScales& scales, double length);
 
 }  // namespace gxrod

@@ -11,35 +11,35 @@
 #include "linear/sparse_pattern.hpp"
 #include "parallel/thread_team.hpp"
 
-// From an element's matrix to the global one, and from nodal vectors to equations and back.
+// Functions that take an element's matrix to the global one, and nodal vectors to equations and back.
 namespace gxrod {
 
-// The slot of each entry of an element's matrix, column by column; −1 where a support holds the row or
+// Finds the slot of each entry of an element's matrix, column by column; −1 where a support holds the row or
 // column.
 void find_slots(std::span<const int> nodes,
                 const EquationNumbers& equations,
                 const SparsePattern& pattern,
                 std::span<std::int64_t> slots);
 
-// Entries of the global matrix that follow each other.
+// Consecutive entries of the global matrix.
 struct EntryRange {
-    std::int64_t first, last;  // last: the one behind
+    std::int64_t first, last;  // last: one past the end
 
     void clear(std::vector<double>& values) const {
         std::fill(values.begin() + first, values.begin() + last, 0.0);
     }
 };
 
-// Where an element's matrix goes among the values: a block for each pair of its nodes or, where a support
-// holds or turns some of their unknowns, entry by entry.
+// The places of an element's matrix among the values: a block for each pair of its nodes or, if a support
+// holds or turns some of their unknowns, each entry by itself.
 template <int Nodes>
 struct ElementPlaces {
     struct Block {
-        std::int64_t first;   // of the entry in the block's first row and column
+        std::int64_t first;   // the entry in the block's first row and column
         std::int64_t stride;  // from column to column
     };
     std::array<Block, Nodes * Nodes> blocks;  // column by column
-    std::vector<std::int64_t> slots;          // column by column; empty if the blocks say it all
+    std::vector<std::int64_t> slots;          // column by column; empty if the blocks are enough
 };
 
 template <int Nodes>
@@ -60,8 +60,8 @@ ElementPlaces<Nodes> find_places(const std::array<int, Nodes>& nodes,
     return places;
 }
 
-// Turns the rows and columns of nodes whose supports have their own axes into those. A node below 0 is the
-// ground.
+// Turns the rows and columns of nodes whose supports have their own axes into these axes. A node below 0 is
+// the ground.
 template <class Matrix>
 void turn_to_own_axes(std::span<const int> nodes, const EquationNumbers& equations, Matrix& matrix) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -108,7 +108,7 @@ void add_to_nodes(const NodalVector<Nodes>& force,
     for (int i = 0; i < Nodes; ++i) nodal[nodes[i]] += force.template segment<6>(6 * i);
 }
 
-// The components that have equations, in the axes of those.
+// Gathers the components that have equations, in the axes of the equations.
 Eigen::VectorXd gather(const std::vector<Vec6>& nodal,
                        const EquationNumbers& equations,
                        const ThreadTeam& team = ThreadTeam::alone());

@@ -5,24 +5,25 @@
 
 namespace gxrod {
 
-// How the residual follows small motions about a state, as values on the system's pattern: with x the
-// displacements and spins (δr, δφ) of the nodes, to first order stiffness x + damping x′ + mass x″
-// (docs/theory/vibrations.md, (V1)). Sections neither slip nor yield, and what relaxes has relaxed.
+// The derivatives of the residual by small motions about a state, as values on the system's pattern. With x
+// the displacements and spins (δr, δφ) of the nodes, the residual is to first order stiffness x + damping x′
+// + mass x″ (docs/theory/vibrations.md, (V1)). Sections neither slip nor yield, and relaxing stiffness has
+// relaxed.
 struct StateMatrices {
     std::vector<double> stiffness;  // at unchanged spatial rates
-    std::vector<double> damping;    // by v and ω: of materials, and gyroscopic where the state moves
+    std::vector<double> damping;  // by v and ω: damping of materials, and gyroscopic terms if the state moves
     std::vector<double> mass;
-    std::vector<RelaxingMatrix> relaxing{};  // stiffness in addition, for each relaxation time of sections
+    std::vector<RelaxingMatrix> relaxing{};  // additional stiffness for each relaxation time of sections
 
-    // Before anything relaxes.
+    // Returns the stiffness before anything relaxes.
     std::vector<double> instantaneous_stiffness() const;
     QuadraticProblem problem_on(const SparsePattern& pattern) const {
         return {&pattern, stiffness, damping, mass, relaxing};
     }
 };
 
-// Of the trial motions of an accepted state, with loads at `time`. Resultants that the state holds are left
-// aside.
+// Computes the matrices about the trial motions of an accepted state, with loads at `time`. Ignores
+// resultants that the state holds.
 StateMatrices compute_state_matrices(const System& system, const State& state, double time);
 
 }  // namespace gxrod

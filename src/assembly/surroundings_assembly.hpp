@@ -19,23 +19,24 @@
 
 namespace gxrod {
 
-// Forces of water, air and the ground on the nodes of rods and bodies. A force per length is found at the
-// nodes of an element and distributed with ∫ N_I N_J ds, like a load that turns with the rod. Each node of a
-// rod touches the ground by itself, with the piece of the rod that goes with it. Of the motions last asked
-// for it remembers the water there, which changes no result.
+// Adds forces of water, air and the ground on the nodes of rods and bodies. A force per length is computed at
+// the nodes of an element and distributed with ∫ N_I N_J ds, like a load that turns with the rod. Each node
+// of a rod touches the ground by itself, with its share of the rod's length. The class caches the water at
+// the last requested motions, which does not change results.
 class SurroundingsAssembly {
   public:
     // The model and the threads must outlive it.
     SurroundingsAssembly(const Model& model, const ThreadTeam& team);
-    // Before all that follows. `length`: of the model, of which differences of fields take a small part.
+    // Prepares the forces; call it first. `length` is the model's length, which sets the small distance for
+    // differences of fields.
     void lay_out(const EquationNumbers& equations, const SparsePattern& pattern, double length);
 
     bool empty() const { return elements_.empty() && bodies_.empty() && contacts_.empty(); }
-    // Pieces that rub on the ground, State::bed_contacts.
+    // The number of pieces with friction on the ground, as in State::bed_contacts.
     std::size_t rubbing_count() const { return rubs_ ? contacts_.size() : 0; }
 
-    // On each node of the model, spatial, of the trial motions with fields at `time`: subtracted from the
-    // residual.
+    // Subtracts the forces on each node from the residual, spatial, for the trial motions with fields at
+    // `time`.
     void subtract_forces(const State& state,
                          double time,
                          const ScaleGroups& groups,
@@ -44,14 +45,14 @@ class SurroundingsAssembly {
                       double time,
                       const std::vector<NodeLinearization>& linearizations,
                       std::vector<double>& values) const;
-    // Before the trial motions become the last accepted step.
+    // Commits the memory, before the trial motions become the last accepted step.
     void commit(State& state) const;
-    // Functions rest on a number that has changed, in addition to the time.
+    // Forgets cached values because a number other than the time has changed on which functions depend.
     void forget() const;
 
-    // The forces on the nodes of an element, six a node; zero without fluid.
+    // Computes the forces on the nodes of an element, six per node; zero without fluid.
     LoadVector compute_element_force(const State& state, double time, int rod, int element) const;
-    // `shapes`: at the place.
+    // `shapes` are the shape functions at the place.
     PointSurroundings compute_point_value(const State& state,
                                           double time,
                                           const RodPlace& place,
@@ -63,7 +64,7 @@ class SurroundingsAssembly {
         int rod = 0;
         int element = 0;
         std::vector<int> nodes{};
-        std::vector<std::size_t> places{};  // in places_, of each node
+        std::vector<std::size_t> places{};  // place of each node in places_
         std::vector<Quat> triads{};         // section axes at t = 0
         std::vector<const SectionInFluid*> sections{};
         std::vector<double> weights{};  // ∫ N_I N_J ds, column by column
@@ -73,7 +74,7 @@ class SurroundingsAssembly {
     struct WetBody {
         int body = 0;
         int node = 0;
-        BodyInFluid fluid{};  // without added mass where nothing resists acceleration
+        BodyInFluid fluid{};  // without added mass if no inertia resists
         std::vector<std::int64_t> slots{};
     };
     // A node of a rod that can touch the ground, with the tangent of the rod at t = 0.
@@ -86,7 +87,7 @@ class SurroundingsAssembly {
         double length = 0.0;
         std::vector<std::int64_t> slots{};
     };
-    // What is around a node.
+    // The surroundings of a node.
     struct Around {
         Vec3 position = Vec3::Zero();
         WaterAt water{};
@@ -97,7 +98,7 @@ class SurroundingsAssembly {
     void add_rod(int rod);
     void add_contacts(int rod);
     void move_to(double time) const;
-    // The fields at the nodes, for what follows.
+    // Evaluates the fields at the nodes, for the functions below.
     void look_around(const State& state, double time, bool asks_gradients) const;
     void find_fluids(const Vec3& position, bool gradients, Around& around) const;
     FluidsAt fluids_at(const Around& around) const;
@@ -115,16 +116,16 @@ class SurroundingsAssembly {
     const Model* model_;
     const ThreadTeam* team_;
     const EquationNumbers* equations_ = nullptr;
-    std::vector<WetElement> elements_;           // of a rod one after the other
-    std::vector<std::ptrdiff_t> first_element_;  // of each rod in elements_; −1: dry
+    std::vector<WetElement> elements_;           // the elements of each rod follow each other
+    std::vector<std::ptrdiff_t> first_element_;  // for each rod, index in elements_; −1: dry
     std::vector<WetBody> bodies_;
     std::vector<Contact> contacts_;
-    std::vector<int> places_;  // nodes whose surroundings are asked for, each once
+    std::vector<int> places_;  // nodes whose surroundings are evaluated, each once
     bool rubs_ = false;
     bool has_fluid_ = false;
     std::unique_ptr<FluidField> field_;
-    mutable std::vector<Around> around_;      // of places_
-    mutable std::vector<LoadVector> forces_;  // of elements_
+    mutable std::vector<Around> around_;      // for each of places_
+    mutable std::vector<LoadVector> forces_;  // for each of elements_
     mutable Vec3 gravity_ = Vec3::Zero();
     mutable double time_ = 0.0;
     mutable bool is_known_ = false;

@@ -28,11 +28,11 @@ namespace gxrod {
 class ContactAssembly;
 class SurroundingsAssembly;
 
-// Sums over the model, all of the trial motions.
+// Sums over the model at the trial motions.
 struct Balance {
     double kinetic_energy = 0.0;
     double strain_energy = 0.0;
-    double gravity_potential = 0.0;  // 0 where gravity changes with time
+    double gravity_potential = 0.0;  // 0 if gravity changes with time
     Momentum momentum;
 
     Balance& operator+=(const Balance& other);
@@ -44,18 +44,18 @@ struct Resultant {
     Vec3 moment = Vec3::Zero();
 };
 
-// How far nodes of one element are turned against each other, at most, and a node of that element.
+// The largest rotation of two nodes of one element against each other, and a node of that element.
 struct RelativeRotation {
     double angle = 0.0;
     int node = -1;
 };
 
-// The model as one system of equations: what the parts become together. Holds no state; of the loads it
-// remembers what they are at the time last asked for, which changes no result.
+// The model as one system of equations, assembled from its parts. It holds no state; it caches the loads at
+// the last requested time, which does not change results.
 class System {
   public:
-    // The model must outlive the system, and so must the threads that share its work; their number
-    // changes no result.
+    // The model must outlive the system, and so must the threads that share its work; their number does not
+    // change results.
     explicit System(const Model& model, const ThreadTeam& team = ThreadTeam::alone());
     System(const Model& model, const Kernels& kernels, const ThreadTeam& team = ThreadTeam::alone());
     ~System();
@@ -66,9 +66,9 @@ class System {
     const ThreadTeam& team() const { return *team_; }
     const Supports& supports() const { return supports_; }
     const JointAssembly& joints() const { return joints_; }
-    // nullptr where nothing can touch.
+    // nullptr if nothing can touch.
     const ContactAssembly* contact() const { return contact_.get(); }
-    // nullptr where neither fluid nor ground is.
+    // nullptr without fluid and ground.
     const SurroundingsAssembly* surroundings() const { return surroundings_.get(); }
     const EquationNumbers& equations() const { return equations_; }
     const SparsePattern& pattern() const { return pattern_; }
@@ -77,93 +77,98 @@ class System {
     // The model's length for scaling: the largest of its extent and the bodies' own sizes; 1 if both are
     // zero.
     double length_scale() const { return length_scale_; }
-    // The same of the part of the model to which a node belongs.
+    // The length for scaling of the part of the model to which a node belongs.
     double length_scale_at(int node) const { return scale_groups_.length_at(node); }
     const ScaleGroups& scale_groups() const { return scale_groups_; }
     std::size_t element_count() const;
-    // Whether any element interpolates rotations of the step, so that these must stay below π.
+    // Whether any element interpolates rotations of the step; these must then stay below π.
     bool uses_step_rotations() const { return history_count_ > 0; }
     bool is_damped() const { return is_damped_ || joints_.is_damped(); }
-    // Whether resultants of any section are not its stiffness × its strains.
+    // Whether any section has a law other than stiffness × strain.
     bool has_laws() const { return has_laws_; }
 
-    // The reference shape with the model's initial velocities, zero where a support fixes; accelerations
-    // zero.
+    // Returns the reference shape with the model's initial velocities, zero where a support holds;
+    // accelerations are zero.
     State initial_state() const;
     // Makes the velocities of a node zero where a support holds it.
     void hold_rates(int node, NodeMotion& motion) const;
 
-    // Of the trial motions and multipliers, with loads at `time`.
+    // Computes the residual of the trial motions and multipliers, with loads at `time`.
     void compute_residual(const State& state,
                           double time,
                           Residual& residual,
                           const ConstraintRequest& request = {}) const;
-    // The derivative of the residual by the linearizations, as values on the pattern; the mixed tangent
-    // instead if the state holds resultants.
+    // Computes the derivative of the residual by the linearizations, as values on the pattern; if the state
+    // holds resultants, the mixed tangent instead.
     void compute_tangent(const State& state,
                          double time,
                          const std::vector<NodeLinearization>& linearizations,
                          std::vector<double>& values,
                          const ConstraintRequest& request = {}) const;
 
-    // Sets the state's resultants, of the mixed tangent, to those of the strains of the last accepted
-    // motions, or to what those of the trial motions become by increments (δr, δφ) of the nodes, to first
-    // order.
+    // Set the state's resultants of the mixed tangent: the first from the strains of the last accepted
+    // motions, the second by advancing those of the trial motions by increments (δr, δφ) of the nodes, to
+    // first order.
     void start_resultants(State& state) const;
     void advance_resultants(const std::vector<Vec6>& increments, State& state) const;
 
     // Makes the trial motions the last accepted step, at `time`.
     void commit(State& state, double time) const;
 
-    // The functions of loads rest on a number that has changed, in addition to the time.
+    // Forgets cached loads because a number other than the time has changed on which functions of loads
+    // depend.
     void forget_loads() const {
         load_values_.forget();
         drive_values_.forget();
         forget_surroundings();
     }
 
-    // With gravity at `time`.
+    // Computes the balance with gravity at `time`.
     Balance compute_balance(const State& state, double time) const;
-    // Forces and moments per node that do work, of the trial motions: loads, and gravity where it changes
-    // with time; and what moving supports exert, added to `forces`. `residual` is that of the trial.
+    // Compute the forces and moments per node that do work at the trial motions: loads, and gravity if it
+    // changes with time; the other function adds the forces of moving supports. `residual` belongs to the
+    // trial.
     std::vector<Vec6> compute_load_forces(const State& state, double time) const;
-    // The part of these that water, air and the ground exert; empty where nothing is around.
+    // Computes the share of water, air and the ground in these forces; empty without surroundings.
     std::vector<Vec6> compute_surrounding_forces(const State& state, double time) const;
     void add_support_forces(const Residual& residual, std::vector<Vec6>& forces) const;
-    // The power of damping at the trial's rates; and the sum of the elements' damping_action in the step from
-    // the previous motions to the trial ones. Neither is negative.
+    // Compute the power of damping at the trial's rates, and the sum of the elements' damping_action in the
+    // step from the previous motions to the trial ones. Neither is negative.
     double compute_damping_power(const State& state) const;
     double compute_damping_action(const State& state) const;
-    // Whether tendons or strains of their own act within any rod.
+    // Whether tendons or actuation strains act within any rod.
     bool is_driven() const { return !drive_values_.empty(); }
-    // The work of these from the last accepted step to the trial, at `time`: of the mean of both ends.
+    // Computes the work of these from the last accepted step to the trial, at `time`, with the mean of both
+    // ends.
     double compute_drive_work(const State& state, double time) const;
-    // What sections dissipate by their laws from the last accepted step to the trial, at `time`.
+    // Computes the dissipation of section laws from the last accepted step to the trial, at `time`.
     double compute_law_dissipation(const State& state, double time) const;
-    // Of these motions, which need only rotations and rates.
+    // Compute kinetic energy and momentum of these motions, of which only rotations and rates matter.
     double compute_kinetic_energy(const std::vector<NodeMotion>& motions) const;
     Momentum compute_momentum(const std::vector<NodeMotion>& motions) const;
-    // The residual of held components, those that supports exert; global axes.
+    // Returns the residual of held components, which is what supports exert, in global axes.
     std::vector<Vec6> compute_reactions(const Residual& residual) const;
-    // Of all that acts from outside: loads, gravity, damping and what supports exert; of the trial motions.
-    // It is the rate of the momenta.
+    // Computes the resultant of all external actions at the trial motions: loads, gravity, damping and
+    // supports. It is the rate of the momenta.
     Resultant compute_outer_resultant(const State& state, double time, std::span<const Vec6> reactions) const;
-    // Of all rod elements, rods in the order of the model, from start to end; of the trial motions.
+    // Computes values of all rod elements at the trial motions, rods in the order of the model, from start to
+    // end.
     std::vector<SectionValues> compute_section_values(const State& state) const;
-    // Of all tendons, in the order of the model; of the trial motions and multipliers.
+    // Computes values of all tendons at the trial motions and multipliers, in the order of the model.
     std::vector<TendonValues> compute_tendon_values(const State& state, double time) const;
-    // For each rod ∫ δE (C δE) ds, component by component (Γx Γy Γz Kx Ky Kz), of the strains δE that
-    // increments (δr, δφ) of the nodes add to those of the trial motions, to first order.
+    // Computes for each rod ∫ δE (C δE) ds, component by component (Γx Γy Γz Kx Ky Kz), where δE are the
+    // first-order strain increments for increments (δr, δφ) of the nodes at the trial motions.
     std::vector<Vec6> compute_strain_work(const State& state, const std::vector<Vec6>& increments) const;
-    // Of points of rods, of the trial motions; section forces are those of an equilibrium at `time`.
+    // Computes values of points of rods at the trial motions; section forces belong to an equilibrium at
+    // `time`.
     std::vector<PointValues> compute_point_values(const State& state,
                                                   double time,
                                                   const std::vector<RodPlace>& places) const;
-    // Of Model::bodies, of the trial motions; empty where nothing is around.
+    // Computes the surroundings of Model::bodies at the trial motions; empty without surroundings.
     std::vector<PointSurroundings> compute_body_surroundings(const State& state, double time) const;
-    // Of elements that interpolate relative rotations: the largest one in `motions`, plus what `spins` of the
-    // nodes can add to it at most (exp does not lengthen distances). Below π no relative rotation is mistaken
-    // for its complement.
+    // Bounds the relative rotations that elements interpolate: the largest one in `motions`, plus the most
+    // that `spins` of the nodes can add to it (exp does not lengthen distances). Below π no relative rotation
+    // is mistaken for its complement.
     RelativeRotation bound_relative_rotation(const std::vector<NodeMotion>& motions,
                                              const std::vector<Vec3>& spins) const;
 
@@ -181,7 +186,7 @@ class System {
     void find_cleared();
     void build_batches();
     void measure();
-    // To those of the strains of these motions after the increments, to first order.
+    // Sets resultants from the strains of these motions after the increments, to first order.
     void set_resultants(const std::vector<NodeMotion>& motions,
                         double time,
                         const std::vector<Vec6>& increments,
@@ -190,7 +195,7 @@ class System {
     const RodBatches<E::node_count>& batches_of(const ElementBlock<E>&) const {
         return std::get<RodBatches<E::node_count>>(rod_batches_);
     }
-    // Of one part of a block's elements.
+    // Add the contributions of one part of a block's elements.
     template <class E>
     void add_forces(const ElementBlock<E>& block,
                     std::size_t part,
@@ -207,7 +212,7 @@ class System {
                       const Vec3& gravity,
                       const std::vector<NodeLinearization>& linearizations,
                       std::vector<double>& values) const;
-    // One vector for each node, zero where there was none.
+    // Adds damping forces, one vector for each node, which must be zero before.
     void add_damping_forces(const State& state, std::vector<Vec6>& nodal) const;
     void forget_surroundings() const;
     void add_loads(const State& state, double time, Residual& residual) const;
@@ -215,7 +220,7 @@ class System {
                            double time,
                            const std::vector<NodeLinearization>& linearizations,
                            std::vector<double>& values) const;
-    // With the tensions of all tendons, for what is recorded of sections.
+    // Returns the instant with the tensions of all tendons, for records of sections.
     Instant instant_of_sections(const State& state, double time) const;
     const LoadValues& loads_at(double time) const;
     PointValues compute_point_value(const State& state, double time, const RodPlace& place) const;
@@ -232,12 +237,12 @@ class System {
     RotaryBatches rotary_damping_batches_;
     mutable LoadValues load_values_;
     mutable DriveValues drive_values_;
-    std::unique_ptr<const SurroundingsAssembly> surroundings_;  // nullptr where nothing is around
-    std::unique_ptr<const ContactAssembly> contact_;            // nullptr where nothing can touch
+    std::unique_ptr<const SurroundingsAssembly> surroundings_;  // nullptr without surroundings
+    std::unique_ptr<const ContactAssembly> contact_;            // nullptr if nothing can touch
     TendonLines tendon_lines_;
     SparsePattern pattern_;
-    std::vector<EntryRange> cleared_alone_;      // of nodes without elements
-    std::vector<ElementPlaces<1>> load_places_;  // of each load's node
+    std::vector<EntryRange> cleared_alone_;      // entries of nodes without elements
+    std::vector<ElementPlaces<1>> load_places_;  // places of each load's node
     std::vector<std::vector<std::int64_t>> loaded_element_slots_;
     double length_scale_ = 1.0;
     std::size_t history_count_ = 0;

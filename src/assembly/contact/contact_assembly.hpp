@@ -24,17 +24,16 @@
 
 namespace gxrod {
 
-// What contact does in a step.
+// Work of contact in a step.
 struct ContactWork {
-    double by_obstacles = 0.0;  // that move, on rods
-    double loss = 0.0;          // by impacts and friction
-    double uncertainty = 0.0;   // of both together, in statics
+    double by_obstacles = 0.0;  // work of moving obstacles on rods
+    double loss = 0.0;          // lost by impacts and friction
+    double uncertainty = 0.0;   // uncertainty of their sum, in statics
 };
 
-// Contact of rods and bodies with obstacles: forces, their tangent, and how far a motion may go so that
-// nothing passes through anything. Each place of a rod or body (ContactPlaces) touches each obstacle by
-// itself. Forces are those of State::trial; where State::contact has parameters, tangents are those of forces
-// as unknowns of their own.
+// Contact of rods and bodies with obstacles: forces, their tangent, and the largest share of a motion without
+// penetration. Each place of a rod or body (ContactPlaces) touches each obstacle by itself. Forces belong to
+// State::trial. If State::contact has parameters, the tangents treat the forces as separate unknowns.
 class ContactAssembly {
   public:
     // All must outlive it.
@@ -42,32 +41,31 @@ class ContactAssembly {
     void lay_out(const EquationNumbers& equations, const SparsePattern& pattern);
 
     bool empty() const { return (places_.places.empty() || surfaces_.empty()) && pairs_.empty(); }
-    // Of rods with each other.
+    // Contact of rods with each other.
     const ContactPairs& pairs() const { return pairs_; }
-    // Of ContactMemory::on_obstacles.
+    // The size of ContactMemory::on_obstacles.
     std::size_t traction_count() const { return rubs_ ? pair_count() : 0; }
 
-    // By a weight: of the schemes of time, see Integrator::contact_weight.
+    // Subtracts forces times a weight, which the schemes of time choose (Integrator::contact_weight).
     void subtract_forces(const State& state, double time, double weight, Residual& residual) const;
     void add_tangents(const State& state,
                       double time,
                       double weight,
                       const std::vector<NodeLinearization>& linearizations,
                       std::vector<double>& values) const;
-    // Where the state has parameters: from the residual of the true forces to that of the tangents, with
-    // obstacles where they are to be at `time`.
+    // If the state has parameters: replaces the true forces in the residual by the forces that belong to the
+    // tangents, with obstacles at their places at `time`.
     void replace_by_tangent_forces(const State& state, double time, double weight, Residual& residual) const;
 
-    // Finds what is near the trial; before all that asks for forces there, without an equilibrium.
+    // Finds pieces near the trial; before forces are asked for there outside of an equilibrium.
     void search(State& state) const {
         if (!pairs_.empty()) pairs_.search(0.0, state);
     }
-    // Starts the parameters of an equilibrium at `time` on the law.
+    // Starts the parameters for an equilibrium at `time` with values on the law.
     void start(State& state, double time) const;
-    // With the whole increments of a Newton iteration, before nodes move.
+    // Advances the parameters by the whole increments of a Newton iteration, before nodes move.
     void advance(const std::vector<Vec6>& deltas, double time, State& state) const;
-    // How far displacements and spins of the trial may go; obstacles move with them to where they are at
-    // `time`.
+    // Limits displacements and spins of the trial; obstacles move with them to their places at `time`.
     ContactLimits limit(const std::vector<Vec6>& increments,
                         State& state,
                         double time,
@@ -75,42 +73,42 @@ class ContactAssembly {
 
     void commit(State& state, double time) const;
 
-    // Whether anything pushes, of the trial motions: in the step that leaves an obstacle too.
+    // Whether anything pushes at the trial motions, also in a step that leaves an obstacle.
     bool has_forces(const State& state, double time) const;
-    // On each node, of the trial motions.
+    // Computes the force on each node at the trial motions.
     std::vector<Vec6> compute_forces(const State& state, double time) const;
-    // Stored between rods and obstacles, with what sticks.
+    // Computes the energy stored between rods and obstacles, sticking friction included.
     double compute_energy(const State& state, double time) const;
-    // Of the step from the last accepted motions to the trial, at `time`, which the energy at its start was
-    // `energy_before`. Of impulses exactly; in statics, where nothing is lost but by friction, of the mean of
-    // the forces at both ends.
+    // Computes the work in the step from the last accepted motions to the trial, at `time`; the energy at its
+    // start was `energy_before`. For impulses it is exact; in statics, where only friction dissipates, it
+    // takes the mean of the forces at both ends.
     ContactWork compute_work(const State& state, double time, double energy_before) const;
-    // Of Contact::obstacles.
+    // Computes the values of Contact::obstacles.
     std::vector<ObstacleValues> compute_obstacle_values(const State& state, double time) const;
-    // Of the trial motions: all that touches, sorted by rods and places. One for each place at an obstacle,
-    // and one for two elements of rods.
+    // Lists all touches at the trial motions, sorted by rods and places: one for each place at an obstacle,
+    // and one for each two elements of rods.
     std::vector<ContactTouch> list_touches(const State& state, double time) const;
-    // Of each node: the least gap of the places next to it, or its skin where nothing is nearer; where no rod
-    // is, the largest skin.
+    // Computes for each node the least gap of the places next to it, at most its skin; for nodes without
+    // rods, the largest skin.
     std::vector<double> compute_gaps(const State& state, double time) const;
-    // On a rod, by what touches; the least gap if it is wanted.
+    // Computes the values of a watched contact: forces of all touches on a rod and, if wanted, the least gap.
     ObstacleValues compute_watched(const ContactWatch& watch,
                                    const std::vector<ContactTouch>& touches,
                                    const State& state,
                                    double time) const;
-    // Of the trial motions: rods that are in obstacles, beds left out, or in rods, or touch them without a
-    // gap; the deepest first, each pair once.
+    // Lists rods that at the trial motions are in obstacles, beds left out, or in rods, or touch them without
+    // a gap; the deepest first, each pair once.
     std::vector<ContactOverlap> list_overlaps(const State& state, double time) const;
-    // These as a text, "" without one.
+    // Describes the deepest overlap; "" if there is none.
     std::string describe_overlap(const State& state, double time) const;
     ContactCount count(const State& state, double time) const;
 
   private:
-    // Where obstacles are, and where they were at the last accepted step.
+    // The places of obstacles now, and at the last accepted step.
     struct At {
         std::vector<ObstaclePlacement> now, before;
         bool has_impacts = false;
-        double damping = 0.0;  // of a change of the gap in the step: 0 without inertia, or at its start
+        double damping = 0.0;  // factor of the gap's change in the step: 0 without inertia, or at its start
     };
     struct Touching {
         NormalForce normal;
@@ -121,7 +119,7 @@ class ContactAssembly {
         return obstacle * places_.places.size() + place;
     }
     At find_obstacles(const State& state, double time, double progress) const;
-    // Of an obstacle's surface and a place: whether they pass through each other.
+    // Whether contact between an obstacle's surface and a place is switched off.
     bool is_off(std::size_t surface, std::size_t place) const {
         return !off_.empty() && is_element_off(surface, places_.element_of(place));
     }
@@ -129,8 +127,8 @@ class ContactAssembly {
         return !off_.empty() && off_[surface * places_.elements.size() + places_.index_of(element)] != 0;
     }
     void find_exceptions();
-    // Whether an element passes through an obstacle, or is so far from it that it does not touch it within
-    // this distance.
+    // Whether contact between an element and an obstacle is switched off, or the element is too far away to
+    // touch it within this distance.
     bool is_far(const At& at,
                 std::size_t obstacle,
                 const ContactElement& element,
@@ -142,7 +140,8 @@ class ContactAssembly {
                 const std::vector<NodeMotion>& motions,
                 double reach) const;
     SurfaceTouch touch(const At& at, std::size_t obstacle, std::size_t place, const Vec3& position) const;
-    // Of the impulse of a place in a step; in statics forces act along the normal at the end.
+    // Returns the direction of a place's impulse in a step; in statics forces act along the normal at the
+    // end.
     ImpulseDirection impulse_direction(const At& at,
                                        std::size_t obstacle,
                                        std::size_t place,
@@ -154,7 +153,7 @@ class ContactAssembly {
                                      const State& state) const;
     double gap_before(const At& at, std::size_t obstacle, std::size_t place, const State& state) const;
     CoulombFriction friction(std::size_t obstacle, std::size_t place, const State& state) const;
-    // Of the step, where the obstacle is rigid.
+    // Returns the impact law of the step, for a rigid obstacle.
     ImpactLaw impact_law(const At& at, std::size_t obstacle, std::size_t place, const State& state) const;
     NormalForce law_force(
         const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const;
@@ -202,7 +201,7 @@ class ContactAssembly {
     std::vector<ObstacleSurface> surfaces_;
     ContactPlaces places_;
     ContactPairs pairs_;
-    // By surface and element; empty without Contact::exceptions at obstacles.
+    // Flags by surface and element; empty without Contact::exceptions at obstacles.
     std::vector<char> off_;
     std::vector<double> coefficients_;
     bool rubs_ = false;

@@ -8,15 +8,15 @@
 
 namespace gxrod {
 
-// Which of Contact::exceptions counts where elements of rods touch each other, or an obstacle. An element is
-// in a part of a rod if its middle is.
+// Finds the entry of Contact::exceptions for two elements of rods, or an element and an obstacle. An element
+// belongs to a part of a rod if its middle does.
 class ContactExceptions {
   public:
     ContactExceptions() = default;
     // The contact must outlive it.
     ContactExceptions(const Contact& contact, const ContactPlaces& places);
 
-    // nullptr where none does.
+    // Return the exception that applies; nullptr if none does.
     const ContactException* find(std::size_t element, std::size_t other) const {
         return find_between(of_elements_, element, of_elements_, other);
     }
@@ -25,7 +25,7 @@ class ContactExceptions {
     }
 
   private:
-    // Of one exception: bit k where something is among between[k].
+    // The sides of one exception: bit k is set for items among between[k].
     using Sides = std::vector<std::uint8_t>;
     const ContactException* find_between(const std::vector<Sides>& own,
                                          std::size_t one,
@@ -33,7 +33,7 @@ class ContactExceptions {
                                          std::size_t other) const;
 
     const Contact* contact_ = nullptr;
-    std::vector<Sides> of_elements_, of_obstacles_;  // by exception
+    std::vector<Sides> of_elements_, of_obstacles_;  // for each exception
 };
 
 }  // namespace gxrod

@@ -6,11 +6,11 @@
 
 namespace gxrod {
 
-// How near a motion may bring what touches: as increments (of pairs find_kept_share, else to a tenth of the
-// gap) or as predictions (find_predicted_share).
+// The kind of motion that contact limits: increments (pairs by find_kept_share, others to a tenth of the gap)
+// or predictions (find_predicted_share).
 enum class Approach { increment, prediction };
 
-// The part of an increment that each part of the model may make (ScaleGroups).
+// The admissible share of an increment for each part of the model (ScaleGroups).
 struct ContactLimits {
     std::vector<double> of_parts;  // 0 … 1
     double least = 1.0;
@@ -19,7 +19,7 @@ struct ContactLimits {
     bool shorten() const { return least < 1.0; }
 };
 
-// What touches at an instant.
+// Numbers of contact at an instant.
 struct ContactCount {
     std::int64_t touching = 0;
     double least_gap = 0.0;

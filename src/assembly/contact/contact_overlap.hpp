@@ -5,13 +5,13 @@
 
 namespace gxrod {
 
-// A rod or body that is in an obstacle, or a rod in another one, where it is deepest.
+// An overlap of a rod or body with an obstacle, or of two rods, at its deepest place.
 struct ContactOverlap {
-    std::array<int, 2> rods{};       // as ContactTouch has them
+    std::array<int, 2> rods{};       // as in ContactTouch
     std::array<double, 2> places{};  // fractions of their lengths
     double gap = 0.0;                // ≤ 0; −∞ where its line crosses a triangle
-    double radii = 0.0;              // of rods: the sum of theirs
-    std::string triangle{};          // "triangle 7 of " where the obstacle is a mesh
+    double radii = 0.0;              // for two rods: the sum of their radii
+    std::string triangle{};          // "triangle 7 of " for an obstacle that is a mesh
 };
 
 }  // namespace gxrod

@@ -11,25 +11,25 @@
 
 namespace gxrod {
 
-// No place of an element moves by more than this times the largest motion of its nodes: the largest sum of
-// the absolute values of its shape functions, 1.64 for five nodes.
+// A bound: no place of an element moves by more than this times the largest motion of its nodes. It is the
+// largest sum of the absolute values of its shape functions, 1.64 for five nodes.
 inline constexpr double largest_shape_sum = 1.65;
 
-// A place of a rod or body that can touch obstacles, and the length that goes with it.
+// A place of a rod or body that can touch obstacles, with its share of length.
 struct ContactPlace {
     int element = 0;                                  // in the list of elements
     double fraction = 0.0;                            // of the rod's length, from its start
     double weight = 0.0;                              // a length at t = 0
-    std::array<double, most_element_nodes> shapes{};  // of the element's nodes
+    std::array<double, most_element_nodes> shapes{};  // values of the element's shape functions
     Vec3 arm = Vec3::Zero();                          // from the node of a body, at t = 0
 };
 
 // An element of a rod that can touch, or a body, which has one node and turns its places about it.
 struct ContactElement {
-    int rod = 0;  // as ContactTouch has them
+    int rod = 0;  // as in ContactTouch
     bool is_body = false;
     int element = 0;
-    int part = 0;  // of the model, ScaleGroups
+    int part = 0;  // part of the model in ScaleGroups
     int count = 0;
     std::array<int, most_element_nodes> nodes{};
     double radius = 0.0;
@@ -53,13 +53,13 @@ struct ContactPlaces {
                    ? Vec3(motion_of_body(place, motions).r + arm(place, motions))
                    : interpolate(place, motions, &NodeMotion::r);
     }
-    // Of a place of a body, from its node.
+    // Returns the arm of a place of a body, from its node.
     Vec3 arm(const ContactPlace& place, const std::vector<NodeMotion>& motions) const {
         return motion_of_body(place, motions).Lambda * place.arm;
     }
-    // Where forces act on a body, from its node: at the arm; over a step with impulses at the mean of the
-    // arms at its ends, by which a force in a direction that stays does the work of the displacement, but for
-    // the third power of the rotation.
+    // Returns the lever of forces on a body, from its node. It is the arm; over a step with impulses it is
+    // the mean of the arms at both ends, by which a force of constant direction does the work of the
+    // displacement up to the third power of the rotation.
     Vec3 lever(const ContactPlace& place, const State& state, bool has_impacts) const {
         const Vec3 own = arm(place, state.trial);
         return has_impacts ? Vec3(0.5 * (own + arm(place, state.previous))) : own;
@@ -69,9 +69,9 @@ struct ContactPlaces {
         const ContactElement& element = elements[static_cast<std::size_t>(place.element)];
         return motions[static_cast<std::size_t>(element.nodes[0])];
     }
-    // How a place moves when nodes do, to first order: by displacements and spins.
+    // Returns the displacement of a place for displacements and spins of nodes, to first order.
     Vec3 change(const ContactPlace& place, const State& state, const std::vector<Vec6>& increments) const;
-    // How far no place of an element goes beyond.
+    // Bounds the displacements of all places of an element.
     double reach(const ContactElement& element, const std::vector<Vec6>& increments) const;
     template <class Member>
     Vec3 interpolate(const ContactPlace& place, const std::vector<NodeMotion>& motions, Member member) const {
@@ -84,17 +84,18 @@ struct ContactPlaces {
     }
     // The node nearest to the place a part t of the way from one place of an element to another.
     int nearest_node(const ContactPlace& from, const ContactPlace& to, double t) const;
-    // Since the last accepted step.
+    // Returns the motion since the last accepted step.
     PlaceMotion motion_of(const ContactPlace& place, const State& state) const;
 };
 
-// Of all rods that touch, in the order of the model: the nodes of each element with the weights of
-// Gauss-Lobatto's rule, or, where an obstacle bulges, equal pieces of it. Then of all bodies that touch.
+// Finds the places of all rods that touch, in the order of the model: the nodes of each element with the
+// weights of Gauss-Lobatto's rule or, if an obstacle bulges, the ends of equal pieces. The places of all
+// bodies that touch follow.
 ContactPlaces find_contact_places(const Model& model);
 
-// Of all rods that touch: so close together that the chords between them stay within a quarter of the skin of
-// the line, even where it is bent as much as is to be expected. Then both ends of each body, the same of a
-// sphere.
+// Finds the places of all rods that touch, so close together that the chords between them stay within a
+// quarter of the skin of the line, even for the largest expected bend. Both ends of each body follow; for a
+// sphere they coincide.
 ContactPlaces find_chord_places(const Model& model);
 
 }  // namespace gxrod

@@ -7,21 +7,21 @@
 
 namespace gxrod {
 
-// The direction n̂ of the impulse of a place, for which n̂ · Δx is the change of the gap: on spheres and
-// cylinders by the normals at both ends of a step, (C18), or a part of the change where they turn by more
-// than a right angle; on meshes by the mean gradient, and what it lacks along Δx, (C19).
+// The direction n̂ of a place's impulse, for which n̂ · Δx is the change of the gap. On spheres and cylinders
+// it comes from the normals at both ends of a step, (C18), with a part of the change if they turn by more
+// than a right angle; on meshes from the mean gradient plus its error along Δx, (C19).
 struct ImpulseDirection {
-    // Of obstacles at rest.
+    // The motion relative to an obstacle at rest.
     struct Way {
         Vec3 gradient;          // of the gap at the start
         Vec3 move;              // Δx
         double change = 0.0;    // of the gap
-        double shortest = 0.0;  // of moves for which n̂ is good enough without it
+        double shortest = 0.0;  // length of moves below which n̂ needs no correction
     };
-    std::optional<Vec3> before = {};  // the normal at the start, of (C18)
-    std::optional<Way> way = {};      // of (C19); of (C18) it limits the work to that of the change
+    std::optional<Vec3> before = {};  // the normal at the start, for (C18)
+    std::optional<Way> way = {};      // for (C19); for (C18) it limits the work to that of the change
 
-    // n̂ less the gradient at the end.
+    // Returns n̂ less the gradient at the end.
     Vec3 turn(const SurfaceTouch& touch) const {
         const Vec3 gradient = touch.slope * touch.normal;
         if (!before) return mean(touch) + lack(mean(touch)) * way->move - gradient;
@@ -41,7 +41,7 @@ struct ImpulseDirection {
     }
 
   private:
-    static constexpr double most = 0.9;  // of n̂ is taken off
+    static constexpr double most = 0.9;  // largest part of n̂ that is taken off
     Vec3 mean(const SurfaceTouch& touch) const { return 0.5 * (way->gradient + touch.slope * touch.normal); }
     Vec3 bisector(const SurfaceTouch& touch) const {
         const double cosine = before->dot(touch.normal);
@@ -49,13 +49,13 @@ struct ImpulseDirection {
     }
     double square() const { return way->move.squaredNorm() + way->shortest * way->shortest; }
     double lack(const Vec3& direction) const { return (way->change - direction.dot(way->move)) / square(); }
-    // What its work is above that of the change, as in (C21).
+    // Returns the correction for work above that of the change, as in (C21).
     Vec3 excess(const Vec3& direction) const {
         if (!way) return Vec3::Zero();
         const double lacking = std::min(lack(direction), 0.0), length = way->move.norm();
         return -lacking * length < most ? Vec3(lacking * way->move) : Vec3(-most / length * way->move);
     }
-    // With lack(n̂) added along the move, by the derivative of n̂.
+    // Returns the derivative of n̂ with lack(n̂) added along the move.
     Mat3 lack_by(const SurfaceTouch& touch, const Vec3& direction, const Mat3& direction_by) const {
         const Vec3& move = way->move;
         const double lacking = lack(direction);

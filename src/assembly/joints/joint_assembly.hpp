@@ -21,7 +21,7 @@
 
 namespace gxrod {
 
-// How far the equations of joints are from being met: relative to the length of their part, or in rad.
+// The largest error of the equations of joints: relative to the length of their part, or in rad.
 struct LargestGap {
     double size = 0.0;
     int joint = -1;
@@ -40,7 +40,7 @@ class JointAssembly {
 
     bool empty() const { return joints_.empty() && wide_.empty(); }
     std::size_t count() const { return joints_.size() + wide_.count(); }
-    // Of a joint or a gear, as messages have it: "joint shaft", "gear stage"; and the node at which its state
+    // The name of a joint or a gear in messages, "joint shaft", "gear stage", and the node at which its state
     // is reported.
     std::string name(int index) const;
     int shown_node(int index) const;
@@ -55,7 +55,7 @@ class JointAssembly {
     // Whether all equations are linear in positions, so that velocities meet them where positions do.
     bool are_linear() const { return are_linear_; }
 
-    // Once, when the equations are numbered.
+    // Prepares the equations, once, when they are numbered.
     void lay_out(const EquationNumbers& equations, const SparsePattern& pattern, double length);
 
     // Sets rows to the equations of the trial motions.
@@ -69,10 +69,10 @@ class JointAssembly {
                     ConstraintLevel level,
                     const ScaleGroups& groups,
                     Residual& residual) const;
-    // Subtracts what joints that are held by the ground exert on the nodes.
+    // Subtracts the forces of joints to the ground on the nodes.
     void subtract_ground_forces(const State& state, double time, std::vector<Vec6>& nodal) const;
-    // Adds to the values of a tangent, which has all else already. Equations and their multipliers are left
-    // out at the level of positions where the linearizations have no placement.
+    // Adds to the values of a tangent after all other contributions. At the level of positions, equations and
+    // multipliers are left out if the linearizations have no placement.
     void add_tangents(const State& state,
                       double time,
                       const std::vector<NodeLinearization>& linearizations,
@@ -82,84 +82,87 @@ class JointAssembly {
     void set_rows(const std::vector<double>& rows,
                   const std::vector<double>& values,
                   Eigen::VectorXd& vector) const;
-    // Moves the trial multipliers with the nodes' increments and the solution's μ. Trial motions are those of
-    // the tangent.
+    // Advances the trial multipliers by the nodes' increments and the solution's μ. Trial motions are those
+    // of the tangent.
     void advance_multipliers(const std::vector<Vec6>& increments,
                              const Eigen::VectorXd& solution,
                              const std::vector<double>& values,
                              State& state) const;
 
-    // What does work on joints from outside, for each of them, as the ledger takes forces: motors and drives
-    // on turn and slide, what moves the rest of springs of turn and slide, 0, 0.
+    // Computes the external forces that do work on each joint, in the ledger's order: motors and drives on
+    // turn and slide, forces that move the rest of springs of turn and slide, 0, 0.
     std::vector<Vec6> compute_driving_forces(const State& state, double time) const;
-    // What these forces move, alike; and how it changed from the previous motions to the trial ones at
-    // `time`.
+    // Compute the coordinates that these forces move, in the same order, and their changes from the previous
+    // motions to the trial ones at `time`.
     std::vector<Vec6> compute_coordinates(const std::vector<NodeMotion>& nodes,
                                           double time,
                                           const State& state) const;
     std::vector<Vec6> compute_movement(const State& state, double time) const;
-    // The power of these forces, of the trial motions.
+    // Computes the power of these forces at the trial motions.
     double compute_driving_power(const State& state, double time, const TimeSpan& step) const;
-    // Of springs, limits and friction that sticks, of the trial motions.
+    // Computes the energy of springs, limits and sticking friction at the trial motions.
     double compute_strain_energy(const State& state, double time) const;
     double compute_damping_power(const State& state) const;
-    // What dampers would take in the step from the previous motions to the trial ones in a unit of time.
+    // Computes the dissipation of dampers for the step from the previous motions to the trial ones in a unit
+    // of time.
     double compute_damping_action(const State& state) const;
-    // What friction takes in that step.
+    // Computes the dissipation of friction in that step.
     double compute_slip_dissipation(const State& state) const;
     bool is_damped() const { return is_damped_; }
-    // Whether friction follows the force that a joint holds.
+    // Whether any friction depends on the force that a joint holds.
     bool have_friction_by_multipliers() const;
-    // At the start of a run: friction slips where the joint moves.
+    // Starts friction at the beginning of a run: it slips where the joint moves.
     void start(State& state) const;
 
-    // Of each joint, of the trial motions.
+    // Computes the values of each joint at the trial motions.
     std::vector<JointValues> compute_joint_values(const State& state, double time) const;
 
-    // Of rows that are lengths and turns.
+    // Measures the largest error of rows that are lengths, and of rows that are turns.
     LargestGap measure_gap(const std::vector<double>& rows, const State& state) const;
-    // Throws EvaluationError if the trial motions are where a joint has no meaning, beyond the end of a rod.
+    // Throws EvaluationError if a joint has no meaning at the trial motions, beyond the end of a rod.
     void check_ranges(const State& state, double time) const { wide_.check_ranges(state, time); }
-    // Turns and slips at the trial motions become those of the last accepted step.
+    // Makes turns and slips at the trial motions those of the last accepted step.
     void commit(State& state) const;
 
   private:
     struct Block {
-        std::int64_t first;   // of the entry in the block's first row and column
+        std::int64_t first;   // the entry in the block's first row and column
         std::int64_t stride;  // from column to column
     };
-    // Where a joint's matrix goes: by unknowns of A, of B and its own, column by column.
+    // The places of a joint's matrix: by unknowns of A, of B and its own, column by column.
     struct Places {
         std::array<Block, 9> blocks{};
-        std::vector<std::int64_t> slots;           // of all entries; empty if the blocks say it all
-        std::int64_t first = 0;                    // of its equations
-        std::int64_t first_diagonal = 0;           // slot of that equation's diagonal entry
-        std::int64_t stride = 0;                   // from one diagonal entry to the next
-        std::array<std::int64_t, 12> diagonals{};  // slots of those of A's and B's unknowns; −1 where none
+        std::vector<std::int64_t> slots;  // slots of all entries; empty if the blocks are enough
+        std::int64_t first = 0;           // first of its equations
+        std::int64_t first_diagonal = 0;  // slot of that equation's diagonal entry
+        std::int64_t stride = 0;          // from one diagonal entry to the next
+        std::array<std::int64_t, 12>
+            diagonals{};  // slots of diagonal entries of A's and B's unknowns; −1 for none
     };
     static constexpr int most_unknowns = 12 + most_joint_rows;
     using Matrix = Eigen::Matrix<double, most_unknowns, most_unknowns>;
-    // The coordinates that a joint leaves free; 0 where it has none.
+    // The coordinates that a joint leaves free; 0 if it has none.
     struct JointPlace {
         ScalarJet turn{}, slide{};
     };
 
     JointPlace place_of(const std::vector<NodeMotion>& nodes, std::size_t joint, const State& state) const;
     JointInputs inputs_at(std::size_t joint, const State& state, double time) const;
-    // The force that the joint's points hold, by its multipliers: its size, and its derivative by those.
+    // The force that the joint's points hold, from its multipliers: its size, and the size's derivative by
+    // them.
     struct HeldForce {
         double size = 0.0;
         JointVector by_multipliers;
     };
     HeldForce find_held_force(const State& state, std::size_t joint) const;
-    // What friction that follows this force adds to the joint's matrix.
+    // Adds the contribution of friction that depends on this force to the joint's matrix.
     void add_held_tangent(
         std::size_t joint, const State& state, double time, const JointVector& D, Matrix& matrix) const;
     static JointSlips slips_of(const JointState& state) { return {state.turn_slip, state.slide_slip}; }
     const NodeMotion& motion(const std::vector<NodeMotion>& nodes, int node) const;
     JointMotions motions(const std::vector<NodeMotion>& nodes, std::size_t joint) const;
     JointVector multipliers(const State& state, std::size_t joint) const;
-    // What a joint exerts on the nodes of A and B.
+    // Computes the forces of a joint on the nodes of A and B.
     PairVector compute_force(const State& state, double time, std::size_t joint) const;
     void add_equations(std::size_t joint,
                        const State& state,
@@ -184,7 +187,8 @@ class JointAssembly {
     std::vector<JointForces> forces_;
     std::vector<AttachedUnknowns> attached_;
     std::vector<Places> places_;
-    std::vector<std::int64_t> first_rows_;  // of each joint in Residual::rows, and the number of all
+    std::vector<std::int64_t>
+        first_rows_;  // first row of each joint in Residual::rows, and the number of all
     bool are_linear_ = true;
     bool are_driven_ = false;
     bool have_forces_ = false;

@@ -4,7 +4,7 @@
 
 namespace gxrod {
 
-// D of the equations of one joint, docs/theory/joints.md (J19): of rows that are lengths, and of others.
+// D for the equations of one joint, docs/theory/joints.md (J19): for rows that are lengths, and for others.
 struct JointScales {
     double length = 0.0;
     double turn = 0.0;
@@ -14,15 +14,15 @@ struct JointScales {
 
 namespace joint_scaling {
 
-// Of the entries on the diagonal; it makes redundant equations solvable.
+// Relative size of the entries on the diagonal, which make redundant equations solvable.
 constexpr double regularization = 1e-8;
-// D of rows of accelerations, relative to that of rows of positions. Where some are redundant, they
-// contradict each other in the inner stages of a step: with a smaller D, their multipliers grow less.
+// D for rows of accelerations, relative to rows of positions. Redundant rows contradict each other in the
+// inner stages of a step; with a smaller D, their multipliers grow less.
 constexpr double acceleration_scale = 1e-2;
 
 }  // namespace joint_scaling
 
-// The mean size of entries on a tangent's diagonal, of displacements and of rotations.
+// The mean size of entries on a tangent's diagonal, for displacements and for rotations.
 class DiagonalMean {
   public:
     void add(int component, double value);
@@ -33,7 +33,7 @@ class DiagonalMean {
     int counts_[2] = {0, 0};
 };
 
-// Raises all to a part of the largest at least; `length` is that of the model.
+// Raises all scales to at least a part of the largest; `length` is the model's length.
 void bound_scales(double length, std::vector<JointScales>& scales);
 
 }  // namespace gxrod

@@ -17,8 +17,9 @@
 
 namespace gxrod {
 
-// The equations over several nodes in a model's system of equations, by the same rules as joints between two
-// (JointAssembly, which owns this): their states, rows, values and work come behind those of the joints.
+// Equations over several nodes in a model's system of equations. They follow the same rules as joints between
+// two nodes (JointAssembly, which owns this); their states, rows, values and work come after those of the
+// joints.
 class WideAssembly {
   public:
     explicit WideAssembly(const Model& model);
@@ -30,16 +31,16 @@ class WideAssembly {
     bool are_driven() const;
     bool are_damped() const;
 
-    // Appends the multipliers, each at the node that carries the fewest; `carried` is by node.
+    // Appends the multipliers, each at the node that carries the fewest; `carried` counts by node.
     void attach(std::vector<int>& carried, std::vector<AttachedUnknowns>& attached) const;
     void add_groups(std::vector<NodeGroup>& groups) const;
-    // `first_row` is the number of rows of joints; both must outlive this.
+    // Prepares the equations; both references must outlive this. `first_row` is the number of rows of joints.
     void lay_out(const EquationNumbers& equations,
                  const SparsePattern& pattern,
                  double length,
                  std::int64_t first_row);
 
-    // As in JointAssembly; rows have their size there.
+    // These do the same as in JointAssembly; `rows` already has its size.
     std::size_t row_count() const;
     void compute_rows(const State& state,
                       double time,
@@ -51,12 +52,12 @@ class WideAssembly {
                     const ScaleGroups& groups,
                     Residual& residual) const;
     void subtract_ground_forces(const State& state, double time, std::vector<Vec6>& nodal) const;
-    // Appends the mean of the diagonal at the nodes of each.
+    // Appends the mean of the diagonal at the nodes of each equation.
     void add_means(const State& state,
                    double time,
                    const std::vector<double>& values,
                    std::vector<JointScales>& means) const;
-    // `scales` of all joints, those of these last; not used if `request` has values to scale as.
+    // `scales` are those of all joints, these last; not used if `request` has values to scale as.
     void add_tangents(const State& state,
                       double time,
                       const std::vector<NodeLinearization>& linearizations,
@@ -72,7 +73,7 @@ class WideAssembly {
                              const std::vector<double>& values,
                              State& state) const;
 
-    // Appended to those of joints.
+    // Append to the values of joints.
     void add_driving_forces(const State& state, double time, std::vector<Vec6>& forces) const;
     void add_coordinates(const std::vector<NodeMotion>& nodes,
                          double time,
@@ -86,16 +87,16 @@ class WideAssembly {
     double compute_damping_action(const State& state) const;
     double compute_slip_dissipation(const State& state) const;
 
-    // The largest gap of these: relative to `length` of rows that are lengths.
+    // The largest gap of these equations: relative to `length` for rows that are lengths.
     struct Gap {
         double size;
         std::size_t index;
     };
     Gap measure_gap(const std::vector<double>& rows, const State& state) const;
     void check_ranges(const State& state, double time) const;
-    // Into the trial state, and the one before, of these.
+    // Starts the trial state and the previous state of these joints.
     void start(State& state) const;
-    // Into the trial state, before that becomes the last accepted one.
+    // Commits these joints in the trial state, before it becomes the last accepted one.
     void commit(State& state) const;
 
   private:
@@ -108,7 +109,8 @@ class WideAssembly {
     WidePlace place(std::size_t index, const State& state, double time) const {
         return place(index, state.trial, time, state);
     }
-    // As the trial state keeps them, and those that act: none of rows that do not hold.
+    // Return the multipliers in the trial state, and the multipliers that act: zero for rows that do not
+    // hold.
     Eigen::VectorXd kept_multipliers(const State& state, std::size_t index) const;
     Eigen::VectorXd multipliers(std::size_t index,
                                 const WidePlace& place,
@@ -139,11 +141,11 @@ class WideAssembly {
     double sum_over(const State& state, double time, Compute&& compute) const;
 
     std::vector<std::unique_ptr<const WideRows>> rows_;
-    std::size_t first_;  // joints before these
+    std::size_t first_;  // number of joints before these
     const EquationNumbers* equations_ = nullptr;
     const SparsePattern* pattern_ = nullptr;
     double length_ = 1.0;
-    std::vector<std::int64_t> first_rows_;  // of each in Residual::rows
+    std::vector<std::int64_t> first_rows_;  // first row of each in Residual::rows
 };
 
 }  // namespace gxrod

@@ -4,7 +4,7 @@
 
 namespace gxrod {
 
-// Writes one lane of the rows that kernels read (elements/lanes/kernels.hpp), from the first row on.
+// Writes one lane of the rows of kernels (elements/lanes/kernels.hpp), from the first row on.
 class LaneColumn {
   public:
     LaneColumn(double* rows, int lane, int width) : entry_(rows + lane), width_(width) {}

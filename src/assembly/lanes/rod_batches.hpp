@@ -6,8 +6,8 @@
 
 namespace gxrod {
 
-// Elements `objective` of one number of nodes, evaluated several at once, but for the inertia and damping
-// that they lump to their nodes.
+// Elements `objective` of one number of nodes, evaluated several at once, except their inertia and damping
+// lumped at nodes.
 template <int Nodes>
 class RodBatches {
   public:
@@ -42,15 +42,18 @@ class RodBatches {
   private:
     using Rows = RodKernels<Nodes>;
 
-    // Elements of one part that share what kernels branch on; the last one fills the lanes that are left.
+    // Elements of one part that share all branches of the kernels; the last element fills the lanes that are
+    // left.
     struct Batch {
         std::size_t section;  // where its rows begin
-        bool is_general;      // of its sections
+        bool is_general;      // whether its sections are general
         bool is_damped;
-        // Kernels know no masses off the axis that have no inertia, and no sections that are not linear.
+        // Whether its elements are evaluated one by one: kernels have no masses off the axis without inertia,
+        // and no sections that are not linear.
         bool is_alone;
         int count;
-        // Lanes whose tangents go to whole blocks, and whose order does not change if they do so together.
+        // Lanes whose tangents go to whole blocks, and whose order of addition stays the same if they are
+        // added together.
         int first_block, last_block;
         std::array<int, most_lanes> elements;
         std::array<std::array<int, Nodes>, most_lanes> nodes;
@@ -69,7 +72,7 @@ class RodBatches {
         return batch.is_general ? kernels_.general : kernels_.plain;
     }
     const double* section(const Batch& batch) const { return &sections_[batch.section]; }
-    // Write what kernels read.
+    // Write the inputs of kernels.
     void write_motions(const Batch& batch,
                        const std::vector<NodeMotion>& motions,
                        const Vec3& gravity,
@@ -81,7 +84,7 @@ class RodBatches {
                               double* rows) const;
     // Adds the forces of the first lanes to their nodes.
     void add_lanes(const Batch& batch, const double* forces, std::vector<Vec6>& nodal) const;
-    // Of elements one by one, also where nodes are turned too far for the kernels.
+    // Add contributions of elements one by one, also if nodes are turned too far for the kernels.
     void add_forces_alone(const Batch& batch,
                           const State& state,
                           const Instant& instant,
@@ -106,10 +109,10 @@ class RodBatches {
     RodKernels<Nodes> kernels_;
     const Block* block_ = nullptr;
     const EquationNumbers* equations_ = nullptr;
-    std::vector<double> sections_;  // shared rows and section rows, of all batches of a kind once
+    std::vector<double> sections_;  // shared rows and section rows, once for all batches of a kind
     std::vector<Batch> batches_;
-    std::vector<std::size_t> first_batch_;  // of each part, and the number of batches
-    std::vector<double> constants_;         // of each batch, by rows
+    std::vector<std::size_t> first_batch_;  // first batch of each part, and the number of batches
+    std::vector<double> constants_;         // constants of each batch, by rows
 };
 
 using AllRodBatches = std::tuple<RodBatches<2>, RodBatches<3>, RodBatches<4>, RodBatches<5>>;

@@ -7,16 +7,15 @@
 
 namespace gxrod {
 
-// What rods lump to their nodes, rotary inertia or the factors of its damping, summed over the elements of a
+// Rotary inertia, or the factors of its damping, that rods lump at their nodes, summed over the elements of a
 // node and evaluated for several nodes at once.
 class RotaryBatches {
   public:
-    // The kernels, `width` lanes wide, say what the inertia makes: inertial moments, or the damping in
-    // proportion to it. The equations must outlive this.
+    // The kernels, `width` lanes wide, turn the inertia into inertial moments, or into damping in proportion
+    // to it. The equations must outlive this.
     RotaryBatches(const RotaryKernels& kernels, int width, const EquationNumbers& equations);
 
-    // `inertia` is in the global axes of t = 0, `group` that of the node in ScaleGroups. All of it before
-    // lay_out.
+    // Adds inertia in the global axes of t = 0, before lay_out; `group` is the node's group in ScaleGroups.
     void add(int node, int group, const Mat3& inertia);
     void lay_out(const SparsePattern& pattern);
 
@@ -31,7 +30,7 @@ class RotaryBatches {
                     const std::vector<NodeMotion>& motions,
                     std::vector<Vec6>& nodal,
                     std::span<ForceScales> scales) const;
-    // Adds the derivatives of these.
+    // Adds the derivatives of these moments.
     void add_tangents(std::size_t part,
                       const std::vector<NodeMotion>& motions,
                       const std::vector<NodeLinearization>& linearizations,
@@ -50,12 +49,12 @@ class RotaryBatches {
     int width_;
     RotaryKernels kernels_;
     const EquationNumbers* equations_;
-    std::vector<int> nodes_;   // that have rotary inertia
-    std::vector<int> groups_;  // of each of these: its place among those of its part
+    std::vector<int> nodes_;   // nodes with rotary inertia
+    std::vector<int> groups_;  // for each of these nodes: its place among the groups of its part
     std::vector<std::vector<int>> part_groups_;
-    std::vector<ElementPlaces<1>> places_;  // of each of these
-    std::vector<double> constants_;         // their inertia: of each batch, by rows
-    // Until they are laid out: of each node its index among nodes_, −1 of none; and inertias, one of these.
+    std::vector<ElementPlaces<1>> places_;  // for each of these nodes
+    std::vector<double> constants_;         // inertia for each batch, by rows
+    // Before lay_out: for each node its index among nodes_, −1 for none; and for each of nodes_ its inertia.
     std::vector<int> index_;
     std::vector<Mat3> inertias_;
 };

@@ -8,9 +8,9 @@
 
 namespace gxrod {
 
-// What friction of a tendon adds to the tangent: elements know how the forces of a given tension follow their
-// nodes, and this is how the tension follows the nodes between. There are no equations, and no forces: those
-// are of the elements (DriveValues).
+// Adds the terms of tendon friction to the tangent. Elements differentiate their forces at a given tension;
+// these rows add the derivative of the tension by the nodes in between. They have no equations and no forces,
+// which elements add (DriveValues).
 class CapstanRows : public WideRows {
   public:
     explicit CapstanRows(CapstanTension tension) : tension_(std::move(tension)) {}

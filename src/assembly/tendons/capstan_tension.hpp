@@ -13,44 +13,44 @@
 
 namespace gxrod {
 
-// The tension along a tendon that rubs in its path, docs/theory/drives.md (D14) to (D18): given where it is
-// pulled, and from there as near to that of the last accepted step as the turning of the tendon allows. The
-// numbers of this class are those of the tendon's force points from where it is pulled outwards, and then
-// that of its anchored end.
+// The tension along a tendon with friction in its duct, docs/theory/drives.md (D14) to (D18): given where it
+// is pulled, and from there as near to the tension of the last accepted step as friction at the tendon's
+// turns allows. The values of this class belong to the tendon's force points from the pulled end outwards,
+// and then to its anchored end.
 class CapstanTension {
   public:
-    // In State::law_memory `behind` entries are behind its own. The model must outlive this.
+    // `behind` entries follow its own in State::law_memory. The model must outlive this.
     CapstanTension(const Model& model, const Tendon& tendon, std::size_t behind);
 
     const std::string& name() const { return name_; }
     const std::vector<int>& nodes() const { return line_.nodes(); }
-    // How many numbers.
+    // The number of values.
     std::size_t count() const { return start_stretches_.size() + 1; }
-    // Throws EvaluationError where it is pulled by a tension below zero.
+    // Throws EvaluationError if the tendon is pulled by a tension below zero.
     std::vector<double> compute(const std::vector<NodeMotion>& motions,
                                 const State& state,
                                 double time) const;
-    // Σ ∂ℓ_i ⊗ ∂T_i over the force points, by the (δr, δφ) of the nodes: what the change of the tensions adds
-    // to the derivative of Σ T_i ∂ℓ_i.
+    // Computes Σ ∂ℓ_i ⊗ ∂T_i over the force points, by the (δr, δφ) of the nodes: the contribution of
+    // changing tensions to the derivative of Σ T_i ∂ℓ_i.
     Eigen::MatrixXd compute_coupling(const std::vector<NodeMotion>& motions,
                                      const State& state,
                                      double time) const;
-    // Of the last accepted step.
+    // The values of the last accepted step.
     std::span<const double> memory(const State& state) const {
         return std::span(state.law_memory).last(from_end_).first(count());
     }
     std::span<double> memory(State& state) const {
         return std::span(state.law_memory).last(from_end_).first(count());
     }
-    // The numbers of force points, from the rod's start to its end.
+    // Returns the values of force points, from the rod's start to its end.
     std::vector<double> along_rod(std::span<const double> tensions) const;
 
   private:
     struct Sweep;
 
-    // Where it is pulled.
+    // Finds the tension at the pulled end.
     double find_pull(double time) const;
-    // From where it is pulled to where it is anchored, both of these included.
+    // Lists tangents from the pulled to the anchored end, both included.
     std::vector<TendonTangent> list_tangents(const std::vector<NodeMotion>& motions,
                                              const State& state,
                                              bool with_gradients) const;
@@ -58,42 +58,43 @@ class CapstanTension {
                 const State& state,
                 double time,
                 bool with_gradients) const;
-    // What the tensions are where the tendon sticks.
+    // Finds the tensions with which the tendon would stick.
     std::vector<double> find_sticking(const std::vector<TendonTangent>& tangents, const State& state) const;
 
     std::string name_;
     const Tendon* tendon_;
     TendonLine line_;
-    std::vector<double> start_stretches_;  // of the force points
-    std::size_t from_end_;                 // of State::law_memory, where its own begin
+    std::vector<double> start_stretches_;  // for the force points
+    std::size_t from_end_;                 // distance of its entries from the end of State::law_memory
     double round_off_;                     // a force
 };
 
-// Of all tendons of a model with friction, in its order.
+// Lists the tensions of all tendons of a model with friction, in its order.
 std::vector<CapstanTension> list_capstan_tensions(const Model& model);
 
-// These, by the tendons of the model.
+// The tensions with friction by the tendons of the model.
 class CapstanTensions {
   public:
     // The model must outlive this.
     explicit CapstanTensions(const Model& model);
 
     bool empty() const { return entries_.empty(); }
-    // Entries of State::law_memory, the last ones.
+    // The number of entries in State::law_memory, the last ones.
     std::size_t memory_count() const;
-    // Into what acts within sections, whose tendons are all of the model's or those whose tension is given.
+    // Sets the tensions in the drives within sections; its tendons are all of the model's or those with given
+    // tension.
     void set_tensions(const std::vector<NodeMotion>& motions,
                       const State& state,
                       double time,
                       DriveValues& drives) const;
-    // Those of the trial motions become those of the last accepted step.
+    // Makes the tensions of the trial motions those of the last accepted step.
     void commit(State& state, double time) const;
-    // At its anchored end, of the trial motions; nullopt of a tendon without friction.
+    // Finds the tension at the anchored end at the trial motions; nullopt for a tendon without friction.
     std::optional<double> find_end_tension(std::size_t tendon, const State& state, double time) const;
 
   private:
     struct Entry {
-        std::size_t tendon;  // in Model::tendons
+        std::size_t tendon;  // index in Model::tendons
         CapstanTension tension;
     };
     std::vector<Entry> entries_;

@@ -12,21 +12,21 @@
 
 namespace gxrod {
 
-// What is recorded of a model's tendons, whoever pulls them.
+// Recorded values of a model's tendons, for any kind of pull.
 class TendonLines {
   public:
     // The model must outlive this.
     explicit TendonLines(const Model& model);
 
-    // Of the trial motions and multipliers, in the order of the model.
+    // Computes values at the trial motions and multipliers, in the order of the model.
     std::vector<TendonValues> compute_values(const State& state,
                                              const JointAssembly& joints,
                                              double time) const;
-    // Whether winches pull any.
+    // Whether winches pull any tendons.
     bool have_winches() const { return have_winches_; }
-    // Of those with friction.
+    // The tensions of tendons with friction.
     const CapstanTensions& capstans() const { return capstans_; }
-    // What acts within sections, tendons that winches pull included.
+    // Returns the drives within sections, tendons with winches included.
     const DriveValues& drives_at(const State& state, const JointAssembly& joints, double time) const;
 
   private:

@@ -9,9 +9,9 @@
 
 namespace gxrod {
 
-// A tendon that a winch pulls, docs/theory/drives.md (D9) to (D13). One that does not stretch has the
-// equation Φ = what the winch leaves − ℓ = 0, whose multiplier is the tension; one that hangs loose where it
-// can has Φ ≥ 0. One that stretches has no equation but a law, the tension by the length.
+// A tendon that a winch pulls, docs/theory/drives.md (D9) to (D13). An inextensible tendon has the equation Φ
+// = (length that the winch leaves) − ℓ = 0, whose multiplier is the tension; if it can be slack, it has Φ ≥
+// 0. An elastic tendon has no equation but a law, the tension by the length.
 class TendonRows : public WideRows {
   public:
     TendonRows(const Model& model, const Tendon& tendon);
@@ -47,16 +47,16 @@ class TendonRows : public WideRows {
                                  const Eigen::VectorXd& multipliers,
                                  const TimeSpan& step) const override;
 
-    // The slide is its length, what drives the slide its tension.
+    // Returns the tendon's length as the slide, and its tension as the force that drives the slide.
     JointValues compute_joint_values(const WidePlace& place,
                                      const Eigen::VectorXd& multipliers) const override;
 
   private:
     bool is_elastic() const { return winch_->stiffness > 0.0; }
     double length_at(const WidePlace& place) const { return line_.compute_length(place.nodes, place.state); }
-    // What the winch leaves of it, without tension, and the derivatives of that by time.
+    // Computes the length that the winch leaves, without tension, and its derivatives by time.
     double compute_prescribed(double time, const TimeSpan& step, ConstraintLevel level) const;
-    // Of one that stretches.
+    // Computes the tension of an elastic tendon.
     double compute_tension(const WidePlace& place) const;
     double compute_tension(const WidePlace& place, const Eigen::VectorXd& multipliers) const {
         return is_elastic() ? compute_tension(place) : multipliers[0];
@@ -72,7 +72,7 @@ class TendonRows : public WideRows {
     double rod_stiffness_;  // force per length
 };
 
-// The tendons of a model that winches pull, in its order: behind what list_wide_rows lists.
+// Lists the tendons of a model that winches pull, in its order; they follow the items of list_wide_rows.
 std::vector<std::unique_ptr<const WideRows>> list_tendon_rows(const Model& model);
 
 }  // namespace gxrod
