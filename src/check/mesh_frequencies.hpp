@@ -8,19 +8,19 @@
 
 namespace gxrod {
 
-// Angular frequencies at which the undeformed, unloaded model vibrates, in rad per time.
+// Angular frequencies of the undeformed, unloaded model, in rad per time.
 struct MeshFrequencies {
-    double lowest = 0.0;  // rigid motions left out
+    double lowest = 0.0;  // without rigid motions
     double highest = 0.0;
-    int rigid_motions = 0;  // that nothing holds, of frequency 0
+    int rigid_motions = 0;  // unsupported motions of frequency 0
 };
 
-// By Lanczos' method, to some 1e-4. nullopt if a motion has no inertia, nothing can vibrate, or
-// more than ten parts are free.
+// Finds frequencies by Lanczos' method, to some 1e-4. Returns nullopt if a motion has no inertia, nothing can
+// vibrate, or more than ten parts are free.
 std::optional<MeshFrequencies> find_mesh_frequencies(const Model& model);
 
-// The frequencies, what the damping of sections makes of them, and the longest stable step of explicit
-// schemes, in lines for a reader; "" if there is nothing to say.
+// Describes the frequencies, the damping of sections at them, and the longest stable step of explicit
+// schemes, in lines; "" if there is nothing to report.
 std::string describe_frequencies(const Model& model, const DynamicSettings& settings);
 
 }  // namespace gxrod

@@ -10,22 +10,23 @@
 
 namespace gxrod {
 
-// Where an analysis begins: from the deck's shape and velocities, from an equilibrium of a stage before, or
-// with the motion of a stage before.
+// The start of an analysis: with the deck's shape and velocities, with the equilibrium of an earlier stage,
+// or with the motion of an earlier stage.
 enum class AnalysisStart { deck, equilibrium, motion };
 
-// What a reader of a deck cannot see in single keys: errors first. A later stage can move without a cause of
-// its own.
+// Finds problems that single keys of a deck do not show; errors come first. A later stage may move without a
+// cause of its own.
 std::vector<Finding> examine_model(const Model& model,
                                    const AnalysisSettings& analysis,
                                    AnalysisStart start = AnalysisStart::deck);
 
-// The same of each stage; `model` has what acts in the first one. What several stages share is said once.
+// Examines each stage; `model` has the actions of the first one. A finding that several stages share is
+// reported once.
 std::vector<Finding> examine_stages(const Model& model, const std::vector<StagePlan>& stages);
 
 bool has_error(const std::vector<Finding>& findings);
 
-// "warning: …", a line.
+// Describes a finding as a line, "warning: …".
 std::string describe(const Finding& finding);
 
 }  // namespace gxrod

@@ -4,11 +4,11 @@
 
 namespace gxrod {
 
-// A tangent K in unknowns that compare: δr over the model's length, and so the forces times it; divided by
-// the length of its longest column. The system must outlive it.
+// A tangent K in comparable unknowns: δr over the model's length, and so the forces times it; divided by the
+// length of its longest column. The system must outlive it.
 class ScaledTangent {
   public:
-    // Of the system's pattern, or one that has other entries too; it must outlive this.
+    // Takes values on the system's pattern, or on one that has more entries; it must outlive this.
     ScaledTangent(const System& system, const SparsePattern& pattern, const std::vector<double>& values);
 
     const SparsePattern& pattern() const { return *pattern_; }
@@ -16,7 +16,7 @@ class ScaledTangent {
     bool is_finite() const { return is_finite_; }
 
     Eigen::VectorXd multiply(const Eigen::VectorXd& x) const;
-    // The values of Kᵀ, on the same pattern, which is symmetric.
+    // Computes the values of Kᵀ, on the same pattern, which is symmetric.
     std::vector<double> compute_transpose() const;
 
   private:

@@ -6,17 +6,17 @@
 #include "model/model.hpp"
 #include "model/settings/settings.hpp"
 
-// Whether scheme and steps of a motion suit its model, and which do.
+// Whether scheme and steps of a motion suit its model, with advice.
 namespace gxrod {
 
-// Lines for a reader; `damping` is the largest damping ratio at the highest frequency. With contact no scheme
-// of several stages is recommended.
+// Describes the steps in lines; `damping` is the largest damping ratio at the highest frequency. With contact
+// no scheme of several stages is recommended.
 std::string describe_steps(const MeshFrequencies& found,
                            double damping,
                            const DynamicSettings& settings,
                            bool has_contact = false);
 
-// Where the model turns far within a step at t = 0, a line; else "".
+// Says in a line where the model turns far within a step at t = 0; else "".
 std::string describe_turning(const Model& model, const DynamicSettings& settings);
 
 }  // namespace gxrod

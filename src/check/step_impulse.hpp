@@ -6,10 +6,10 @@
 
 #include "integrators/integrator.hpp"
 
-// How much of a load's impulse steps of time catch.
+// The impulse of loads that time steps miss.
 namespace gxrod {
 
-// A load that changes with time, and where it jumps or has kinks between 0 and the end of the steps.
+// A load that changes with time, and its jumps and kinks between 0 and the end of the steps.
 struct TimedLoad {
     std::function<double(double)> value;
     std::vector<double> breaks;  // sorted
@@ -20,19 +20,19 @@ struct StepTimes {
     double time_step = 0.0;
 };
 
-// An impulse that steps get wrong.
+// An impulse that steps integrate wrongly.
 struct LostImpulse {
-    double from = 0.0;  // of the time in which it is wrong
+    double from = 0.0;  // start and end of the interval in which it is wrong
     double to = 0.0;
     double given = 0.0;  // by the steps
     double exact = 0.0;
-    double step_needed = 0.0;  // a step that catches it
+    double step_needed = 0.0;  // a step that resolves it
 };
 
-// The worst one, if any is wrong by more than 0.3 of what the load has there above a straight line: near to
-// breaks, over five steps to both sides; elsewhere, over eight steps of some hundred in all. So a load that
-// is switched on or off once is not reported, wherever in a step that is: it comes at most half a step too
-// soon or too late.
+// Finds the worst interval in which the error exceeds 0.3 of the load's impulse above a straight line: near
+// breaks over five steps to both sides; elsewhere over eight steps of some hundred in all. A load that is
+// switched on or off once is therefore not reported, wherever in a step that happens: it comes at most half a
+// step too early or too late.
 std::optional<LostImpulse> find_lost_impulse(const TimedLoad& load,
                                              const StepTimes& times,
                                              const Integrator& integrator);

@@ -9,11 +9,12 @@
 
 namespace gxrod {
 
-// Which of a node's components x y z rx ry rz a support holds, in the support's own axes.
+// The components x y z rx ry rz of a node that a support holds, in the support's own axes.
 using HeldComponents = std::array<bool, 6>;
 
-// What supports forbid, and where those that move take their nodes. A held spin keeps the rotation about its
-// axis: with all three held the rotation is fixed or prescribed, with two the node is hinged about the third.
+// The held components of all supports, and the prescribed places of those that move. A held spin keeps the
+// rotation about its axis: with all three held the rotation is fixed or prescribed, with two the node is
+// hinged about the third.
 class Supports {
   public:
     // The model must outlive it.
@@ -21,21 +22,21 @@ class Supports {
 
     std::size_t node_count() const { return held_.size(); }
     const HeldComponents& held(int node) const { return held_[node]; }
-    // The axes, as columns, in which a node's unknowns are counted: its support's, or the global ones.
+    // The axes of a node's unknowns, as columns: its support's axes, or the global ones.
     bool has_own_axes(int node) const { return own_axes_[node] >= 0; }
     const Mat3& axes(int node) const { return axes_[own_axes_[node] + 1]; }
 
-    // Whether any component moves.
+    // Whether any support moves.
     bool move() const { return !moving_.empty(); }
-    // The supports that do.
+    // The supports that move.
     const std::vector<const Support*>& moving() const { return moving_; }
 
-    // Puts held positions and rotations where the supports want them at `time`; θ counts from
-    // state.previous, at state.time, whole turns included.
+    // Sets held positions and rotations to their prescribed values at `time`; θ counts from state.previous,
+    // at state.time, whole turns included.
     void place(double time, State& state) const;
-    // Velocities and accelerations of held components at a time within a step: zero where fixed, where they
-    // move the derivatives of f, by differences within the step. Those of a node that can still turn about
-    // some axis stay what they are: the spins of its held axes depend on how it turns. Without inertia
+    // Sets velocities and accelerations of held components at a time within a step: zero if fixed, else the
+    // derivatives of the prescribed motion f, by differences within the step. Rates of a node that can still
+    // turn about some axis stay unchanged: the spins of its held axes depend on its rotation. Without inertia
     // accelerations are 0, as integrators leave them.
     void set_rates(double time, const TimeSpan& step, std::vector<NodeMotion>& motions) const;
 

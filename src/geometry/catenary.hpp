@@ -4,9 +4,9 @@
 
 namespace gxrod {
 
-// Part of a catenary in its upright plane, from a point on it: x is level, z is up. The slope dz/dx grows
-// evenly with the arc length, by `rate` = 1/a with a the level part of the tension over the weight per
-// length. Nothing cancels where the catenary is nearly straight, as a part of a large one, or nearly upright.
+// A part of a catenary in its upright plane, from a point on it: x is level, z is up. The slope dz/dx is
+// linear in the arc length, with the `rate` 1/a, where a is the level part of the tension over the weight per
+// length. The formulas have no cancellation if the part is nearly straight or nearly upright.
 struct Catenary {
     double slope;       // at the point
     double rate = 0.0;  // 0 makes a straight line
@@ -20,7 +20,7 @@ struct Catenary {
         const double slope_there = slope_at(s);
         const double here = std::hypot(1.0, slope), there = std::hypot(1.0, slope_there);
         const double product = slope * slope_there;
-        // cosh of the difference of the arsinh of both slopes.
+        // The cosh of the difference of the arsinh of both slopes.
         const double factor =
             product > 0.0 ? (1.0 + slope * slope + slope_there * slope_there) / (here * there + product)
                           : here * there - product;
@@ -31,7 +31,7 @@ struct Catenary {
     }
 };
 
-// x = X/(2a) of sinh x / x = ratio, where log_ratio = ln(ratio) > 0: of the span X of a catenary.
+// Finds x = X/(2a) with sinh x / x = ratio, for the span X of a catenary; log_ratio = ln(ratio) > 0.
 double find_catenary_argument(double log_ratio);
 
 }  // namespace gxrod

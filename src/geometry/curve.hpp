@@ -10,13 +10,14 @@ class Curve {
     virtual ~Curve() = default;
 
     virtual double length() const = 0;
-    // At the arc length s from the start, 0 to length().
+    // The position at the arc length s from the start, 0 to length().
     virtual Vec3 position(double s) const = 0;
     virtual Vec3 tangent(double s) const = 0;  // a unit vector
     // The rotation that carries axes along the curve from its start to s, turning them with the tangent but
     // never about it (parallel transport): it takes tangent(0) to tangent(s).
     virtual Quat transport(double s) const = 0;
-    // The angle by which the tangent has turned from the start to s: that of all its turns, whichever way.
+    // Returns the total angle by which the tangent has turned from the start to s, all turns counted
+    // positive.
     virtual double turn(double s) const = 0;
 };
 

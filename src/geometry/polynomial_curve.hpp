@@ -9,7 +9,7 @@
 
 namespace gxrod {
 
-// r(u) = c₀ + c₁ u + c₂ u² + c₃ u³, u from 0 to 1.
+// The cubic r(u) = c₀ + c₁ u + c₂ u² + c₃ u³, u from 0 to 1.
 struct Cubic {
     std::array<Vec3, 4> c;
 
@@ -18,14 +18,14 @@ struct Cubic {
     Vec3 bend(double u) const { return 2.0 * c[2] + u * (6.0 * c[3]); }
 };
 
-// The polynomial through 2, 3 or 4 points at equal distances of u, the first at 0 and the last at 1.
+// Returns the polynomial through 2, 3 or 4 points at equal distances of u, the first at 0 and the last at 1.
 Cubic interpolate(std::span<const Vec3> points);
 
-// Where a chain of cubics stops or turns back on itself, so that it has no tangent: the index of the cubic
-// plus its u. nullopt if it does so nowhere.
+// Finds a place where a chain of cubics stops or turns back on itself, so that it has no tangent: the index
+// of the cubic plus its u. Returns nullopt if there is none.
 std::optional<double> find_fold(std::span<const Cubic> cubics);
 
-// Cubics, each of which continues at the end and in the direction of the one before; without a fold.
+// A chain of cubics; each continues at the end and in the direction of the one before, without a fold.
 // Lengths and transports are quadratures to round-off. The parameter of a point is the index of its cubic
 // plus u.
 class PolynomialCurve final : public Curve {
@@ -43,8 +43,8 @@ class PolynomialCurve final : public Curve {
   private:
     // A part of a cubic short enough for one quadrature rule.
     struct Segment {
-        Cubic cubic;             // of the segment's own u
-        double first_parameter;  // of the curve, at u = 0
+        Cubic cubic;             // by the segment's own u
+        double first_parameter;  // parameter of the curve at u = 0
         double parameter_width;
         double start;  // arc length of the curve at u = 0
         double length;

@@ -6,8 +6,8 @@
 
 namespace gxrod {
 
-// Why no factor on what acts says when this model gives way: something acts that the factor would leave out,
-// or nothing acts that it could multiply. "" if there is no such reason.
+// Returns the reason why no load factor describes when this model buckles: some action is not multiplied by
+// the factor, or no load could be multiplied. "" if there is no such reason.
 std::string find_reason_against_factors(const Model& model);
 
 }  // namespace gxrod

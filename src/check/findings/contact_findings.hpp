@@ -7,12 +7,12 @@
 
 namespace gxrod {
 
-// Whether one of its rods can touch something.
+// Whether one of the part's rods can touch something.
 bool can_contact_hold(const ModelPart& part, const Model& model);
 
-// What a reader of a deck cannot see of contact at the start of its first stage: what overlaps, what touches
-// already, what contact alone holds in statics, what is left out at joints, elements too long for their
-// bends, steps too long for their speeds.
+// Finds contact problems at the start of the first stage that a deck does not show: overlaps, touches, parts
+// that only contact holds in statics, contact left out at joints, elements too long for their bends, steps
+// too long for their speeds.
 std::vector<Finding> examine_contact(const Model& model, const AnalysisSettings& analysis);
 
 }  // namespace gxrod

@@ -6,7 +6,7 @@ namespace gxrod {
 
 enum class Severity {
     note,
-    warning,  // results may be other than they seem: a run repeats it, and its file and summary list it
+    warning,  // results may be misleading: a run repeats it, and its file and summary list it
     error     // the analysis cannot be run
 };
 

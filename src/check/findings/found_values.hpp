@@ -7,7 +7,7 @@
 #include "state/records/path_record.hpp"
 #include "state/records/shapes_record.hpp"
 
-// Numbers of what stages have found, by their names in results.
+// Quantities that stages find, by their names in results.
 namespace gxrod {
 
 inline constexpr std::array<std::string_view, 9> found_quantities{"frequency",
@@ -20,12 +20,12 @@ inline constexpr std::array<std::string_view, 9> found_quantities{"frequency",
                                                                   "onset_omega",
                                                                   "unstable"};
 
-// One of each shape or onset, in their order; empty if this kind has no such quantity. "unstable", of modes
-// and eigenvalues, is one number.
+// Lists one value for each shape or onset, in their order; empty if this kind has no such quantity.
+// "unstable", for modes and eigenvalues, is one number.
 std::vector<double> list_found_values(const ShapesRecord& record, std::string_view quantity);
-// One of each critical point, those of the main path first: load_factor.
+// Lists load_factor for each critical point, the main path's first.
 std::vector<double> list_found_values(const PathRecord& record, std::string_view quantity);
-// "omega" or "growth" of each mode of a sweep at one of its values; empty at any other.
+// Lists "omega" or "growth" of each mode of a sweep at one of its values; empty at any other value.
 std::vector<double> list_values_at(const SweepRecord& record, std::string_view quantity, double value);
 
 // Whether stages of this kind have the quantity; without a sweep, and with one.

@@ -8,8 +8,8 @@
 
 namespace gxrod {
 
-// What is suspicious in how loads and moves change with time in a dynamic analysis: pulses that the steps
-// miss and moves whose velocity jumps (warnings), and moves that set rods at rest in motion at once (notes).
+// Finds suspicious changes of loads and moves in a dynamic analysis: pulses that the steps miss and moves
+// whose velocity jumps (warnings), and moves that suddenly set resting rods in motion (notes).
 std::vector<Finding> examine_functions(const Model& model,
                                        const DynamicSettings& settings,
                                        bool is_moving = false);

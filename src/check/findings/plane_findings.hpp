@@ -6,11 +6,11 @@
 
 namespace gxrod {
 
-// Of a model that the deck keeps in a plane: what pushes out of it, as a sentence; "" if nothing does.
+// Describes, for a model that the deck keeps in a plane, a load that pushes out of it; "" if there is none.
 std::string find_push_out_of_plane(const Model& model);
 
-// Of a model in space: that all of it lies, is loaded and is held in a plane of two axes of space, and would
-// be solved with half of the unknowns there; "" if not.
+// Suggests a plane for a model in space that lies, is loaded and is held in a plane of two axes, so that it
+// could be solved with half of the unknowns; "" if it does not.
 std::string suggest_plane(const Model& model);
 
 }  // namespace gxrod

@@ -7,8 +7,8 @@
 
 namespace gxrod {
 
-// Questions that `gxrod check` asks about numbers that hardly any model has, such as those in another unit.
-// They are notes: the model is computed as it stands.
+// Asks about numbers that hardly any model has, such as numbers in another unit (`gxrod check`). These
+// findings are notes: the model is computed as it stands.
 std::vector<Finding> question_model(const Model& model, const std::vector<StagePlan>& stages);
 
 }  // namespace gxrod

@@ -8,7 +8,7 @@
 
 namespace gxrod {
 
-// Which strain of which rod a direction is made of, and where the rod moves most: "rod cable, node 14:
+// Names the main strain of a direction, its rod, and the place where the rod moves most: "rod cable, node 14:
 // twist". The direction is per node (δr over the model's length, δφ); the part has rods.
 std::string describe_straining(const std::vector<Vec6>& direction,
                                const ModelPart& part,

@@ -8,21 +8,21 @@
 
 namespace gxrod {
 
-// The gradient of a joint's equations at t = 0, by (δr, δφ) of A, then of B.
+// Computes the gradient of a joint's equations at t = 0, by (δr, δφ) of A, then of B.
 JointMatrix compute_start_gradient(const Model& model, const Joint& joint);
 
-// That of its turn and of its slide; no row for one that it has not.
+// Computes the gradients of its turn and its slide, a row for each that it has.
 Eigen::Matrix<double, Eigen::Dynamic, 12> compute_coordinate_gradients(const Model& model,
                                                                        const Joint& joint);
 
-// Of equations over several nodes: by (δr, δφ) of each of these.
+// The gradient of equations over several nodes, by (δr, δφ) of each of these nodes.
 struct WideGradient {
     std::vector<int> nodes;
     Eigen::MatrixXd rows;
 };
 WideGradient compute_start_gradient(const Model& model, const WideRows& rows);
 
-// Of the slide of a sleeve, by index in Model::sleeves, one row.
+// Computes the gradient of a sleeve's slide, by index in Model::sleeves, one row.
 WideGradient compute_slide_gradient(const Model& model, int sleeve);
 
 }  // namespace gxrod

@@ -7,9 +7,8 @@
 
 namespace gxrod {
 
-// A sentence for each place where an end of a rod coincides with another node, of a rod or body, that is not
-// the same node: what is there, and what a deck has to say to connect it. Places where all nodes are wholly
-// held are left out.
+// Lists a sentence for each place where an end of a rod coincides with a different node of a rod or body: the
+// parts there, and the key of a deck that connects them. Places where all nodes are wholly held are left out.
 std::vector<std::string> find_unconnected_points(const Model& model);
 
 }  // namespace gxrod

@@ -7,7 +7,7 @@
 
 namespace gxrod {
 
-// Connections, supports, initial velocities, loads and gravity of a model, in lines for a reader.
+// Lists connections, supports, initial velocities, loads and gravity of a model, in lines.
 std::vector<ItemList> list_conditions(const Model& model);
 
 }  // namespace gxrod

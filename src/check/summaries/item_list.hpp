@@ -4,23 +4,23 @@
 #include <string_view>
 #include <vector>
 
-// What repeats in a model, in full or in short.
+// Lists of repeated things, in full or shortened.
 namespace gxrod {
 
 // Things of one kind.
 struct ItemList {
     std::string kind;                // in the plural: "rods"
     std::vector<std::string> items;  // texts of one line or several, with line ends
-    std::string sum = {};            // of all of them, for readers who are not shown each; can be ""
+    std::string sum = {};            // a sum for readers who do not see each item; can be ""
 };
 
 enum class Detail { all, shortened };
 
-// The items, or of a long list the first two and what the rest is: "and 382 more rods; all 384: …".
+// Describes the items; of a long list the first two and a sum: "and 382 more rods; all 384: …".
 std::string describe(const ItemList& list, Detail detail);
 
-// The same for sentences: of those that differ in names and numbers alone, the first and how many are like
-// it.
+// Shortens sentences: of sentences that differ only in names and numbers, keeps the first and counts the
+// others.
 std::vector<std::string> sum_up_repeats(const std::vector<std::string>& sentences);
 
 long count_lines(std::string_view text);

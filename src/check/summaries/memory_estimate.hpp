@@ -4,8 +4,8 @@
 
 namespace gxrod {
 
-// About how many bytes of memory a run has at most, whose results file gets so many bytes: with the default
-// solver, within a third of what was measured (docs/performance.md).
+// Estimates the most memory of a run in bytes, if its results file gets `results_bytes`: with the default
+// solver, within a third of measured values (docs/performance.md).
 double estimate_memory(const Model& model, double results_bytes);
 
 }  // namespace gxrod

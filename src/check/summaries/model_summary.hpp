@@ -10,14 +10,13 @@
 
 namespace gxrod {
 
-// What a run of the model would be, in lines for a reader: parts, constants and conditions; masses, unknowns;
-// analysis; output.
+// Lines about a run of the model: parts, constants and conditions; masses and unknowns; analysis; output.
 std::vector<ItemList> list_model(const Model& model);
 std::string describe_total(const Model& model);
 std::string describe_analysis(const AnalysisSettings& settings);
 std::string describe_output(const std::vector<StagePlan>& stages, const OutputSettings& output);
 
-// The name of an integrator as decks have it.
+// Returns the name of an integrator in decks.
 const char* name_of(Scheme scheme);
 
 }  // namespace gxrod

@@ -5,28 +5,28 @@
 
 #include "model/model.hpp"
 
-// Lines for a reader: what water, air and ground see of a model.
+// Lines about the data of a model for water, air and ground.
 namespace gxrod {
 
-// Diameter, area, coefficients and contents of a section; "" if it has no part in fluids.
+// Describes diameter, area, coefficients and contents of a section; "" if it has no part in fluids.
 std::string describe_fluid(const Section& section);
 
-// What a rod displaces and weighs in water, and how deep it sinks into the ground; "" without either.
+// Describes a rod's displacement and weight in water, and its depth in the ground; "" without either.
 std::string describe_fluid(const Model& model, const Rod& rod);
 
-// The same of a body.
+// Describes a body in fluids likewise.
 std::string describe_fluid(const Model& model, const Body& body);
 
-// Water, its current and waves, air and ground, a text each.
+// Lists water, its current and waves, air and ground, a text each.
 std::vector<std::string> list_surroundings(const Surroundings& surroundings);
 
-// Gravity where it is whole; its size.
+// Finds the size of the full gravity.
 double find_gravity(const Model& model);
 
-// The sections of a rod: those at its nodes, or the one that it has everywhere.
+// Lists the sections of a rod: one for each of its nodes, or its only one.
 std::vector<const Section*> list_sections(const Model& model, const Rod& rod);
 
-// Weight less buoyancy per length of a section in water.
+// Computes weight less buoyancy per length of a section in water.
 double find_wet_weight(const Section& section, double water_density, double gravity);
 
 }  // namespace gxrod

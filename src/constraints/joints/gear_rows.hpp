@@ -8,7 +8,7 @@
 
 namespace gxrod {
 
-// The equation of a gear, docs/theory/joints.md (J24): ratio q₁ + q₂ = 0 of the coordinates of two joints.
+// The equation of a gear, docs/theory/joints.md (J24): ratio q₁ + q₂ = 0 for the coordinates of two joints.
 // With the multiplier λ it exerts λ along q₂ on B of the second joint and ratio λ along q₁ on B of the first,
 // the opposites on A. Its unit is that of q₂.
 class GearRows : public WideRows {
@@ -41,7 +41,7 @@ class GearRows : public WideRows {
         int joint;
         JointArms arms;
         std::array<int, 2> nodes;    // −1: the ground
-        std::array<int, 2> columns;  // of these among those of all; −1: the ground
+        std::array<int, 2> columns;  // columns of these nodes among all columns; −1: the ground
         std::optional<JointTurn> turn;
         std::optional<LinkProduct> slide;
     };

@@ -3,7 +3,7 @@
 #include "rotation/types.hpp"
 #include "state/constraint_level.hpp"
 
-// Quantities with their first two derivatives by time, docs/theory/joints.md (J2) to (J4). All spatial.
+// Quantities with their first two derivatives by time, docs/theory/joints.md (J2) to (J4). All are spatial.
 namespace gxrod {
 
 template <class Value>
@@ -14,7 +14,7 @@ struct Jet {
 using ScalarJet = Jet<double>;
 using VectorJet = Jet<Vec3>;
 
-// The value, or the derivative of this level.
+// Returns the value or the derivative of this level.
 inline double at_level(const ScalarJet& jet, ConstraintLevel level) {
     switch (level) {
         case ConstraintLevel::position:

@@ -2,22 +2,22 @@
 
 #include "constraints/joints/joint_coordinate.hpp"
 
-// What acts on coordinates that joints leave free, docs/theory/joints.md (J14) to (J17): springs, dampers,
-// drives, friction, limits. Nothing here knows a time step: friction slips from a point that is given.
+// Actions on coordinates that joints leave free, docs/theory/joints.md (J14) to (J17): springs, dampers,
+// drives, friction, limits. They do not depend on a time step: friction slips from a given point.
 namespace gxrod {
 
 // Whether forces other than a motor's act.
 bool is_acted_on(const JointCoordinate& laws);
-// Whether something can take energy.
+// Whether any action dissipates energy.
 bool is_damped_by(const JointCoordinate& laws);
-// Whether something can do work from outside.
+// Whether any action does external work.
 bool is_driven_by(const JointCoordinate& laws);
 
 // The values of a coordinate's functions at the time of an equilibrium.
 struct CoordinateInputs {
     double rest = 0.0;
     double drive = 0.0;
-    double held = 0.0;  // the size of the force that the joint holds, for friction
+    double held = 0.0;  // size of the force that the joint holds, for friction
 };
 
 // A force on B along the coordinate (a turn's moment), its opposite on A, and its derivatives.
@@ -33,29 +33,29 @@ CoordinateForce compute_coordinate_force(const JointCoordinate& laws,
                                          const CoordinateInputs& inputs,
                                          double slip);
 
-// Of friction alone, on B along the coordinate, while the joint holds that force.
+// Computes the force of friction alone, on B along the coordinate; `held` is the force that the joint holds.
 double compute_friction_force(const Friction& friction, double held, double coordinate, double slip);
 
-// Of springs, of limits, and of friction's elastic part.
+// Computes the energy of springs, limits and elastic friction.
 double compute_coordinate_energy(const JointCoordinate& laws,
                                  double coordinate,
                                  const CoordinateInputs& inputs,
                                  double slip);
 
-// What dampers take, those of limits too; never negative.
+// Computes the power that dampers dissipate, damping of limits included; never negative.
 double compute_coordinate_damping_power(const JointCoordinate& laws, const ScalarJet& coordinate);
 
-// Where friction's elastic part is without force, after it has slipped as far as it must.
+// Computes the coordinate at which the elastic part of friction is free of force, after all slip.
 double compute_slip(const Friction& friction, double coordinate, double slip);
 
-// The same at the start: what moves slips, what rests exerts nothing. `speed`: of the two sides, whose
-// difference the coordinate's rate is; where that is round-off of them, the coordinate rests.
+// Computes the initial value of this point: moving joints slip, resting joints exert no friction. `speed` is
+// the speed of the two sides; the coordinate rests if its rate, their difference, is round-off of it.
 double compute_first_slip(const Friction& friction, const ScalarJet& coordinate, double speed);
 
-// What friction takes as it slips while the joint holds that force.
+// Computes the dissipation of friction for a slip while the joint holds that force.
 double compute_slip_dissipation(const Friction& friction, double held, double slip_before, double slip);
 
-// Of both coordinates.
+// The inputs of both coordinates.
 struct JointInputs {
     CoordinateInputs turn, slide;
 };
@@ -72,23 +72,23 @@ class JointForces {
     // Whether nothing acts on any of them.
     bool is_empty() const { return !turn_ && !slide_; }
 
-    // On (A, B) by their (δr, δφ): forces, and moments about the nodes.
+    // Computes forces, and moments about the nodes, on (A, B), by their (δr, δφ).
     PairRow compute_force(const JointMotions& motions,
                           double turn_before,
                           const JointInputs& inputs,
                           const JointSlips& slips) const;
-    // The derivative of its transpose by Newton's unknowns.
+    // Computes the derivative of the transposed force by Newton's unknowns.
     PairMatrix compute_tangent(const JointMotions& motions,
                                const JointLinearizations& linearizations,
                                double turn_before,
                                const JointInputs& inputs,
                                const JointSlips& slips) const;
-    // The derivative of the force by the size of the force that the joint holds.
+    // Computes the derivative of the force by the size of the force that the joint holds.
     PairRow compute_held_derivative(const JointMotions& motions,
                                     double turn_before,
                                     const JointInputs& inputs,
                                     const JointSlips& slips) const;
-    // Whether friction follows the force that the joint holds.
+    // Whether friction depends on the force that the joint holds.
     bool follows_held() const { return turn_laws_.friction.lever > 0.0 || slide_laws_.friction.lever > 0.0; }
     double compute_strain_energy(const JointMotions& motions,
                                  double turn_before,
@@ -103,7 +103,7 @@ class JointForces {
                                const JointSlips& slips) const;
 
   private:
-    // A coordinate where it is, what acts on it, and which inputs and slip are its own.
+    // A coordinate with its value, its laws, and its own inputs and slip.
     template <class Coordinate>
     struct Acting {
         const Coordinate& coordinate;

@@ -6,18 +6,18 @@
 
 namespace gxrod {
 
-// From the nodes of A and B to the joint's points, in the global axes of t = 0.
+// The arms from the nodes of A and B to the joint's points, in the global axes of t = 0.
 struct JointArms {
     Vec3 a = Vec3::Zero();
     Vec3 b = Vec3::Zero();
 };
 
-// Both sides of a joint where its nodes are: what its equations have in common. Rates are there if the level
+// Both sides of a joint at given motions of its nodes, shared by its equations. It has rates if the level
 // needs them.
 struct JointFrames {
     JointFrames(const JointMotions& motions, const JointArms& arms, ConstraintLevel level);
 
-    // Λ u, of a vector that A or B carries; u in the global axes of t = 0.
+    // Returns Λ u for a vector u that A or B carries, given in the global axes of t = 0.
     VectorJet carry_on_a(const Vec3& u) const { return carry(R_a * u, motions.a); }
     VectorJet carry_on_b(const Vec3& u) const { return carry(R_b * u, motions.b); }
 

@@ -4,18 +4,18 @@
 
 namespace gxrod {
 
-// What the multipliers of a joint's equations exert, Gᵀλ, summed over the equations, (J23): a force and its
-// opposite, and moments u × w and their opposites. A carries u, B carries w.
+// The forces of the multipliers of a joint's equations, Gᵀλ, summed over the equations, (J23): a force and
+// its opposite, and moments u × w and their opposites. A carries u, B carries w.
 struct JointReaction {
     Vec3 force = Vec3::Zero();    // f, on B at its point
     Vec3 carried = Vec3::Zero();  // f_A, the part of f that A carries
-    double pull = 0.0;            // κ, of the part κ d of f
+    double pull = 0.0;            // κ: f contains κ d
     Mat3 moments = Mat3::Zero();  // Σ λ u wᵀ
     Mat3 bends = Mat3::Zero();  // Σ λ (t kᵀ + k tᵀ) of turns, t and k the parts of ∇ψ and ∇lnρ on A
 
-    // On (A, B): forces, and moments about the nodes.
+    // Computes forces, and moments about the nodes, on (A, B).
     PairVector compute_force(const JointFrames& frames) const;
-    // Its derivative by (δr, δφ), unsymmetric, as spins do not commute.
+    // Computes their derivative by (δr, δφ), unsymmetric since spins do not commute.
     PairMatrix compute_derivative(const JointFrames& frames) const;
 };
 

@@ -9,11 +9,11 @@
 
 namespace gxrod {
 
-// The most equations that a joint has.
+// The largest number of equations of a joint.
 constexpr int most_joint_rows = 6;
 
 using JointVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_joint_rows, 1>;
-// By (δr, δφ) of A, then of B.
+// A matrix by (δr, δφ) of A, then of B.
 using JointMatrix = Eigen::Matrix<double, Eigen::Dynamic, 12, Eigen::RowMajor, most_joint_rows, 12>;
 
 // A coordinate that a motor prescribes, and its derivatives by time.
@@ -23,57 +23,57 @@ struct PrescribedCoordinate {
     double acceleration = 0.0;
 };
 
-// What motors prescribe at the time of an equilibrium.
+// The coordinates that motors prescribe at the time of an equilibrium.
 struct JointMotors {
     PrescribedCoordinate turn, slide;
 };
 
-// How far a joint is from closed: the largest |Φ| of its lengths, and of its turns and products of unit
-// vectors.
+// The errors of a joint: the largest |Φ| of its lengths, and of its turns and products of unit vectors.
 struct JointGap {
     double length = 0.0;
     double angle = 0.0;
 };
 
 // The equations Φ = 0 of one joint, docs/theory/joints.md (J6) to (J11), each with a multiplier λ: the joint
-// exerts Gᵀλ on the nodes of A and B, G = ∂Φ/∂(δr, δφ); of a point's equations λ is the force of A on B.
-// Lengths come in the deck's unit, turns and products of unit vectors as they are.
-// Turns of any number: `turn_before` is the turn at the last accepted step.
+// exerts Gᵀλ on the nodes of A and B, G = ∂Φ/∂(δr, δφ); for a point's equations λ is the force of A on B.
+// Lengths are in the deck's unit, turns and products of unit vectors are not scaled. Turns of any number are
+// possible: `turn_before` is the turn at the last accepted step.
 class JointRows {
   public:
     explicit JointRows(const Joint& joint);
 
     int count() const { return count_; }
-    // Whether a row is a length, so that its multiplier is a force; otherwise a turn, with a moment.
+    // Whether a row is a length, so that its multiplier is a force; otherwise it is a turn, with a moment.
     bool is_length(int row) const { return rows_[row].is_length; }
-    // Whether Φ = 0 says no more than that nodes have the same positions and rotations as each other or the
-    // ground, so that rates keep what positions do.
+    // Whether Φ = 0 only states that nodes have the same positions and rotations as each other or the ground,
+    // so that rates satisfy it where positions do.
     bool is_linear() const { return is_linear_; }
-    // The rows of motors; −1 where there are none.
+    // The rows of motors; −1 without a motor.
     int turn_motor_row() const { return find_motor_row(Motor::turn); }
     int slide_motor_row() const { return find_motor_row(Motor::slide); }
     // The coordinates that the joint leaves free, prescribed or not.
     const JointCoordinates& coordinates() const { return coordinates_; }
 
-    // Φ, Φ̇ or Φ̈.
+    // Computes Φ, Φ̇ or Φ̈.
     JointVector compute_values(const JointMotions& motions,
                                double turn_before,
                                const JointMotors& motors,
                                ConstraintLevel level) const;
     JointGap compute_gap(const JointMotions& motions, double turn_before, const JointMotors& motors) const;
 
-    // For all that follows, which may share it; only the derivatives of Φ̈ need more than positions.
+    // Computes the frames that the functions below may share; only the derivatives of Φ̈ need more than
+    // positions.
     JointFrames compute_frames(const JointMotions& motions, ConstraintLevel level) const {
         return {motions, arms_, level};
     }
-    // G.
+    // Computes G.
     JointMatrix compute_gradient(const JointFrames& frames) const;
-    // ∂Φ̈/∂(Newton's unknowns), by placement, rate and acceleration.
+    // Computes ∂Φ̈/∂(Newton's unknowns), by placement, rate and acceleration.
     JointMatrix compute_acceleration_derivative(const JointFrames& frames,
                                                 const JointLinearizations& linearizations) const;
-    // Gᵀλ.
+    // Computes Gᵀλ.
     PairVector compute_force(const JointFrames& frames, const JointVector& multipliers) const;
-    // ∂(Gᵀλ)/∂(δr, δφ).
+    // Computes ∂(Gᵀλ)/∂(δr, δφ).
     PairMatrix compute_force_derivative(const JointFrames& frames, const JointVector& multipliers) const;
 
     JointMatrix compute_gradient(const JointMotions& motions) const {
@@ -91,7 +91,7 @@ class JointRows {
   private:
     enum class Motor { none, turn, slide };
 
-    // Φ = factor u · w + turn_factor ψ + constant − what a motor prescribes.
+    // An equation Φ = factor u · w + turn_factor ψ + constant − motor's coordinate.
     struct Row {
         bool is_length = false;
         double factor = 1.0;

@@ -8,8 +8,8 @@
 
 namespace gxrod {
 
-// The equations of a model over several nodes, in the order of their states and values, which follow those of
-// Model::joints: gears.
+// Lists the equations of a model over several nodes, such as gears, in the order of their states and values,
+// which follow those of Model::joints.
 std::vector<std::unique_ptr<const WideRows>> list_wide_rows(const Model& model);
 
 }  // namespace gxrod

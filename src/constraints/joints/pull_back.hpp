@@ -5,8 +5,8 @@
 
 namespace gxrod {
 
-// (J4), transposed: the derivative by a node's δφ of a vector u that it carries, and of u̇ and ü, each
-// multiplied by its g. All spatial.
+// Applies (J4), transposed: the derivative by a node's δφ of a vector u that it carries, and of u̇ and ü,
+// each multiplied by its g. All are spatial.
 inline Vec3 pull_back_carried(const VectorJet& u,
                               const VectorJet& g,
                               const NodeMotion& motion,
@@ -19,7 +19,7 @@ inline Vec3 pull_back_carried(const VectorJet& u,
            linearization.d_alpha.transpose() * by_alpha;
 }
 
-// The same by δr, of the node's position and its rates.
+// Computes the same derivative by δr, for the node's position and its rates.
 inline Vec3 pull_back_moved(const VectorJet& g, const NodeLinearization& linearization) {
     return linearization.placement * g.value + linearization.rate * g.rate +
            linearization.acceleration * g.acceleration;

@@ -11,8 +11,8 @@
 namespace gxrod {
 
 // The equations of a sleeve, docs/theory/joints.md (J25) to (J28): b₁ · d = b₂ · d = 0, so that B's point is
-// on the rod's line, and of a motor s − s₀ = f(t). b₁ and b₂ lie across the line where the sleeve was at the
-// last accepted step.
+// on the rod's line, and for a motor s − s₀ = f(t). b₁ and b₂ lie across the line at the sleeve's place in
+// the last accepted step.
 class SleeveRows : public WideRows {
   public:
     SleeveRows(const Model& model, const Sleeve& sleeve);
@@ -54,14 +54,14 @@ class SleeveRows : public WideRows {
     JointValues compute_joint_values(const WidePlace& place,
                                      const Eigen::VectorXd& multipliers) const override;
 
-    // Beyond the ends of the rod.
+    // Throws EvaluationError beyond the ends of the rod.
     void check_range(const WidePlace& place) const override;
 
     void start(const WidePlace& place, JointState& state) const override;
     void commit(const WidePlace& place, JointState& state) const override;
 
   private:
-    // The point and the line where they are, and the place of the line nearest to the point.
+    // The present point and line, and the place of the line nearest to the point.
     struct Situation {
         SleeveMotion::Points points;
         double place = 0.0;
@@ -71,7 +71,7 @@ class SleeveRows : public WideRows {
     };
 
     bool has_node() const { return !sleeve_->point.is_ground(); }
-    // Of the nodes that the equations couple.
+    // The number of unknowns of the nodes that the equations couple.
     int unknowns(const Situation& at) const { return 6 * (at.points.piece->count + (has_node() ? 1 : 0)); }
     int first_node(const Situation& at) const { return at.points.piece->first; }
     VectorJet compute_point(const std::vector<NodeMotion>& nodes) const;
@@ -87,7 +87,7 @@ class SleeveRows : public WideRows {
                                 const WidePlace& place,
                                 const Eigen::VectorXd& multipliers) const;
 
-    // From the points' positions to the nodes' unknowns: forces, and derivatives.
+    // Take forces, and derivatives, from the points' positions to the nodes' unknowns.
     Eigen::VectorXd pull_back(const Situation& at,
                               const WidePlace& place,
                               const Eigen::VectorXd& forces) const;
@@ -102,7 +102,7 @@ class SleeveRows : public WideRows {
     const Sleeve* sleeve_;
     std::string name_;  // "joint collar"
     std::string rod_;
-    std::vector<int> nodes_;  // of the rod, from start to end
+    std::vector<int> nodes_;  // nodes of the rod, from start to end
     SmoothLine line_;
 };
 
