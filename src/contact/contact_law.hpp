@@ -14,7 +14,7 @@ struct ContactLaw {
     double stiffness = 1.0;  // κ, a force; λ is κ/2 at g = ĝ/2
 };
 
-// Of a gap > 0.
+// These functions need a gap > 0.
 double compute_contact_force(const ContactLaw& law, double gap);
 double compute_contact_force_slope(const ContactLaw& law, double gap);  // dλ/dg ≤ 0
 double compute_contact_energy(const ContactLaw& law, double gap);
@@ -25,27 +25,28 @@ struct ContactGraphPoint {
     double stiffness;  // D = (κ/ĝ)(1 + ζ)(3 + ζ), 0 below ζ = −1
 };
 
-// The point of the curve with the parameter ζ.
+// Finds the point of the curve with the parameter ζ.
 ContactGraphPoint find_contact_point(const ContactLaw& law, double zeta);
 
-// Of ζ: no force.
+// A value of ζ without force.
 inline constexpr double no_contact = -1.0;
 
-// Force and stiffness at a gap as a linear solution sees them that starts at the point ζ: the force is
-// continued with the stiffness there, and may pull.
+// Returns force and stiffness at a gap by linear continuation from the point ζ: with the stiffness there, so
+// that the force may pull.
 ContactGraphPoint continue_contact(const ContactLaw& law, double zeta, double gap);
-// The point that such a solution leads to if it changes the gap by this much; no_contact without a force.
+// Returns the point that such a linear solution leads to if it changes the gap by this much; no_contact
+// without a force.
 double advance_contact(const ContactLaw& law, double zeta, double gap, double change);
 
-// The part of a gap that motions leave. A prediction stops at half the skin; within the skin it goes on by no
-// more than a tenth, so that what touched starts with about the force it had.
+// Returns the share of a gap that motions keep. A prediction stops at half the skin; within the skin it
+// closes no more than a tenth, so that contacts start with about the force they had.
 double find_predicted_share(double skin, double gap);
-// An increment within the skin may multiply the force of a pair of rods, about (1 − x)³/x², by ten: more
-// would throw them aside before iterations find how large it is.
+// Returns the share of a gap that an increment keeps within the skin. It may multiply the force of a pair of
+// rods, about (1 − x)³/x², by ten: larger forces would throw them aside before iterations find the right one.
 double find_kept_share(double skin, double gap);
 
-// What a motion may go of the part that leaves some of a gap: nothing where the gap is so small that rounding
-// of positions would close it, if further parts were taken.
+// Returns the part of a motion that keeps some of a gap; 0 if the gap is so small that rounding of positions
+// would close it after further parts.
 inline double keep_from_rounding(double part, double skin, double gap) {
     constexpr double least = 1e-6;
     return part < 1.0 && gap < least * skin ? 0.0 : part;

@@ -4,19 +4,19 @@
 
 namespace gxrod {
 
-// How far a point is from the surface of an obstacle, positive where rods are.
+// The distance of a point from the surface of an obstacle, positive on the side of the rods.
 struct ObstacleDistance {
     double distance = 0.0;
     Vec3 normal = Vec3::Zero();     // along its gradient, of length 1
     double slope = 1.0;             // the length of its gradient
     Mat3 curvature = Mat3::Zero();  // its second derivative, symmetric
-    Vec3 position = Vec3::Zero();   // of the obstacle's line, closest to the point
+    Vec3 position = Vec3::Zero();   // of the point on the obstacle's line that is closest
 };
-// Of an obstacle where it is at t = 0. On the line of a tube, where no direction is closest, the normal is
-// zero.
+// Finds the distance from an obstacle at its place at t = 0. On the line of a tube, where no direction is
+// closest, the normal is zero.
 ObstacleDistance find_obstacle_distance(const Obstacle& obstacle, const Vec3& point);
 
-// Where an obstacle is: x = turn (x₀ − about) + about + displacement, of its points x₀ at t = 0.
+// The place of an obstacle: x = turn (x₀ − about) + about + displacement for its points x₀ at t = 0.
 struct ObstaclePlacement {
     Vec3 displacement = Vec3::Zero();
     Vec3 rotation = Vec3::Zero();
@@ -27,16 +27,16 @@ struct ObstaclePlacement {
     Vec3 from_start(const Vec3& x) const { return turn * (x - about) + about + displacement; }
 };
 ObstaclePlacement place_obstacle(const Obstacle& obstacle, double time);
-// So far on the way from one placement to another: displacements and rotation vectors are linear in between.
+// Interpolates between two placements: displacements and rotation vectors are linear.
 ObstaclePlacement between(const ObstaclePlacement& from, const ObstaclePlacement& to, double fraction);
-// Of a moved obstacle.
+// Finds the distance from a moved obstacle.
 ObstacleDistance find_obstacle_distance(const Obstacle& obstacle,
                                         const ObstaclePlacement& placement,
                                         const Vec3& point);
 
-// The largest part of the straight motion of a point, in the axes of the obstacle, that keeps its distance
-// above `radius` by a tenth of what it is at the start, or a little less; 1 if all of it does. With a skin,
-// that of a prediction (find_predicted_share).
+// The largest part of the straight motion of a point, in the axes of the obstacle, after which its distance
+// above `radius` is still a tenth of its value at the start, or a little more; 1 if the whole motion is free.
+// With a skin, the part for a prediction (find_predicted_share).
 struct FreeMotion {
     double fraction = 1.0;
     double gap = 0.0;  // at the start

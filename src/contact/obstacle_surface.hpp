@@ -10,35 +10,35 @@
 
 namespace gxrod {
 
-// What of an obstacle a place touches once: all of it, or a surface of a mesh.
+// A surface that a place touches at most once: a whole obstacle, or a surface of a mesh.
 struct ObstacleSurface {
     const Obstacle* body = nullptr;
     std::size_t obstacle = 0;  // its index
     std::shared_ptr<const MeshSurface> mesh{};
 
-    // Of the centre of a ball, which feels the surface within a skin.
+    // Finds the distance of the centre of a ball, which feels the surface within a skin.
     ObstacleDistance find_distance(const ObstaclePlacement& placement,
                                    const Vec3& point,
                                    double radius,
                                    double skin) const;
     bool is_further(const ObstaclePlacement& placement, const Vec3& point, double distance) const;
-    // Of a ball that moves straight while the obstacle goes from one placement to another: 1 if it meets
-    // nothing. With a skin, of a prediction.
+    // Finds the free motion of a ball that moves straight while the obstacle goes from one placement to
+    // another: 1 if it meets nothing. With a skin, the motion for a prediction.
     FreeMotion find_free_motion(double radius,
                                 const ObstaclePlacement& from,
                                 const Vec3& start,
                                 const ObstaclePlacement& to,
                                 const Vec3& end,
                                 double skin = 0.0) const;
-    // The number in its file of a triangle that a straight line crosses.
+    // Finds the number in its file of a triangle that a straight line crosses.
     std::optional<int> find_crossed(const ObstaclePlacement& placement,
                                     const Vec3& start,
                                     const Vec3& end) const;
-    // "triangle 17 of " of the one next to a point; "" if it is no mesh.
+    // Names the triangle next to a point, "triangle 17 of "; "" if it is no mesh.
     std::string name_triangle(const ObstaclePlacement& placement, const Vec3& point) const;
 };
 
-// Of all obstacles, which must outlive them.
+// Lists the surfaces of all obstacles, which must outlive them.
 std::vector<ObstacleSurface> list_surfaces(const std::vector<Obstacle>& obstacles);
 
 }  // namespace gxrod

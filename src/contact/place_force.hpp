@@ -3,27 +3,27 @@
 #include "contact/traction.hpp"
 #include "rotation/types.hpp"
 
-// The force with which a place of a round rod and a surface touch, per unit weight
-// (docs/theory/contact.md, (C4) to (C6)).
+// The contact force between a place of a round rod and a surface, per unit weight (docs/theory/contact.md,
+// (C4) to (C6)).
 namespace gxrod {
 
-// Where a place is against a surface.
+// The geometry of a place against a surface.
 struct SurfaceTouch {
     double gap = 0.0;               // between the surfaces
     Vec3 normal = Vec3::Zero();     // from the surface to the place, of length 1
     Mat3 curvature = Mat3::Zero();  // second derivative of the gap by the place
-    Vec3 drift = Vec3::Zero();      // how the surface moved there since the last accepted step
+    Vec3 drift = Vec3::Zero();      // displacement of the surface there since the last accepted step
     double slope = 1.0;             // length of the gap's gradient, which is along the normal
 };
 
-// A place on the line of a rod, and how it moved since the last accepted step.
+// A place on the line of a rod, and its motion since the last accepted step.
 struct PlaceMotion {
     Vec3 displacement = Vec3::Zero();
     Vec3 rotation = Vec3::Zero();  // a rotation vector
     double radius = 0.0;           // from the line to the surface of the rod
 };
 
-// λ, and D = −dλ/dg.
+// The force λ, and D = −dλ/dg.
 struct NormalForce {
     double force = 0.0;
     double stiffness = 0.0;
@@ -40,13 +40,13 @@ PlaceForce compute_place_force(const SurfaceTouch& touch,
                                const NormalForce& normal,
                                const CoulombFriction& friction);
 
-// decide_slip() of a place.
+// Applies decide_slip() to a place.
 CoulombFriction advance_slip(const SurfaceTouch& touch,
                              const PlaceMotion& place,
                              const NormalForce& normal,
                              const CoulombFriction& friction);
 
-// By the place's position and rotation vector.
+// Derivatives by the place's position and rotation vector.
 struct PlaceForceDerivative {
     Mat3 force_by_position = Mat3::Zero();
     Mat3 force_by_rotation = Mat3::Zero();

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-// Numbers that carry their first and second derivatives by a few variables.
+// Numbers with their first and second derivatives by a few variables.
 namespace gxrod {
 
 template <int Variables>
@@ -12,7 +12,7 @@ struct SecondOrder {
 
     double value = 0.0;
     std::array<double, Variables> slopes{};
-    std::array<double, products> curvatures{};  // of variables i ≤ j, by rows
+    std::array<double, products> curvatures{};  // for variables i ≤ j, by rows
 
     SecondOrder() = default;
     SecondOrder(double constant) : value(constant) {}  // NOLINT: constants are numbers
@@ -22,7 +22,7 @@ struct SecondOrder {
         return result;
     }
 
-    // f of this number, from f, f′ and f″.
+    // Returns f of this number, from f, f′ and f″.
     SecondOrder apply(double f, double f1, double f2) const {
         SecondOrder result(f);
         for (int k = 0; k < Variables; ++k) result.slopes[k] = f1 * slopes[k];
@@ -50,7 +50,7 @@ struct SecondOrder {
         return *this;
     }
 
-    // Curvatures += factor · (a_i b_j + a_j b_i)/2.
+    // Adds factor · (a_i b_j + a_j b_i)/2 to the curvatures.
     void add_products(double factor,
                       const std::array<double, Variables>& a,
                       const std::array<double, Variables>& b) {

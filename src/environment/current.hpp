@@ -9,21 +9,21 @@
 
 namespace gxrod {
 
-// How a fluid flows without waves, at a time: a profile times its factor, and a velocity field.
+// The flow of a fluid without waves at a time: a profile times its factor, plus a velocity field.
 class Current {
   public:
-    // `length`: of the model. `fluid`: its name in messages. The flow must outlive this.
+    // `length` is the model's length, `fluid` the name in messages. The flow must outlive this.
     Current(const Flow& flow, double length, std::string fluid);
 
-    // Throws EvaluationError, of a function without a finite value.
+    // Throws EvaluationError if a function has no finite value.
     void move_to(double time);
     bool is_still() const { return flow_->is_still(); }
-    // Whether places can be asked for by several threads at once.
+    // Whether several threads may ask for places at once.
     bool is_shareable() const { return !flow_->field; }
 
-    // `height` is that at which the profile is asked. Rates are central differences of the functions by the
-    // time, as are gradients of the field by the place; the gradient of its rate is left out, and without
-    // `gradients` that of its velocity too.
+    // Returns the flow; `height` is the height for the profile. Rates are central differences of the
+    // functions by time, gradients of the field central differences by place. The gradient of the field's
+    // rate is left out, and without `gradients` the gradient of its velocity too.
     FlowAt at(const Vec3& place, const FormulaHeight& height, bool gradients) const;
 
   private:

@@ -23,27 +23,27 @@ struct AirAt {
     Mat3 velocity_gradient = Mat3::Zero();
 };
 
-// The water and the air of a model. What depends on the time alone is found once for each time.
+// The water and the air of a model. Values that depend on time alone are computed once for each time.
 class FluidField {
   public:
-    // The surroundings must outlive this. `length`: of the model, of which differences of fields by place
-    // take a small part.
+    // `length` is the model's length; differences of fields by place take a small part of it. The
+    // surroundings must outlive this.
     FluidField(const Surroundings& surroundings, double length);
     ~FluidField();
     FluidField(FluidField&& other) noexcept;
     FluidField& operator=(FluidField&& other) noexcept;
 
-    // Throws EvaluationError, of a function without a finite value.
+    // Throws EvaluationError if a function has no finite value.
     void move_to(double time);
-    // Of functions that rest on more than the time.
+    // Forgets the values at this time, if functions depend on more than the time.
     void forget();
 
-    // Whether places can be asked for by several threads at once.
+    // Whether several threads may ask for places at once.
     bool is_shareable() const;
 
-    // At the time of move_to; there must be water, or air. Rates of functions are differences by the time;
-    // the acceleration of stretched waves is that at the height of their formula (docs/theory/water.md).
-    // Without `gradients`, those that take time of their own, by differences, are left out.
+    // Return water and air at the time of move_to; the model must have them. Rates of functions are
+    // differences by time; the acceleration of stretched waves is taken at the height of their formula
+    // (docs/theory/water.md). Without `gradients`, gradients by differences, which take time, are left out.
     WaterAt water_at(const Vec3& position, bool gradients = true) const;
     AirAt air_at(const Vec3& position, bool gradients = true) const;
 

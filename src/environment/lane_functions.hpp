@@ -13,10 +13,10 @@ template <class Real>
 struct LaneFunctions {
     using Bits = xsimd::batch<std::int64_t, typename Real::arch_type>;
 
-    // Added to a number of less than 2⁵¹ it rounds it to an integer, which the last bits hold then.
+    // Added to a number of less than 2⁵¹, this rounds it to an integer, which is then in the last bits.
     static constexpr double rounder = 6755399441055744.0;  // 1.5 · 2⁵²
 
-    // The same bits. xsimd 8 asks for the batch that they become, later ones for its numbers.
+    // Casts with the same bits. xsimd 8 takes the batch type of the result, later versions its element type.
     template <class To, class From>
     static To cast_bits(const From& from) {
         if constexpr (std::is_same_v<decltype(xsimd::bitwise_cast<To>(from)), To>) {
@@ -26,8 +26,8 @@ struct LaneFunctions {
         }
     }
 
-    // Coefficients from the lowest; by pairs, then pairs of these and so on (Estrin's scheme), because
-    // processors work on several products at once.
+    // Evaluates a polynomial with coefficients from the lowest; by pairs, then pairs of pairs and so on
+    // (Estrin's scheme), since processors work on several products at once.
     template <std::size_t Count>
     static Real polynomial(const Real& x, const double (&coefficients)[Count]) {
         Real terms[Count];
@@ -50,9 +50,9 @@ struct LaneFunctions {
         Real sine, cosine;
     };
 
-    // To 2e-16, beside what the rounding of a large x brings.
+    // Computes both to 2e-16, plus the error from the rounding of a large x.
     static SineCosine sine_cosine(const Real& x) {
-        // n = x/π rounded; x − nπ by π in three parts; the first two have 33 bits.
+        // n = x/π rounded; r = x − nπ with π in three parts, the first two with 33 bits.
         const Real rounded = x * Real(0.3183098861837907) + Real(rounder);
         const Real n = rounded - Real(rounder);
         const Real r = x - n * Real(3.1415926534682512) - n * Real(1.2154201012607932e-10) -
@@ -81,7 +81,7 @@ struct LaneFunctions {
         return {sine ^ sign, cosine ^ sign};
     }
 
-    // Of x within ±700, else of the nearest of these.
+    // Computes exp(x) for x within ±700, else for the nearest of these.
     static Real exponential(const Real& unlimited) {
         const Real x = xsimd::max(xsimd::min(unlimited, Real(700.0)), Real(-700.0));
         // x = n ln 2 + r; 2ⁿ from n in the bits of the exponent.

@@ -3,7 +3,7 @@
 #include "environment/lane_functions.hpp"
 #include "environment/wave_kernels.hpp"
 
-// For the sources of instruction sets; see elements/lanes/lanes.hpp.
+// Wave kernels for the sources of instruction sets; see elements/lanes/lanes.hpp.
 namespace gxrod {
 
 template <class Arch>

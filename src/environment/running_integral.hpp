@@ -10,7 +10,7 @@
 
 namespace gxrod {
 
-// The integral of a function from the first of some edges to any place, 0 before it and constant behind the
+// The integral of a function from the first of some edges to any place, 0 before it and constant beyond the
 // last: by Gauss' rule of ten points in each piece between edges.
 class RunningIntegral {
   public:
@@ -44,8 +44,8 @@ class RunningIntegral {
     std::vector<double> edges_, sums_;
 };
 
-// Where a function that does not fall has a value, between two places around it: by Newton's method, and
-// halving where that leaves them.
+// Finds the place where a function that does not fall has a value, between two places: by Newton's method,
+// and by bisection if it leaves them.
 template <class Function, class Slope>
 double find_value(const Function& function,
                   const Slope& slope,

@@ -4,8 +4,8 @@
 
 namespace gxrod {
 
-// Numbers that look random and are the same on every machine: splitmix64 (G. L. Steele Jr., D. Lea, C. H.
-// Flood, Fast splittable pseudorandom number generators, 2014).
+// A generator of pseudorandom numbers that are the same on every machine: splitmix64 (G. L. Steele Jr., D.
+// Lea, C. H. Flood, Fast splittable pseudorandom number generators, 2014).
 class Splitmix64 {
   public:
     explicit Splitmix64(std::uint64_t seed) : state_(seed) {}
@@ -17,7 +17,7 @@ class Splitmix64 {
         z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
         return z ^ (z >> 31U);
     }
-    // Of 53 bits, 0 included, 1 not.
+    // Returns a fraction of 53 bits, 0 included, 1 not.
     double next_fraction() { return static_cast<double>(next() >> 11U) * 0x1p-53; }
 
   private:

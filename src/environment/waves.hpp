@@ -8,34 +8,34 @@
 
 namespace gxrod {
 
-// The sum of a water's trains of Airy waves, under its ramp.
+// The sum of a water's trains of Airy waves, with its ramp.
 class Waves {
   public:
     Waves(const Water& water, const WaveKernels& kernels);
 
     void move_to(double time);
-    // Whether there are none, at the time.
+    // Whether there are no waves at this time.
     bool are_still() const { return trains_ == 0 || (ramp_ == 0.0 && ramp_rate_ == 0.0); }
 
     struct At {
         WaveSurface surface{};
         FlowAt flow{};
     };
-    // The height of the place is from still water. The rate of the flow is at the height of its formula,
-    // which is not differentiated by the time.
+    // Returns the waves at a place, whose height is from still water. The rate of the flow is at the height
+    // of its formula, which is not differentiated by time.
     At at(const Vec3& place) const;
 
   private:
-    // Rows for the kernels; trains by their wave number, smallest first.
+    // Rows for the kernels; trains in ascending order of their wave numbers.
     struct Rows {
         std::vector<double> number, frequency, phase, lag, cosine, sine, amplitude;
         std::vector<double> flow, echo;              // aω/(1 − D), D
-        std::vector<double> flow_slope, echo_slope;  // kaω/(1 − D), −D: of the derivative by z
+        std::vector<double> flow_slope, echo_slope;  // kaω/(1 − D), −D: for the derivative by z
     };
     void add_row(const WaveTrain& train);
     void pad_rows();
     WaveSurface find_surface(const Vec3& place, double* phases) const;
-    // At a height from still water, before the ramp.
+    // Sums the flow at a height from still water, before the ramp.
     FlowAt sum_flow(double z, const double* phases, bool by_height) const;
     FlowAt continue_along_tangent(double z, const double* phases) const;
     std::size_t end_of_group(double number) const;
@@ -45,7 +45,7 @@ class Waves {
     std::optional<double> depth_;
     double ramp_start_, ramp_length_;
     std::size_t trains_;
-    bool is_long_crested_ = true;  // of one direction
+    bool is_long_crested_ = true;  // all trains have one direction
     Rows rows_;
     double ramp_ = 1.0, ramp_rate_ = 0.0;
 };

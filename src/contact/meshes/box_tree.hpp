@@ -9,7 +9,7 @@
 
 namespace gxrod {
 
-// A box along the axes.
+// A box parallel to the axes.
 struct Box {
     Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
     Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
@@ -23,7 +23,7 @@ struct Box {
         high = high.cwiseMax(other.high);
     }
     Vec3 middle() const { return 0.5 * (low + high); }
-    // 0 within.
+    // Returns the squared distance of a point; 0 within.
     double squared_distance(const Vec3& point) const {
         return (low - point).cwiseMax(point - high).cwiseMax(0.0).squaredNorm();
     }
@@ -32,19 +32,20 @@ struct Box {
     }
 };
 
-// Boxes of things that do not move, by a tree that is built once. Things are indices of the boxes.
+// Boxes of fixed things in a tree that is built once. Things are indices of the boxes.
 class BoxTree {
   public:
     explicit BoxTree(const std::vector<Box>& boxes);
 
-    // visit(thing) for each whose box meets this one.
+    // Calls visit(thing) for each thing whose box meets this one.
     template <class Visit>
     void visit_meeting(const Box& box, const Visit& visit) const {
         walk([&](const Box& of_node) { return of_node.meets(box); }, visit);
     }
 
-    // measure(thing): how far a point is from it, no less than from its box. The nearest thing, the first of
-    // equal ones that is found; −1 if none is nearer than `within`, which becomes its distance.
+    // Finds the nearest thing, the first of equal ones that is found; −1 if none is nearer than `within`,
+    // which becomes its distance. measure(thing) is the distance of the point from a thing, no less than from
+    // its box.
     template <class Measure>
     int find_nearest(const Vec3& point, double& within, const Measure& measure) const {
         int nearest = -1;
@@ -82,13 +83,14 @@ class BoxTree {
     }
 
   private:
-    // Of two children, next to each other, or of some things.
+    // A node with two children, next to each other, or with some things.
     struct Node {
         Box box;
         int first = 0;
-        int count = 0;  // of things; 0: children
+        int count = 0;  // number of things; 0: children
     };
-    static constexpr std::size_t most_depth = 128;  // more than twice what halving 2³¹ things can take
+    static constexpr std::size_t most_depth =
+        128;  // more than twice the depth that halving 2³¹ things can take
 
     void split(int node, int first, int end, const std::vector<Box>& boxes);
 

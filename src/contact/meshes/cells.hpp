@@ -7,10 +7,10 @@
 
 #include "rotation/types.hpp"
 
-// The broad phase: which of many capsules are so near that they can touch.
+// The broad phase: finds the capsules that are near enough to touch.
 namespace gxrod {
 
-// What is within a radius of a straight segment.
+// All points within a radius of a straight segment.
 struct Capsule {
     Vec3 start, end;
     double radius = 0.0;
@@ -23,8 +23,9 @@ struct CapsulePair {
     auto operator<=>(const CapsulePair&) const = default;
 };
 
-// All pairs whose boxes, along the axes, are less than `margin` apart, and which `keep` accepts (each is
-// asked for once): no other pair can be nearer than the margin. Sorted, so independent of the cells.
+// Finds all pairs whose boxes, along the axes, are less than `margin` apart, and which `keep` accepts (each
+// is asked for once): no other pair can be nearer than the margin. They are sorted, so independent of the
+// cells.
 std::vector<CapsulePair> find_near_pairs(std::span<const Capsule> capsules,
                                          double margin,
                                          const std::function<bool(CapsulePair)>& keep);

@@ -6,7 +6,7 @@
 
 namespace gxrod {
 
-// A flat triangle, with the axes of its edges i from corner i to the next one.
+// A flat triangle, with the axes of its edges; edge i goes from corner i to the next one.
 struct Triangle {
     std::array<Vec3, 3> corners;
     Vec3 normal = Vec3::Zero();   // of length 1, counterclockwise about it
@@ -14,15 +14,15 @@ struct Triangle {
     std::array<Vec3, 3> out{};    // away from the triangle, in its plane, of length 1
     std::array<double, 3> lengths{};
 };
-// Of three points that are not on a line.
+// Makes a triangle from three points that are not on a line.
 Triangle make_triangle(const Vec3& a, const Vec3& b, const Vec3& c);
 
-// The point of a triangle that is closest to another one.
+// The point of a triangle that is closest to another point.
 struct ClosestOnTriangle {
     Vec3 position = Vec3::Zero();
     double distance = 0.0;
     bool is_corner = false;
-    int edge = -1;  // that it is on, but for its ends
+    int edge = -1;  // the edge that it lies on, without its ends
 };
 ClosestOnTriangle find_on_triangle(const Triangle& triangle, const Vec3& point);
 

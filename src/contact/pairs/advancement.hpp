@@ -5,23 +5,24 @@
 
 #include "contact/pairs/closest_points.hpp"
 
-// How far a motion can go before a gap has closed: conservative advancement. Motions run from t = 0 to 1.
-// Every step is proved to be free, so it is safe to stop early.
+// Finds how far a motion can go before a gap has closed, by conservative advancement. Motions run from t = 0
+// to 1. Every step is proved to be free, so it is safe to stop early.
 namespace gxrod {
 
 struct AdvancementLimits {
-    double kept_share = 0.1;    // of the gap at the start; the gap never falls below it
-    double tolerance = 0.05;    // the motion ends where the gap exceeds that by less than this part of it
-    int most_evaluations = 64;  // of the gap; then the motion ends where it is proved free
+    double kept_share = 0.1;  // share of the gap at the start; the gap never falls below it
+    double tolerance =
+        0.05;  // the motion ends if the gap exceeds the kept share by less than this part of it
+    int most_evaluations = 64;  // evaluations of the gap; the motion then ends where it is proved free
 };
 
 struct Advancement {
-    double fraction = 1.0;  // of the motion; 0 if there is no gap at the start
+    double fraction = 1.0;  // part of the motion; 0 if there is no gap at the start
     int evaluations = 0;
 };
 
-// measure(t) returns what has `gap` and `find_free_motion(floor)`: by how much t can at least grow before the
-// gap falls below the floor.
+// Advances with measure(t), which returns an object with `gap` and `find_free_motion(floor)`: the least
+// growth of t at which the gap could fall below the floor.
 template <class Measure>
 Advancement advance(const Measure& measure, const AdvancementLimits& limits = {}) {
     auto here = measure(0.0);
@@ -40,7 +41,7 @@ Advancement advance(const Measure& measure, const AdvancementLimits& limits = {}
     return result;
 }
 
-// What measure(t) can return of a gap that closes by no more than `speed` times the change of t.
+// A result of measure(t) for a gap that closes by no more than `speed` times the change of t.
 struct GapAndSpeed {
     double gap, speed;
     double find_free_motion(double floor) const {
@@ -48,9 +49,9 @@ struct GapAndSpeed {
     }
 };
 
-// Two capsules whose ends move on straight lines; `radii` is the sum of both radii. A segment without length
-// is a ball. How the capsules move together, and along each other, costs nothing: only what closes the gap
-// counts.
+// Advances two capsules whose ends move on straight lines; `radii` is the sum of both radii. A segment
+// without length is a ball. Only motion that closes the gap counts, not motion of both together or along each
+// other.
 Advancement advance_capsules(const Segment& a_start,
                              const Segment& a_end,
                              const Segment& b_start,

@@ -2,10 +2,10 @@
 
 #include "rotation/types.hpp"
 
-// Where two straight segments are closest.
+// The closest points of two straight segments.
 namespace gxrod {
 
-// By the positions of the four ends of two segments.
+// Vectors and matrices by the positions of the four ends of two segments.
 using Vec12 = Eigen::Matrix<double, 12, 1>;
 using Row12 = Eigen::Matrix<double, 1, 12>;
 using Mat312 = Eigen::Matrix<double, 3, 12>;
@@ -19,15 +19,15 @@ struct Segment {
 };
 
 struct ClosestPoints {
-    double s = 0.0, t = 0.0;  // on the first and on the second segment
+    double s = 0.0, t = 0.0;  // parameters on the first and on the second segment
     double distance = 0.0;
-    Vec3 offset = Vec3::Zero();  // from the point of the second segment to that of the first
+    Vec3 offset = Vec3::Zero();  // from the second segment's point to the first's
 };
 
-// Of parallel segments one of the closest pairs.
+// Finds the closest points; for parallel segments, one of the closest pairs.
 ClosestPoints find_closest_points(const Segment& a, const Segment& b);
 
-// Whether they are nearer than this; quick where they are far apart.
+// Whether the segments are nearer than this; fast for distant segments.
 bool are_within(const Segment& a, const Segment& b, double distance);
 
 }  // namespace gxrod

@@ -4,19 +4,19 @@
 
 namespace gxrod {
 
-// Which ends of two segments are not ends of their lines, but go on there.
+// The ends of two segments at which their lines continue.
 struct OpenEnds {
     bool a_start = false, a_end = false, b_start = false, b_end = false;
 };
 
-// Where two segments of longer lines touch, as if they went on straight at open ends: the closest points,
-// moved along both until the offset is at right angles to them. So places and normals of lines that slide
-// along each other are continuous, whichever pieces of them are near. Along lines that are nearly parallel no
-// place is the closest: `crossing` falls to nothing, and the offset is at right angles to what is common.
+// The contact of two segments of longer lines, continued straight at open ends: the closest points, moved
+// along both until the offset is at right angles to both lines. Places and normals of lines that slide along
+// each other are thus continuous, whichever pieces of them are near. Nearly parallel lines have no unique
+// closest place: `crossing` falls to zero, and the offset is at right angles to their common direction.
 struct OpenContact {
-    ClosestPoints inside;        // of the segments themselves
+    ClosestPoints inside;        // closest points of the segments themselves
     double s = 0.0, t = 0.0;     // below 0 or above 1 beyond the segments
-    Vec3 offset = Vec3::Zero();  // from the point of the second line to that of the first
+    Vec3 offset = Vec3::Zero();  // from the second line's point to the first's
     double crossing = 0.0;       // 1 at a right angle
     // Derivatives by the four ends.
     Vec12 s_by = Vec12::Zero(), t_by = Vec12::Zero(), crossing_by = Vec12::Zero();
