@@ -6,8 +6,8 @@
 
 namespace gxrod {
 
-// A bushing between two points, each carried by a node or fixed: of one node between the ground and its node.
-// No inertia.
+// A bushing between two points, each carried by a node or fixed, without inertia. With one node it lies
+// between the ground and its node.
 template <int Nodes>
 class BushingElement : public PlainElement<Nodes> {
   public:
@@ -19,7 +19,7 @@ class BushingElement : public PlainElement<Nodes> {
                               Histories,
                               const Linearizations<Nodes>& linearizations,
                               NodalMatrix<Nodes>& tangent) const;
-    // It has no force points: the internal tangent.
+    // Adds the internal tangent: there are no force points.
     void add_mixed_tangent(const Motions<Nodes>& motions,
                            Histories histories,
                            Resultants,
@@ -34,7 +34,7 @@ class BushingElement : public PlainElement<Nodes> {
                              const Linearizations<Nodes>& linearizations,
                              NodalMatrix<Nodes>& tangent) const;
     double damping_action(const Motions<Nodes>& before, const Motions<Nodes>& after, Histories) const;
-    // Of B against A.
+    // Returns the rotation of B against A.
     double largest_relative_rotation(const Motions<Nodes>& motions) const;
     double strain_energy(const Motions<Nodes>& motions, Histories) const;
 
@@ -42,17 +42,17 @@ class BushingElement : public PlainElement<Nodes> {
     using Columns = typename PointPair<Nodes>::Columns;
     using StrainColumns = Eigen::Matrix<double, 6, 6 * Nodes>;
 
-    // What follows (δr, δφ) of the nodes.
+    // Derivatives by (δr, δφ) of the nodes.
     struct Variation {
         Columns d;         // spatial
-        Columns turn;      // δφ of B less that of A
+        Columns turn;      // δφ of B less δφ of A
         Columns middle;    // δφ of the axes
         Columns rotation;  // δΦ, in the axes
         Columns tau;       // spatial
     };
 
     BushingMotion compute_motion(const Motions<Nodes>& motions) const;
-    // By force and moment in the bushing's axes.
+    // Adds the nodal forces of a force and a moment in the bushing's axes.
     void add_force(const Motions<Nodes>& motions,
                    const BushingMotion& motion,
                    const Vec6& own,
@@ -65,7 +65,7 @@ class BushingElement : public PlainElement<Nodes> {
                                             const BushingMotion& motion,
                                             const Linearizations<Nodes>& linear,
                                             const Variation& variation) const;
-    // Of force and moment in the bushing's axes whose derivative is known.
+    // Adds the tangent of a force and a moment in the bushing's axes, whose derivative is given.
     void add_tangent(const Motions<Nodes>& motions,
                      const BushingMotion& motion,
                      const Linearizations<Nodes>& linear,

@@ -6,8 +6,8 @@
 
 namespace gxrod {
 
-// A bushing whose axes one end carries, or the ground: of one node between the ground and its node. No
-// inertia.
+// A bushing whose axes one end, or the ground, carries, without inertia. With one node it lies between the
+// ground and its node.
 template <int Nodes>
 class CarriedBushingElement : public PlainElement<Nodes> {
   public:
@@ -33,10 +33,11 @@ class CarriedBushingElement : public PlainElement<Nodes> {
                              const Linearizations<Nodes>& linearizations,
                              NodalMatrix<Nodes>& tangent) const;
     double damping_action(const Motions<Nodes>& before, const Motions<Nodes>& after, Histories) const;
-    // Returns the angle that the stiffness sees: of the swing where rotations about one axis are free.
+    // Returns the angle that the stiffness resists: if rotations about one axis are free, the angle of the
+    // swing.
     double largest_relative_rotation(const Motions<Nodes>& motions) const;
     double strain_energy(const Motions<Nodes>& motions, Histories) const;
-    // Whether the ground takes part of the moments, though no end of it is the ground.
+    // Whether the ground takes part of the moments, although neither end is the ground.
     bool leans_on_ground() const { return bushing_.carrier == BushingAxes::ground; }
 
   private:
@@ -46,7 +47,7 @@ class CarriedBushingElement : public PlainElement<Nodes> {
     // Derivatives by (δr, δφ) of the nodes, spatial.
     struct Variation {
         Columns d;
-        Columns axes;  // their spin
+        Columns axes;  // spin of the axes
         Columns turn;  // δe
     };
 

@@ -8,11 +8,11 @@
 #include "state/point_drive.hpp"
 #include "state/state.hpp"
 
-// What every element offers, so that assembly and the every_element tests treat all kinds alike.
+// The interface of all elements, by which assembly and the every_element tests treat all kinds alike.
 //
 // Node I of an element owns rows 6I … 6I+5 of its vectors and matrices: force (or δr), then moment about the
-// node (or the spatial spin δφ). All spatial. A force is what the element asks of its nodes: internal +
-// damping + inertial − external = 0 is equilibrium.
+// node (or the spatial spin δφ). All are spatial. An element's force acts on the left of the equilibrium:
+// internal + damping + inertial − external = 0.
 namespace gxrod {
 
 template <int Nodes>
@@ -25,19 +25,19 @@ using Motions = std::array<const NodeMotion*, Nodes>;
 template <int Nodes>
 using Linearizations = std::array<const NodeLinearization*, Nodes>;
 
-// What is known of an element's force points, one after the other, besides how its nodes move.
+// The history of an element's force points, one after the other, in addition to the motions of its nodes.
 struct Histories {
-    std::span<const SectionHistory> axes{};  // of elements that measure rotations from there
-    std::span<const double> memory{};        // of its section's law, at the last accepted step
-    double elapsed = 0.0;                    // since that step; infinite where no time passes
-    std::span<const PointDrive> drives{};    // what acts within its sections; empty if nothing does
+    std::span<const SectionHistory> axes{};  // for elements that measure rotations from them
+    std::span<const double> memory{};        // memory of its section's law, at the last accepted step
+    double elapsed = 0.0;                    // time since that step; infinite if no time passes
+    std::span<const PointDrive> drives{};    // actions within its sections; empty if there are none
 };
-// The same to be written.
+// The same history for writing.
 struct WritableHistories {
     std::span<SectionHistory> axes{};
     std::span<double> memory{};
 };
-// Resultants (N, M) at an element's force points, material; those of the mixed tangent.
+// Resultants (N, M) at an element's force points, material, for the mixed tangent.
 using Resultants = std::span<const Vec6>;
 
 template <class E>
@@ -67,17 +67,17 @@ concept Element = requires(const E& element,
     { element.is_damped() } -> std::same_as<bool>;
     element.add_damping_force(motions, histories, force);
     element.add_damping_tangent(motions, histories, linearizations, tangent);
-    // The damping quadratic in the step from the first motions to the second, not negative: over the time
-    // that the step takes it is what damping dissipates in it.
+    // The damping quadratic in the step from the first motions to the second, not negative: divided by the
+    // duration of the step it is the dissipation.
     { element.damping_action(motions, motions, histories) } -> std::same_as<double>;
     element.start(axes);
     element.commit(motions, histories, writable);
-    // Numbers that its sections remember, at all of its force points together.
+    // The number of values that its sections remember, at all of its force points together.
     { element.memory_count() } -> std::same_as<int>;
     { element.has_law() } -> std::same_as<bool>;
-    // By its sections, since the last accepted step.
+    // The dissipation of its sections since the last accepted step.
     { element.dissipated_energy(motions, histories) } -> std::same_as<double>;
-    // Of an element with drives, at its force points.
+    // Adds the force points of an element with drives.
     element.add_driven_points(motions, histories, driven);
     { element.largest_relative_rotation(motions) } -> std::same_as<double>;
     { element.strain_energy(motions, histories) } -> std::same_as<double>;

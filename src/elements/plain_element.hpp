@@ -4,8 +4,8 @@
 
 namespace gxrod {
 
-// What an element is that has neither section nor memory, inertia, stiffness or damping: elements of few
-// points define what they have and take the rest from here.
+// An element without section, memory, inertia, stiffness and damping: elements of few points override what
+// they have and inherit the rest.
 template <int Nodes>
 class PlainElement {
   public:

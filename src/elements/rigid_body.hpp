@@ -8,7 +8,7 @@ namespace gxrod {
 // A rigid body on one node: inertia and gravity only (Rubin 2007, section 5).
 class RigidBody : public PlainElement<1> {
   public:
-    // Without inertia it only has weight.
+    // A body without inertia only has weight.
     explicit RigidBody(const Body& body, bool has_inertia = true);
 
     void add_inertial_force(const Motions<1>& motions, const Vec3& gravity, NodalVector<1>& force) const;

@@ -16,25 +16,25 @@ struct RigidInertia {
     Mat3 inertia = Mat3::Zero();       // J₀, about the node
 };
 
-// What a small body contributes to the momentum of the whole.
+// The contribution of a small body to the momentum of the whole.
 struct Momentum {
     Vec3 linear = Vec3::Zero();
     Vec3 angular = Vec3::Zero();  // about the origin
 };
 
-// The constants of a body given about its centre of mass: `axes` are its axes at t = 0, `centre_of_mass` runs
-// from the node in those axes, `inertia` is about the centre of mass in those axes.
+// Computes the constants of a body given about its centre of mass: `axes` are its axes at t = 0,
+// `centre_of_mass` runs from the node in those axes, `inertia` is about the centre of mass in those axes.
 RigidInertia compute_rigid_inertia(double mass,
                                    const Mat3& inertia,
                                    const Vec3& centre_of_mass,
                                    const Quat& axes);
 
-// Force and moment that the motion asks for: m a' + α × s + ω × (ω × s) and J α + ω × J ω + s × a'
-// (Rubin 2007, (5.1), with an offset).
+// Computes the inertial force and moment: m a' + α × s + ω × (ω × s) and J α + ω × J ω + s × a' (Rubin 2007,
+// (5.1), with an offset).
 Vec6 compute_inertial_force(const RigidInertia& body, const NodeMotion& motion, const Vec3& gravity);
 
-// The derivative of compute_inertial_force with respect to (δr, δφ); with no offset, the tangent (5.6) of
-// Rubin (2007).
+// Computes the derivative of compute_inertial_force by (δr, δφ); without offset, the tangent (5.6) of Rubin
+// (2007).
 Mat6 compute_inertial_tangent(const RigidInertia& body,
                               const NodeMotion& motion,
                               const NodeLinearization& linearization,
@@ -42,7 +42,7 @@ Mat6 compute_inertial_tangent(const RigidInertia& body,
 
 double compute_kinetic_energy(const RigidInertia& body, const NodeMotion& motion);
 Momentum compute_momentum(const RigidInertia& body, const NodeMotion& motion);
-// −g · (first moment of mass about the origin).
+// Computes −g · (first moment of mass about the origin).
 double compute_gravity_potential(const RigidInertia& body, const NodeMotion& motion, const Vec3& gravity);
 
 }  // namespace gxrod

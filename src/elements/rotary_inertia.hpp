@@ -4,7 +4,7 @@
 
 #include "rotation/cross_products.hpp"
 
-// The inertia of rotation alone. Real is double, or several of them that are worked on at once.
+// The inertia of rotation alone. Real is double, or several doubles at once.
 //
 // Legend: Lambda rotation since t = 0, J = Λ J₀ Λᵀ inertia about the node, omega and alpha angular velocity
 // and acceleration, all spatial.
@@ -24,13 +24,13 @@ struct RotaryInertia {
         J.noalias() = R_J * R.transpose();
     }
 
-    // J α + ω × J ω.
+    // Computes J α + ω × J ω.
     Vec3 compute_moment(const Vec3& omega, const Vec3& alpha) const {
         return J * alpha + omega.cross(J * omega);
     }
 
-    // Its derivative by δφ, with δω = d_omega δφ, δα = d_alpha δφ: J d_alpha + (ω̂ J − [Jω]×) d_omega +
-    // placement A, where A of (5.6), Rubin (2007), is what turning the body does.
+    // Computes its derivative by δφ, with δω = d_omega δφ, δα = d_alpha δφ: J d_alpha + (ω̂ J − [Jω]×)
+    // d_omega + placement A, where A of (5.6), Rubin (2007), is the effect of turning the body.
     Mat3 compute_tangent(const Vec3& omega,
                          const Vec3& alpha,
                          const Real& placement,
@@ -45,7 +45,7 @@ struct RotaryInertia {
         return tangent + placement * by_turning;
     }
 
-    // J ω, and its derivative by δφ.
+    // Compute J ω, and its derivative by δφ.
     Vec3 compute_momentum(const Vec3& omega) const { return J * omega; }
     Mat3 compute_momentum_tangent(const Vec3& omega, const Real& placement, const Mat3& d_omega) const {
         return J * d_omega + placement * (cross_rows(J, omega) - cross_matrix<Real>(J * omega));

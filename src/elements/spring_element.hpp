@@ -7,8 +7,8 @@
 
 namespace gxrod {
 
-// A spring and damper along the line between two points, each carried by a node or fixed: of one node between
-// the ground and its node. No inertia.
+// A spring and damper along the line between two points, each carried by a node or fixed, without inertia.
+// With one node it lies between the ground and its node.
 template <int Nodes>
 class SpringElement : public PlainElement<Nodes> {
     static_assert(Nodes == 1 || Nodes == 2);
@@ -22,7 +22,7 @@ class SpringElement : public PlainElement<Nodes> {
                               Histories,
                               const Linearizations<Nodes>& linearizations,
                               NodalMatrix<Nodes>& tangent) const;
-    // It has no force points: the internal tangent.
+    // Adds the internal tangent: there are no force points.
     void add_mixed_tangent(const Motions<Nodes>& motions,
                            Histories histories,
                            Resultants,
@@ -42,20 +42,20 @@ class SpringElement : public PlainElement<Nodes> {
   private:
     using Columns = typename PointPair<Nodes>::Columns;
 
-    // Of the damper's tension.
+    // Derivatives of the damper's tension.
     struct DamperSlopes {
         double by_length;
         double by_rate;
     };
     DamperSlopes differentiate_damper(const SpringLine& line, const Linearizations<Nodes>& linear) const;
     SpringLine compute_line(const Motions<Nodes>& motions) const;
-    // Whether it pulls by k d, which needs no direction.
+    // Whether the force is k d, which needs no direction.
     bool is_plain() const { return spring_.length == 0.0 && !spring_.law; }
-    // Of the force on point B, by the line and its rate.
+    // Compute the force on point B, and its derivatives by the line and its rate.
     Vec3 compute_elastic_force(const SpringLine& line) const;
     Mat3 compute_stiffness(const SpringLine& line) const;
     void add_force(const Motions<Nodes>& motions, const Vec3& at_B, NodalVector<Nodes>& force) const;
-    // Of a force on point B whose derivative is known.
+    // Adds the tangent of a force on point B whose derivative is given.
     void add_tangent(const Motions<Nodes>& motions,
                      const Linearizations<Nodes>& linear,
                      const Vec3& at_B,

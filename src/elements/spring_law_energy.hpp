@@ -4,8 +4,8 @@
 
 namespace gxrod {
 
-// What a spring's law has stored at this length: the integral of its force, without a rate, over the length
-// from where it was at t = 0.
+// Computes the energy of a spring's law at this length: the integral of its force, without a rate, over the
+// length from its value at t = 0.
 double compute_law_energy(const SpringLaw& law, double length);
 
 }  // namespace gxrod

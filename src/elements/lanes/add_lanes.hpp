@@ -2,10 +2,10 @@
 
 #include "elements/lanes/kernels.hpp"
 
-// For the sources of instruction sets; see lanes.hpp.
+// Only for the sources of instruction sets; see lanes.hpp.
 namespace gxrod {
 
-// Adds matrices that lie in rows, an entry a lane, to where those of single elements go: four rows of four
+// Adds matrices in rows, with an entry for each lane, to the matrices of single elements: four rows of four
 // lanes are turned into four rows of each lane, or two of two.
 template <int Nodes, class Real>
 struct AddLanes {
@@ -14,7 +14,7 @@ struct AddLanes {
     using FourNumbers = double __attribute__((vector_size(32), aligned(8), may_alias));
     using TwoNumbers = double __attribute__((vector_size(16), aligned(8), may_alias));
 
-    // Not templates of the type of the numbers, which would forget how these are aligned.
+    // These are no templates of the number type, which would lose its alignment.
     static FourNumbers load_four(const double* row) { return *reinterpret_cast<const FourNumbers*>(row); }
     static TwoNumbers load_two(const double* row) { return *reinterpret_cast<const TwoNumbers*>(row); }
     static void add_four(double* target, const FourNumbers& added) {
@@ -24,8 +24,8 @@ struct AddLanes {
         *reinterpret_cast<TwoNumbers*>(target) += added;
     }
 
-    // From the last pair of nodes to the first: where an element begins with the last node of the one before,
-    // that one comes first.
+    // Adds from the last pair of nodes to the first: an element that begins with the last node of the one
+    // before adds after it.
     static void add_tangents(const double* tangents, const LaneBlock* blocks) {
         for (int pair = Nodes * Nodes - 1; pair >= 0; --pair) {
             const double* block = tangents + width * (36 * Nodes * (pair / Nodes) + 6 * (pair % Nodes));
@@ -46,7 +46,7 @@ struct AddLanes {
         if constexpr (together == 4) {
             FourNumbers row[6];
             for (int i = 0; i < 6; ++i) row[i] = load_four(rows + i * width);
-            // Of lanes 0 and 2, 1 and 3.
+            // Entries of lanes 0 and 2, and of lanes 1 and 3.
             const FourNumbers even_01 = __builtin_shufflevector(row[0], row[1], 0, 4, 2, 6);
             const FourNumbers odd_01 = __builtin_shufflevector(row[0], row[1], 1, 5, 3, 7);
             const FourNumbers even_23 = __builtin_shufflevector(row[2], row[3], 0, 4, 2, 6);

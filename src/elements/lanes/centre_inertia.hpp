@@ -7,9 +7,10 @@
 namespace gxrod {
 
 // Inertia and mass-proportional damping of the centres of mass of a rod's sections, which may lie off the
-// nodes (docs/theory/rods.md, (R23)–(R27)); without what is lumped to the nodes.
+// nodes (docs/theory/rods.md, (R23)–(R27)); without the part lumped at the nodes.
 //
-// Legend: d from a node to its centre of mass, w the centre's velocity, m masses ∫ρA N_I N_J ds. Spatial.
+// Legend: d from a node to its centre of mass, w the centre's velocity, m masses ∫ρA N_I N_J ds. All are
+// spatial.
 template <int Nodes, class Real>
 class CentreInertia {
   public:
@@ -21,7 +22,7 @@ class CentreInertia {
 
     using Forces = NodeForces<Nodes, Real>;
 
-    // All of these must outlive it; `axes` are those of the sections at the nodes.
+    // All arguments must outlive this; `axes` are the section axes at the nodes.
     CentreInertia(const GeneralSection<Nodes, Real>& section,
                   const Mass& mass,
                   const std::array<Eigen::Quaternion<Real>, Nodes>& axes,
@@ -38,7 +39,7 @@ class CentreInertia {
 
     Forces compute_inertial_forces() const { return make_forces(compute_accelerations()); }
     Forces compute_damping_forces() const { return make_forces(compute_damping_accelerations()); }
-    // Of both forces.
+    // Adds the tangent of both forces.
     void add_tangent(const NodeLinearizations<Nodes, Real>& linearizations, Tangent& tangent) const;
 
   private:
@@ -51,7 +52,7 @@ class CentreInertia {
         }
         return accelerations;
     }
-    // c w: accelerations that need the force of damping.
+    // Computes c w: the accelerations whose inertia equals the force of damping.
     Vectors compute_damping_accelerations() const {
         Vectors accelerations;
         for (int i = 0; i < Nodes; ++i) {
@@ -73,7 +74,7 @@ class CentreInertia {
         }
         return forces;
     }
-    // How a centre's acceleration, and c w, follow the spin of its node.
+    // Computes the derivative of a centre's acceleration, and of c w, by the spin of its node.
     Mat3 compute_by_spin(int node, const NodeLinearizations<Nodes, Real>& linearizations) const;
 
     const GeneralSection<Nodes, Real>& section_;

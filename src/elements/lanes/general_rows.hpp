@@ -5,10 +5,10 @@
 #include "elements/lanes/kernels.hpp"
 #include "elements/lanes/lanes.hpp"
 
-// What kernels for general sections read beyond those for plain ones (kernels.hpp).
+// Inputs of kernels for general sections in addition to those for plain ones (kernels.hpp).
 namespace gxrod {
 
-// What is alike in all lanes comes first, so that kernels can branch on it.
+// The data of sections; values that are equal in all lanes come first, so that kernels can branch on them.
 template <int Nodes, class Real>
 struct GeneralSection {
     std::array<Eigen::Matrix<Real, 3, 1>, Nodes> centre_of_mass;  // from each node, material
@@ -28,7 +28,7 @@ struct GeneralSection {
     }
 };
 
-// Accelerations less gravity, angular velocities and accelerations, velocities.
+// Rates of nodes: accelerations less gravity, angular velocities and accelerations, velocities.
 template <int Nodes, class Real>
 struct NodeRates {
     using Vectors = std::array<Eigen::Matrix<Real, 3, 1>, Nodes>;
@@ -56,7 +56,7 @@ struct NodeForces {
     }
 };
 
-// Writes the sum, and the largest components of either.
+// Writes the sum, and the largest components of both.
 template <int Nodes, class Real>
 void write_forces(const NodeForces<Nodes, Real>& internal,
                   const NodeForces<Nodes, Real>& inertial,
@@ -74,7 +74,7 @@ void write_forces(const NodeForces<Nodes, Real>& internal,
     write.scalar(moment_scale);
 }
 
-// NodeLinearization of each node: what follows `acceleration` is read by itself, since rates lie between.
+// NodeLinearization of each node; the part after `acceleration` is read separately, since rates lie between.
 template <int Nodes, class Real>
 struct NodeLinearizations {
     std::array<Real, Nodes> placement, acceleration, rate;

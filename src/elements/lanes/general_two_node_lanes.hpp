@@ -24,7 +24,7 @@ class GeneralTwoNodeLanes {
     using Rates = NodeRates<2, Real>;
     using Tangent = typename Inertia::Tangent;
 
-    // With where their nodes are.
+    // Several elements at the positions of their nodes.
     struct Elements {
         GeneralSection<2, Real> section;
         Rod rod;
@@ -45,14 +45,14 @@ class GeneralTwoNodeLanes {
         }
 
         typename Rod::State make_state() const { return {rod, rotation, axes[0], l}; }
-        // Strain rates times the factor of Kelvin-Voigt damping.
+        // Computes strain rates times the factor of Kelvin-Voigt damping.
         typename Rod::Strains compute_viscous_strains(const typename Rod::State& state,
                                                       const Rates& rates) const {
             const Real& factor = section.kelvin_voigt;
             return state.compute_strain_increments(
                 factor * (rates.v[1] - rates.v[0]), factor * rates.omega[0], factor * rates.omega[1]);
         }
-        // In the state of these rates.
+        // Makes the state with damping at these rates.
         typename Rod::State make_state(const Rates& rates) const {
             typename Rod::State state = make_state();
             if (section.is_viscous) {
@@ -131,7 +131,7 @@ class GeneralTwoNodeLanes {
         set(9, t.b_u, t.b_a, t.b_b);
     }
 
-    // e_J = [l]× A_J/L and k_b = X/L = −k_a; the section is the frame.
+    // Makes the point with e_J = [l]× A_J/L and k_b = X/L = −k_a; the section is the frame.
     static ViscousPoint<2, Real> make_viscous_point(const Elements& elements,
                                                     const typename Rod::State& state,
                                                     const Rates& rates) {

@@ -5,7 +5,7 @@
 
 namespace gxrod {
 
-// What kernels need to know of an element's sections, and of the element itself.
+// Make the rows of an element's sections and constants for kernels.
 template <int Nodes>
 std::array<double, RodKernels<Nodes>::shared_rows> make_shared_rows(const ObjectiveElement<Nodes>& element);
 template <int Nodes>

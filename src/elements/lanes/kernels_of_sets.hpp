@@ -2,13 +2,13 @@
 
 #include "elements/lanes/kernels.hpp"
 
-// The kernels by instruction set, each compiled for it. Those for general sections come from sources of their
-// own: next to them the compiler would inline less into those for plain ones.
+// The kernels by instruction set, each compiled for it. General sections have separate sources: in one source
+// the compiler would inline less into the kernels for plain sections.
 namespace gxrod {
 
 Kernels make_kernels_baseline();
 void add_general_kernels_baseline(Kernels& kernels);
-// Where the compiler has no such set, those of the next narrower one.
+// Where the compiler lacks a set, these return the kernels of the next narrower set.
 Kernels make_kernels_avx2();
 void add_general_kernels_avx2(Kernels& kernels);
 Kernels make_kernels_avx512();

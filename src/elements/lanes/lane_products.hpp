@@ -2,11 +2,11 @@
 
 #include <Eigen/Core>
 
-// Products of small matrices of lanes, column by column: those of Eigen are calls for every entry where
+// Products of small matrices of lanes, column by column. Eigen's products become a call for every entry if
 // the compiler does not inline them.
 namespace gxrod {
 
-// Three vectors of A, times the entries of b.
+// Combines the three columns of A with the entries of b.
 template <class Real>
 [[gnu::always_inline]] inline Eigen::Matrix<Real, 3, 1> combine(const Eigen::Matrix<Real, 3, 3>& A,
                                                                 const Real& b0,
@@ -17,7 +17,7 @@ template <class Real>
     return sum;
 }
 
-// A B.
+// Computes A B.
 template <class Real>
 [[gnu::always_inline]] inline Eigen::Matrix<Real, 3, 3> multiply(const Eigen::Matrix<Real, 3, 3>& A,
                                                                  const Eigen::Matrix<Real, 3, 3>& B) {
@@ -29,7 +29,7 @@ template <class Real>
     return product;
 }
 
-// A B + C D.
+// Computes A B + C D.
 template <class Real>
 [[gnu::always_inline]] inline Eigen::Matrix<Real, 3, 3> multiply(const Eigen::Matrix<Real, 3, 3>& A,
                                                                  const Eigen::Matrix<Real, 3, 3>& B,
@@ -44,7 +44,7 @@ template <class Real>
     return product;
 }
 
-// The transpose of A.
+// Computes the transpose of A.
 template <class Real>
 [[gnu::always_inline]] inline Eigen::Matrix<Real, 3, 3> transpose(const Eigen::Matrix<Real, 3, 3>& A) {
     Eigen::Matrix<Real, 3, 3> transposed;
@@ -54,7 +54,7 @@ template <class Real>
     return transposed;
 }
 
-// a A + b B.
+// Computes a A + b B.
 template <class Real>
 [[gnu::always_inline]] inline Eigen::Matrix<Real, 3, 3> mix(const Real& a,
                                                             const Eigen::Matrix<Real, 3, 3>& A,
@@ -67,7 +67,7 @@ template <class Real>
     return sum;
 }
 
-// Adds `added` to the block of `matrix` that begins there.
+// Adds `added` to the block of `matrix` that begins at this row and column.
 template <class Real, int Size>
 [[gnu::always_inline]] inline void add_block(const Eigen::Matrix<Real, 3, 3>& added,
                                              int row,

@@ -5,8 +5,8 @@
 
 // Several doubles as one scalar of Eigen's matrices, so that a kernel for one element works on several.
 //
-// Only for sources that are compiled for one instruction set: what they instantiate must carry that set in
-// its name, or the linker could choose their copy of a function for every machine.
+// Only for sources that are compiled for one instruction set: their instantiations must carry that set in
+// their names, or the linker could choose their copy of a function for every machine.
 namespace Eigen {
 
 template <class Arch>
@@ -23,13 +23,13 @@ struct NumTraits<xsimd::batch<double, Arch>> : NumTraits<double> {
 
 namespace gxrod {
 
-// The largest component in each lane.
+// Returns the largest component in each lane.
 template <class Real>
 Real largest(const Eigen::Matrix<Real, 3, 1>& a) {
     return xsimd::max(xsimd::max(xsimd::abs(a[0]), xsimd::abs(a[1])), xsimd::abs(a[2]));
 }
 
-// Rows of quantities, each with an entry a lane: quantity k of element l is at [k · width + l].
+// Reads rows of quantities, each with an entry for each lane: quantity k of element l is at [k · width + l].
 template <class Real>
 class LaneReader {
   public:
@@ -60,7 +60,7 @@ class LaneReader {
     const double* rows_;
 };
 
-// Writes them.
+// Writes rows of quantities.
 template <class Real>
 class LaneWriter {
   public:

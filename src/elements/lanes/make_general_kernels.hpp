@@ -3,7 +3,7 @@
 #include "elements/lanes/general_objective_lanes.hpp"
 #include "elements/lanes/general_two_node_lanes.hpp"
 
-// For the sources of instruction sets; see lanes.hpp.
+// Only for the sources of instruction sets; see lanes.hpp.
 namespace gxrod {
 
 template <class Arch>

@@ -5,7 +5,7 @@
 #include "elements/lanes/rotary_lanes.hpp"
 #include "elements/lanes/two_node_lanes.hpp"
 
-// For the sources of instruction sets; see lanes.hpp.
+// Only for the sources of instruction sets; see lanes.hpp.
 namespace gxrod {
 
 template <class Arch>

@@ -9,7 +9,7 @@ namespace gxrod {
 template <int Nodes, class Real>
 class ObjectiveLanes {
   public:
-    // Without those for general sections.
+    // Makes the kernels without those for general sections.
     static RodKernels<Nodes> make_kernels() {
         return {{compute_forces, compute_tangents}, {}, {}, AddLanes<Nodes, Real>::add_tangents};
     }

@@ -8,11 +8,11 @@
 #include "rotation/half_rotation.hpp"
 #include "rotation/small_rotation.hpp"
 
-// Internal force and tangent of elements `objective` (objective_map.hpp), for several at once. Legend as
-// there, but all is spatial: ρ_I = r_I − r_a, ψ_I with exp(ψ_I) R the axes of node I.
+// Internal force and tangent of elements `objective` (objective_map.hpp), for several at once. The legend is
+// the same, but all is spatial: ρ_I = r_I − r_a, ψ_I with exp(ψ_I) R the axes of node I.
 namespace gxrod {
 
-// What does not change, as it lies in the rows of RodKernels.
+// Constants, in the order of the rows of RodKernels.
 template <int Nodes, class Real>
 struct ObjectiveConstants {
     using Vec3 = Eigen::Matrix<Real, 3, 1>;
@@ -29,7 +29,7 @@ struct ObjectiveConstants {
     };
 
     const double* stiffness;  // rows of all points
-    // The quadrature, and shape functions and their slopes dN_I/dξ there.
+    // The quadrature, with shape functions and their slopes dN_I/dξ at its points.
     const double* weights;
     const double* shapes;
     const double* slopes;
@@ -73,15 +73,15 @@ struct ObjectiveMotion {
     }
 };
 
-// What makes the state of a section at rest, or of one without Kelvin-Voigt damping.
+// Stands for rates of a section at rest, or without Kelvin-Voigt damping.
 struct AtRest {};
 
-// Rates of ρ and ψ seen from the frame.
+// Rates of ρ and ψ relative to the frame.
 template <int Nodes, class Real>
 struct ObjectiveRates {
     std::array<Eigen::Matrix<Real, 3, 1>, Nodes> rho, psi;
-    Eigen::Matrix<Real, 3, 1> omega_R;  // of the frame
-    // Resultants are those of elasticity × strains + viscosity × strain rates.
+    Eigen::Matrix<Real, 3, 1> omega_R;  // spin of the frame
+    // Resultants are elasticity × strains + viscosity × strain rates.
     Real elasticity, viscosity;
 };
 
@@ -106,7 +106,7 @@ class ObjectiveState {
         }
     }
 
-    // Whether all rotations are small enough for the series that are used; nothing else may be asked if not.
+    // Whether all rotations are small enough for the series; if not, no other function may be called.
     bool is_small() const { return is_small_; }
 
     Rates compute_rates(const NodeRates<Nodes, Real>& nodes) const;
@@ -116,10 +116,10 @@ class ObjectiveState {
     Forces compute_forces(const Constants& constants, const MaybeRates& rates) const {
         return compute_nodal_forces(sum_forces(constants, rates), invert_tangent_maps()).stacked;
     }
-    // By δr and δφ at fixed resultants of damping.
+    // Computes the tangent by δr and δφ at fixed resultants of damping.
     template <class MaybeRates>
     void compute_tangent(const Constants& constants, const MaybeRates& rates, Tangent& rows) const;
-    // How the resultants of damping follow the motion and the nodal rates.
+    // Adds the derivative of the resultants of damping by the motion and the nodal rates.
     void add_viscous_tangent(const Constants& constants,
                              const Rates& rates,
                              const NodeRates<Nodes, Real>& nodes,
@@ -129,7 +129,7 @@ class ObjectiveState {
   private:
     static constexpr bool has_pair = Nodes % 2 == 0;
     static constexpr int a = (Nodes - 1) / 2;
-    static constexpr int b = Nodes / 2;  // a, of an odd number of nodes
+    static constexpr int b = Nodes / 2;  // a for an odd number of nodes
     static constexpr int point_count = Nodes - 1;
     using FrameRows = Eigen::Matrix<Real, 3, 6 * Nodes>;
     using FrameColumns = Eigen::Matrix<Real, 6 * Nodes, 3>;
@@ -145,13 +145,13 @@ class ObjectiveState {
         Mat3 T, Lambda;
         Vec3 n, m;
     };
-    // As functions of ρ and ψ.
+    // Forces conjugate to ρ and ψ.
     struct LocalForces {
         std::array<Vec3, Nodes> n, mu;
     };
     using Inverses = std::array<SmallInverseRotation<Real>, Nodes>;
     struct NodalForces {
-        Forces stacked;  // the frame's share included
+        Forces stacked;  // including the share of the frame
         Vec3 M;          // the moment on the frame
     };
 
@@ -191,17 +191,17 @@ class ObjectiveState {
         }(std::make_index_sequence<Nodes>());
     }
 
-    // Rates of a point's r′, ψ and ψ′ seen from the frame, and the spin of the section from there.
+    // Rates of a point's r′, ψ and ψ′ relative to the frame, and the spin of the section relative to it.
     struct PointRates {
         Vec3 r_prime, psi, psi_prime, omega;
     };
     PointRates evaluate_rates(const Point& point, const Rates& rates) const;
-    // How the spin of a section and its slope follow the spins of the nodes, and the rates of that seen from
-    // the frame.
+    // Derivatives of the spin of a section and of its slope by the spins of the nodes, and their rates
+    // relative to the frame.
     struct SpinMaps {
         std::array<Mat3, Nodes> spin, slope, spin_rate, slope_rate;
     };
-    // T(ψ_I)⁻¹, and its rate.
+    // The maps T(ψ_I)⁻¹, and their rates.
     struct InverseMaps {
         std::array<Mat3, Nodes> map, rate;
     };
@@ -224,7 +224,7 @@ class ObjectiveState {
     NodalForces compute_nodal_forces(const LocalForces& local, const Inverses& inverses) const;
     void pull_and_push(const LocalForces& local, const Inverses& inverses, Tangent& rows) const;
 
-    // A_aᵀ x and A_bᵀ x, x A_a and x A_b, with A_a,b = ½(I ± [τ]×).
+    // Computes A_aᵀ x and A_bᵀ x, x A_a and x A_b, with A_a,b = ½(I ± [τ]×).
     template <class Matrix>
     Matrix share(const Matrix& x, double sign) const {
         Matrix shared = Real(0.5) * x;
@@ -238,7 +238,7 @@ class ObjectiveState {
     bool is_small_ = true;
     Mat3 frame_matrix_;
     std::array<Vec3, Nodes> rho_, psi_;
-    Vec3 tau_;  // of a pair, as tau_gradient_ = ∂τ/∂Φ
+    Vec3 tau_;  // τ for a pair; tau_gradient_ = ∂τ/∂Φ
     Mat3 tau_gradient_;
 };
 

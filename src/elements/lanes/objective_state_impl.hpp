@@ -2,7 +2,7 @@
 
 #include "elements/lanes/objective_state.hpp"
 
-// What ObjectiveState does (docs/theory/rods.md, (R13)–(R22)).
+// The functions of ObjectiveState (docs/theory/rods.md, (R13)–(R22)).
 namespace gxrod {
 
 template <int Nodes, class Real>
@@ -51,7 +51,7 @@ auto ObjectiveState<Nodes, Real>::evaluate(const Constants& constants, int p, co
     return point;
 }
 
-// δW = n · (δr′ + r′ × T δψ) + m · (T δψ′ + T′ δψ).
+// Adds the forces of δW = n · (δr′ + r′ × T δψ) + m · (T δψ′ + T′ δψ).
 template <int Nodes, class Real>
 void ObjectiveState<Nodes, Real>::add_forces(const Point& point, LocalForces& forces) {
     const Vec3 by_psi =
@@ -76,8 +76,8 @@ auto ObjectiveState<Nodes, Real>::sum_forces(const Constants& constants, const M
     return forces;
 }
 
-// The second derivative of the energy by (ρ_I, ψ_I). Blocks below the diagonal of nodes, and those of ψ_I by
-// ρ_J, are left out: the whole is symmetric.
+// Adds the second derivative of the energy by (ρ_I, ψ_I). Blocks below the diagonal of nodes, and blocks of
+// ψ_I by ρ_J, are left out: the whole is symmetric.
 template <int Nodes, class Real>
 void ObjectiveState<Nodes, Real>::add_stiffness(const Constants& constants,
                                                 const Mat3& R,
@@ -91,7 +91,7 @@ void ObjectiveState<Nodes, Real>::add_stiffness(const Constants& constants,
     const Mat3 C_nn = point.Lambda * C_NN * point.Lambda.transpose();
     const Mat3 C_nm = point.Lambda * C_NM * point.Lambda.transpose();
     const Mat3 C_mm = point.Lambda * C_MM * point.Lambda.transpose();
-    // By r′, ψ and ψ′, times the weight.
+    // Derivatives by r′, ψ and ψ′, times the weight.
     const Mat3 n_psi = C_nn * P + C_nm * Q;
     const Mat3 m_psi = C_nm.transpose() * P + C_mm * Q;
     const Mat3 n_slope = C_nm * point.T;
@@ -142,8 +142,8 @@ auto ObjectiveState<Nodes, Real>::compute_nodal_forces(const LocalForces& local,
     return forces;
 }
 
-// From the second derivative by (ρ, ψ) to the derivative of forces and moments by (δr, δφ), where
-// δρ_I = δr_I + ρ_I × δφ_R and δψ_I = T(ψ_I)⁻¹ (δφ_I − δφ_R).
+// Turns the second derivative by (ρ, ψ) into the derivative of forces and moments by (δr, δφ), where δρ_I =
+// δr_I + ρ_I × δφ_R and δψ_I = T(ψ_I)⁻¹ (δφ_I − δφ_R).
 template <int Nodes, class Real>
 void ObjectiveState<Nodes, Real>::pull_and_push(const LocalForces& local,
                                                 const Inverses& inverses,

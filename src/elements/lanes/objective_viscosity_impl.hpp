@@ -2,7 +2,7 @@
 
 #include "elements/lanes/objective_state.hpp"
 
-// Kelvin-Voigt damping in ObjectiveState (docs/theory/rods.md, (R44)–(R47)). A ° marks rates seen from the
+// Kelvin-Voigt damping in ObjectiveState (docs/theory/rods.md, (R44)–(R47)). A ° marks rates relative to the
 // frame.
 namespace gxrod {
 
@@ -36,7 +36,7 @@ auto ObjectiveState<Nodes, Real>::evaluate_rates(const Point& point, const Rates
     return moving;
 }
 
-// Without the frame's share: N_I T T_I⁻¹, by s, and the rates of both.
+// Computes the maps without the frame's share: N_I T T_I⁻¹, its derivative by s, and the rates of both.
 template <int Nodes, class Real>
 auto ObjectiveState<Nodes, Real>::compute_spin_maps(const Point& point,
                                                     const PointRates& moving,
@@ -60,7 +60,7 @@ auto ObjectiveState<Nodes, Real>::compute_spin_maps(const Point& point,
     return maps;
 }
 
-// (I − Σ) A_a and (I − Σ) A_b with A_a,b = ½(I ± [τ]×), where Σ are the sums over the nodes.
+// Adds (I − Σ) A_a and (I − Σ) A_b with A_a,b = ½(I ± [τ]×), where Σ are the sums over the nodes.
 template <int Nodes, class Real>
 void ObjectiveState<Nodes, Real>::share_frame(const Vec3& tau_rate, SpinMaps& maps) const {
     Mat3 spin = -maps.spin[0];

@@ -6,7 +6,7 @@
 
 namespace gxrod {
 
-// What kernels for two nodes know of several elements, from the rows of RodKernels.
+// The data of several elements with two nodes, from the rows of RodKernels.
 template <class Real>
 struct TwoNodeElements {
     using Mat3 = Eigen::Matrix<Real, 3, 3>;
@@ -31,7 +31,7 @@ struct TwoNodeElements {
     }
 };
 
-// Replaces what series say of lanes that are turned too far for them.
+// Replaces the results of series in lanes that are turned too far for them.
 template <class Real>
 void fill_large_lanes(const Eigen::Quaternion<Real>& q, const Real& square, HalfRotation<Real>& rotation) {
     constexpr int width = static_cast<int>(Real::size);
@@ -59,7 +59,7 @@ void fill_large_lanes(const Eigen::Quaternion<Real>& q, const Real& square, Half
     for (Real* value : replaced) *value = read.scalar();
 }
 
-// The rotation from a to b, of quaternions of either sign.
+// Returns the rotation from a to b, for quaternions of either sign.
 template <class Real>
 HalfRotation<Real> split_lanes(Eigen::Quaternion<Real> q) {
     HalfRotation<Real> rotation;

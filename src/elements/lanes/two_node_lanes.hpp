@@ -9,7 +9,7 @@ namespace gxrod {
 template <class Real>
 class TwoNodeLanes {
   public:
-    // Without those for general sections.
+    // Makes the kernels without those for general sections.
     static RodKernels<2> make_kernels() {
         return {{compute_forces, compute_tangents}, {}, {}, AddLanes<2, Real>::add_tangents};
     }
@@ -85,7 +85,7 @@ class TwoNodeLanes {
         return stiffness;
     }
 
-    // Three columns of a tangent, from top to bottom.
+    // Writes three columns of a tangent, from top to bottom.
     static void write_columns(LaneWriter<Real>& write,
                               const Mat3& n_a,
                               const Mat3& moment_a,

@@ -6,12 +6,12 @@
 
 namespace gxrod {
 
-// What Kelvin-Voigt damping adds to the tangent at one point of the quadrature, next to the resultants that
-// turn with the motion (docs/theory/rods.md, (R44)–(R47)).
+// The contribution of Kelvin-Voigt damping to the tangent at one point of the quadrature, in addition to the
+// resultants that turn with the motion (docs/theory/rods.md, (R44)–(R47)).
 //
 // Legend, spatial: δΓ = Λᵀ (N_J′ δr_J + e_J δφ_J), δK = Λᵀ k_J δφ_J, summed over the nodes, are the strains'
-// increments, and with v_J and ω_J their rates. °e and °k are rates of e and k, seen from the section on the
-// side of the strains and from the frame of the element on the side of the nodes.
+// increments, and with v_J and ω_J their rates. °e and °k are rates of e and k, relative to the section on
+// the side of the strains and to the frame of the element on the side of the nodes.
 template <int Nodes, class Real>
 struct ViscousPoint {
     using Vec3 = Eigen::Matrix<Real, 3, 1>;
@@ -21,8 +21,8 @@ struct ViscousPoint {
     Mat3 C_nn, C_nm, C_mm;           // the section's viscosity Λ τC Λᵀ, times the weight
     std::array<Real, Nodes> slopes;  // dN_I/ds
     std::array<Mat3, Nodes> e, k, e_rate, k_rate;
-    Vec3 omega;    // of the section
-    Vec3 omega_R;  // of the element's frame
+    Vec3 omega;    // spin of the section
+    Vec3 omega_R;  // spin of the element's frame
 
     // Sets the viscosity to `factor` × τC.
     void set_viscosity(
@@ -60,7 +60,7 @@ struct ViscousPoint {
     }
 
   private:
-    // δΓ̇ = Λᵀ N_J′ (rate − placement [ω]×) δr_J.
+    // Adds the terms of δΓ̇ = Λᵀ N_J′ (rate − placement [ω]×) δr_J.
     void add_by_displacements(const NodeLinearizations<Nodes, Real>& linearizations,
                               const std::array<Mat3, Nodes>& e_transposed,
                               const std::array<Mat3, Nodes>& k_transposed,

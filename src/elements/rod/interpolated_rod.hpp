@@ -10,8 +10,8 @@
 
 namespace gxrod {
 
-// Nodal unknowns of a rod in which positions and rotation vectors are interpolated, r(s) = Σ N_I r_I and
-// θ(s) = Σ N_I θ_I: a column per node. What the rotation vectors are measured from is the caller's affair.
+// Nodal unknowns of a rod with interpolated positions and rotation vectors, r(s) = Σ N_I r_I and θ(s) = Σ N_I
+// θ_I: a column per node. The caller chooses the attitude from which rotation vectors are measured.
 template <int Nodes>
 struct LocalMotion {
     Eigen::Matrix<double, 3, Nodes> r;
@@ -24,14 +24,14 @@ template <int Nodes>
 class InterpolatedRod {
   public:
     static constexpr int point_count = Nodes - 1;
-    // What is known of each point's section: where θ is measured from.
+    // The attitude of each point's section from which θ is measured.
     using PointHistories = std::array<SectionHistory, point_count>;
 
     using PointSections = std::array<SharedRodSection, point_count>;
     using PointStrains = std::array<Vec6, point_count>;
 
-    // The shape at t = 0: what is interpolated there has these strains (Γ, K), which are zero where it is
-    // free of stress.
+    // Takes the shape at t = 0. Its interpolation has these strains (Γ, K), which are zero if it is free of
+    // stress.
     InterpolatedRod(const LocalMotion<Nodes>& start,
                     const PointHistories& histories,
                     const PointSections& sections,
@@ -46,81 +46,83 @@ class InterpolatedRod {
     };
     const ReferencePoint& reference(int point) const { return points_[point]; }
 
-    // The one place where resultants follow from the strains of a point, measured from the reference: by its
-    // section's law and what acts within the section. The dissipated energy and what the law remembers in
-    // `after` are those since the last accepted step.
+    // Computes the resultants from the strains of a point relative to the reference, by its section's law and
+    // the actions within the section; no other function does. The dissipated energy, and the memory of the
+    // law in `after`, count from the last accepted step.
     SectionResponse respond(int point,
                             const Vec6& strain,
                             Histories histories,
                             std::span<double> after = {}) const;
-    // What drives the sections of the rod, and what that does work on.
+    // Adds the drives of the rod's sections, and the strains on which they do work.
     void add_driven_points(const LocalMotion<Nodes>& motion,
                            Histories histories,
                            std::vector<DrivenPoint>& points) const;
-    // Whether that is the stiffness × the strains, at every point.
+    // Whether resultants are the stiffness × the strains, at every point.
     bool is_linear(Histories histories) const { return !has_law() && histories.drives.empty(); }
     bool has_law() const { return section(0).law != nullptr; }
-    // Numbers that the laws of all points remember: as many at each.
+    // The number of values that the laws of all points remember, the same at each point.
     int memory_count() const { return point_count * section(0).memory_size(); }
 
     double strain_energy(const LocalMotion<Nodes>& motion, Histories histories) const;
-    // What laws have dissipated since the last accepted step.
+    // Computes the dissipation of laws since the last accepted step.
     double dissipated_energy(const LocalMotion<Nodes>& motion, Histories histories) const;
-    // ∂W/∂(r_I, θ_I).
+    // Computes ∂W/∂(r_I, θ_I).
     NodalVector<Nodes> compute_gradient(const LocalMotion<Nodes>& motion, Histories histories) const;
-    // The same with ∂²W/∂(r_I, θ_I)², symmetric where D is.
+    // The gradient with ∂²W/∂(r_I, θ_I)², symmetric where D is.
     struct Derivatives {
         NodalVector<Nodes> gradient;
         NodalMatrix<Nodes> hessian;
     };
     Derivatives compute_derivatives(const LocalMotion<Nodes>& motion, Histories histories) const;
 
-    // Σ Eᵀ S of resultants S of the points, whatever the strains, in the place of the gradient; and
-    // Σ (Eᵀ C E + G(S)) in the place of the hessian (docs/theory/rods.md, (R34)).
+    // Compute, for resultants S of the points that need not follow from the strains, Σ Eᵀ S in place of the
+    // gradient, and Σ (Eᵀ C E + G(S)) in place of the hessian (docs/theory/rods.md, (R34)).
     NodalVector<Nodes> compute_force_of(const LocalMotion<Nodes>& motion,
                                         Histories histories,
                                         Resultants resultants) const;
     NodalMatrix<Nodes> compute_mixed_hessian(const LocalMotion<Nodes>& motion,
                                              Histories histories,
                                              Resultants resultants) const;
-    // S + D E_u δu: the resultants after an increment δu of the motion, to first order; C (E + E_u δu) of a
-    // linear section.
+    // Computes S + D E_u δu: the resultants after an increment δu of the motion, to first order; for a linear
+    // section C (E + E_u δu).
     void advance_resultants(const LocalMotion<Nodes>& motion,
                             const LocalMotion<Nodes>& increment,
                             Histories histories,
                             std::span<Vec6> resultants) const;
-    // The same of one point, by its strain and the change of that.
+    // Does the same at one point, from its strain and the change of the strain.
     Vec6 advance_resultants(int point, const Vec6& strain, const Vec6& change, Histories histories) const;
 
-    // The generalised force of the resultants τ C Ė (Kelvin & Voigt), Ė the strain rates at these `rates`.
+    // Computes the generalised force of the resultants τ C Ė (Kelvin & Voigt), Ė the strain rates at these
+    // `rates`.
     NodalVector<Nodes> compute_damping_force(const LocalMotion<Nodes>& motion,
                                              const LocalMotion<Nodes>& rates,
                                              Histories histories) const;
-    // Its derivatives by the motion and by the rates.
+    // The derivatives of this force by the motion and by the rates.
     struct DampingTangents {
         NodalMatrix<Nodes> by_motion, by_rates;
     };
     DampingTangents compute_damping_tangents(const LocalMotion<Nodes>& motion,
                                              const LocalMotion<Nodes>& rates,
                                              Histories histories) const;
-    // ∫ τ ΔE · C ΔE ds of the change ΔE of the strains from one motion to another, both seen from the same
-    // histories: over the time it takes, what Kelvin-Voigt damping dissipates at the mean strain rates.
+    // Computes ∫ τ ΔE · C ΔE ds for the change ΔE of the strains from one motion to another, both with the
+    // same histories: divided by the duration, the dissipation of Kelvin-Voigt damping at the mean strain
+    // rates.
     double damping_action(const LocalMotion<Nodes>& previous,
                           const LocalMotion<Nodes>& trial,
                           Histories histories) const;
-    // The same of a rod with one force point, by the change of its strain.
+    // Does the same for a rod with one force point, from the change of its strain.
     double damping_action(const Vec6& change) const;
 
-    // ∫ δE (D δE) ds, component by component, of what an increment of the motion adds to the strains to first
-    // order; and the same of a rod with one force point, by that change and D.
+    // Compute ∫ δE (D δE) ds, component by component, for the first-order strain increment of an increment of
+    // the motion; and the same for a rod with one force point, from that change and D.
     Vec6 compute_strain_work(const LocalMotion<Nodes>& motion,
                              const LocalMotion<Nodes>& increment,
                              Histories histories) const;
     Vec6 compute_strain_work(const Vec6& change, const Mat6& stiffness) const;
 
-    // Λ and the total curvature of each point, for the next step.
+    // Sets Λ and the total curvature of each point, for the next step.
     void advance(const LocalMotion<Nodes>& motion, std::span<SectionHistory> axes) const;
-    // What laws remember, for the next step. `memory` can be that of the histories.
+    // Sets the memory of laws for the next step. `memory` can be the one in the histories.
     void advance_memory(const LocalMotion<Nodes>& motion,
                         Histories histories,
                         std::span<double> memory) const;
@@ -129,12 +131,12 @@ class InterpolatedRod {
     struct SectionState {
         Vec6 strain, resultants;
     };
-    // In the middle: of the point there, or the mean of the two next to it.
+    // Computes the state in the middle: of the point there, or the mean of its two neighbours.
     SectionState compute_middle_state(const LocalMotion<Nodes>& motion,
                                       const LocalMotion<Nodes>& rates,
                                       Histories histories) const;
-    // At ξ, with the section's stiffness there, by the polynomial through the points and what is known of
-    // both ends: resultants, first the start's.
+    // Computes the state at ξ, with the section's stiffness there, by the polynomial through the points and
+    // the given resultants of both ends, first the start's.
     SectionState interpolate_state(const LocalMotion<Nodes>& motion,
                                    const LocalMotion<Nodes>& rates,
                                    Histories histories,
@@ -159,11 +161,11 @@ class InterpolatedRod {
     static void add_force(const ForcePoint& point, const Vec9& density, NodalVector<Nodes>& force);
     static void add_matrix(const ForcePoint& point, const Mat9& density, NodalMatrix<Nodes>& matrix);
     const Mat6& stiffness(int point) const { return section(point).stiffness; }
-    // Of a section that is linear stiffness × strains, to the last bit.
+    // Whether a section is linear: stiffness × strains, to the last bit.
     Vec6 compute_resultants(int point, const Vec6& strain, Histories histories) const;
-    // With those of the reference: (Λᵀ r′, K).
+    // Returns the strains including the reference strains: (Λᵀ r′, K).
     Vec6 compute_total_strain(int point, const Vec6& strain) const;
-    // D at the strains of these fields.
+    // Returns D at the strains of these fields.
     Mat6 compute_stiffness(int point, const SectionFields& fields, Histories histories) const;
     Vec6 compute_strain_rates(const ForcePoint& point,
                               const LocalMotion<Nodes>& motion,

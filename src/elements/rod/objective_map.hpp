@@ -4,10 +4,10 @@
 
 namespace gxrod {
 
-// Crisfield & Jelenić (1999): what is interpolated are rotations relative to a triad R of the element, so
-// that strains do not notice a rigid rotation nor the path. R is the section triad of the middle node or, of
-// an even number of nodes, half-way between the two middle ones. Section triads Λ_I triad_I = R exp(ψ_I), and
-// R exp(Σ N_I ψ_I) between the nodes; positions are seen from R too (docs/theory/rods.md, (R13)–(R22)).
+// Crisfield & Jelenić (1999): the element interpolates rotations relative to its triad R, so that strains
+// depend neither on a rigid rotation nor on the path. R is the section triad of the middle node or, for an
+// even number of nodes, half-way between the two middle ones. Section triads are Λ_I triad_I = R exp(ψ_I),
+// and R exp(Σ N_I ψ_I) between the nodes; positions are relative to R too (docs/theory/rods.md, (R13)–(R22)).
 //
 // All calculation is in the axes of R. Its spin is δφ_R = A_a δφ_a + A_b δφ_b with the two middle nodes a, b
 // (one: A = I), and δρ_I = δr_I + ρ_I × δφ_R, δψ_I = T(ψ_I)⁻¹ (δφ_I − δφ_R).
@@ -21,15 +21,17 @@ class ObjectiveMap {
     const LocalMotion<Nodes>& local() const { return local_; }
     LocalMotion<Nodes> compute_rates(const Motions<Nodes>& motions) const;
     Quat turn_out(const Quat& axes) const { return frame_ * axes; }
-    // How R turns with the nodes: its spin by (δr, δφ), spatial.
+    // Computes the spin of R by (δr, δφ) of the nodes, spatial.
     Eigen::Matrix<double, 3, 6 * Nodes> compute_frame_spin() const;
-    // Section axes between the nodes, and their angular velocity; `shape` are the shape functions there.
+    // Computes section axes between the nodes, and their angular velocity; `shape` are the shape functions
+    // there.
     Quat interpolate_axes(const NodeValues<Nodes>& shape) const;
     Vec3 interpolate_spin(const Motions<Nodes>& motions, const NodeValues<Nodes>& shape) const;
-    // Of two nodes, or a node and R: a rotation that the logarithm measures, at most π.
+    // Returns the largest rotation between two nodes, or a node and R, that the logarithm measures, at most
+    // π.
     double largest_relative_rotation() const { return largest_relative_rotation_; }
 
-    // See SimoMap.
+    // These do the same as in SimoMap.
     void add_force(const NodalVector<Nodes>& local_force, NodalVector<Nodes>& force) const;
     void add_tangent(const NodalVector<Nodes>& local_force,
                      const NodalMatrix<Nodes>& local_tangent,
@@ -43,17 +45,17 @@ class ObjectiveMap {
   private:
     static constexpr bool has_pair = Nodes % 2 == 0;
     static constexpr int a = (Nodes - 1) / 2;
-    static constexpr int b = Nodes / 2;  // a, of an odd number of nodes
+    static constexpr int b = Nodes / 2;  // a for an odd number of nodes
 
     using FrameRows = Eigen::Matrix<double, 3, 6 * Nodes>;
     using FrameColumns = Eigen::Matrix<double, 6 * Nodes, 3>;
     using Columns3 = Eigen::Matrix<double, 3, Nodes>;
 
     void find_frame(const std::array<Quat, Nodes>& axes);
-    // Moments in the place of the forces conjugate to ψ; what all of it does to R comes back.
+    // Turns forces conjugate to ψ into moments, and returns the moment of all on R.
     FrameRows pull_rows(NodalMatrix<Nodes>& rows) const;
     void add_frame_rows(const FrameRows& on_frame, NodalMatrix<Nodes>& rows) const;
-    // From columns by (ρ, ψ) and by the spin of R to columns by (δr, δφ).
+    // Turns columns by (ρ, ψ) and by the spin of R into columns by (δr, δφ).
     void push_columns(FrameColumns by_frame, NodalMatrix<Nodes>& matrix) const;
     void add_turned_out(const NodalMatrix<Nodes>& matrix,
                         const Linearizations<Nodes>& linearizations,
@@ -64,7 +66,7 @@ class ObjectiveMap {
     struct FrameForces {
         Columns3 n, m;
         Vec3 M;
-        NodalVector<Nodes> stacked;  // of the nodes, R's share included
+        NodalVector<Nodes> stacked;  // of the nodes, including the share of R
     };
     FrameForces compute_frame_forces(const NodalVector<Nodes>& local_force) const;
 
@@ -75,7 +77,7 @@ class ObjectiveMap {
     };
     FrameRates compute_frame_rates(const Motions<Nodes>& motions) const;
 
-    // How the rates of (ρ, ψ) depend on (ρ, ψ) and on the spin of R at fixed nodal rates.
+    // Derivatives of the rates of (ρ, ψ) by (ρ, ψ) and by the spin of R, at fixed nodal rates.
     struct RateGradients {
         NodalMatrix<Nodes> by_motion;
         FrameColumns by_frame;

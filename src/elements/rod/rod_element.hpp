@@ -12,8 +12,8 @@
 
 namespace gxrod {
 
-// A geometrically exact rod element: positions and rotation vectors interpolated, rotation vectors measured
-// from where `Map` says.
+// A geometrically exact rod element that interpolates positions and rotation vectors; `Map` chooses the
+// attitude from which rotation vectors are measured.
 template <int Nodes, class Map>
 class RodElement {
   public:
@@ -24,7 +24,7 @@ class RodElement {
     std::array<int, Nodes> nodes;
 
     RodElement(const RodElementGeometry<Nodes>& geometry, const ElementSections<Nodes>& sections);
-    // One that shares its section with no other.
+    // Makes an element with a section of its own.
     RodElement(const RodElementGeometry<Nodes>& geometry, const Section& section)
         : RodElement(geometry, ElementSections<Nodes>(std::make_shared<const RodSection>(section))) {}
 
@@ -39,19 +39,19 @@ class RodElement {
                               Histories histories,
                               const Linearizations<Nodes>& linearizations,
                               NodalMatrix<Nodes>& tangent) const;
-    // The same with `resultants` of its own in place of C E where these turn with the motion.
+    // Adds the tangent with independent `resultants` in place of C E in the terms that turn with the motion.
     void add_mixed_tangent(const Motions<Nodes>& motions,
                            Histories histories,
                            Resultants resultants,
                            const Linearizations<Nodes>& linearizations,
                            NodalMatrix<Nodes>& tangent) const;
-    // Sets them to what they are after the increment (δr, δφ) to first order: S + D δE.
+    // Advances the resultants by the increment (δr, δφ) to first order: S + D δE.
     void advance_resultants(const Motions<Nodes>& motions,
                             Histories histories,
                             const NodalVector<Nodes>& increment,
                             std::span<Vec6> resultants) const;
-    // ∫ δE (D δE) ds, component by component, of the strains δE that the increment (δr, δφ) adds to first
-    // order.
+    // Computes ∫ δE (D δE) ds, component by component, for the first-order strains δE of the increment (δr,
+    // δφ).
     Vec6 compute_strain_work(const Motions<Nodes>& motions,
                              Histories histories,
                              const NodalVector<Nodes>& increment) const;
@@ -64,7 +64,7 @@ class RodElement {
                               NodalMatrix<Nodes>& tangent) const;
 
     bool is_damped() const { return rod_.is_damped() || inertia_.is_damped(); }
-    // Kelvin-Voigt and mass-proportional.
+    // These add Kelvin-Voigt and mass-proportional damping.
     void add_damping_force(const Motions<Nodes>& motions,
                            Histories histories,
                            NodalVector<Nodes>& force) const;
@@ -75,7 +75,7 @@ class RodElement {
     double damping_action(const Motions<Nodes>& previous,
                           const Motions<Nodes>& trial,
                           Histories histories) const;
-    // Kelvin-Voigt alone.
+    // These add Kelvin-Voigt damping alone.
     void add_viscous_force(const Motions<Nodes>& motions,
                            Histories histories,
                            NodalVector<Nodes>& force) const;
@@ -84,20 +84,20 @@ class RodElement {
                              const Linearizations<Nodes>& linearizations,
                              NodalMatrix<Nodes>& tangent) const;
 
-    // The histories of a rod in its reference shape.
+    // Sets the histories for a rod in its reference shape.
     void start(std::span<SectionHistory> histories) const;
     // Takes the trial motion as the last accepted step.
     void commit(const Motions<Nodes>& motions, Histories histories, WritableHistories after) const;
-    // Numbers that the laws of its sections remember.
+    // The number of values that the laws of its sections remember.
     int memory_count() const { return rod_.memory_count(); }
     bool has_law() const { return rod_.has_law(); }
     // Whether the Kelvin-Voigt damping of its components differs.
     bool is_damped_unevenly() const { return rod_.section(0).damping_roots.has_value(); }
-    // The largest rotation between nodes that the interpolation takes for the short way round, at most π.
+    // Returns the largest rotation between nodes that the interpolation takes the short way round, at most π.
     double largest_relative_rotation(const Motions<Nodes>& motions) const;
 
     double strain_energy(const Motions<Nodes>& motions, Histories histories) const;
-    // What the laws of its sections have dissipated since the last accepted step.
+    // Computes the dissipation of its sections' laws since the last accepted step.
     double dissipated_energy(const Motions<Nodes>& motions, Histories histories) const;
     void add_driven_points(const Motions<Nodes>& motions,
                            Histories histories,
@@ -106,10 +106,11 @@ class RodElement {
     double gravity_potential(const Motions<Nodes>& motions, const Vec3& gravity) const;
     Momentum momentum(const Motions<Nodes>& motions) const;
 
-    // Strains and resultants in the middle.
+    // Computes strains and resultants in the middle.
     SectionValues section_values(const Motions<Nodes>& motions, Histories histories) const;
-    // At ξ, −1 to 1; but for `start`, which needs positions at t = 0. `force` is what the element and the
-    // loads along it ask of its nodes: of an equilibrium, the end nodes' are the resultants there.
+    // Computes the values at ξ, −1 to 1, except `start`, which needs positions at t = 0. `force` is the force
+    // of the element and the loads along it on its nodes: in equilibrium, at the end nodes the resultants
+    // there.
     PointValues point_values(const Motions<Nodes>& motions,
                              Histories histories,
                              const NodalVector<Nodes>& force,
@@ -119,21 +120,22 @@ class RodElement {
     using Rod = InterpolatedRod<Nodes>;
     using PointHistories = typename Rod::PointHistories;
 
-    // Where each force point's rotation is measured from: what State remembers, or the map's own axes.
+    // Returns the attitudes from which each force point's rotation is measured: those in State, or the map's
+    // own.
     static Histories histories_of_points(Histories histories);
     static Motions<Nodes> point_at(const std::array<NodeMotion, Nodes>& nodal);
     static std::array<NodeMotion, Nodes> make_reference(const RodElementGeometry<Nodes>& geometry);
     static PointHistories compute_start(const RodElementGeometry<Nodes>& geometry);
     static Rod make_rod(const RodElementGeometry<Nodes>& geometry, const ElementSections<Nodes>& sections);
 
-    // The one with two nodes that is objective has closed forms, for linear sections.
+    // The objective element with two nodes has closed forms, for linear sections.
     static constexpr bool is_two_node_objective = Nodes == 2 && std::is_same_v<Map, ObjectiveMap<2>>;
     template <class Visitor>
     void visit_state(const Motions<Nodes>& motions, Visitor&& visit) const;
     bool has_closed_form(Histories histories) const {
         return is_two_node_objective && rod_.is_linear(histories);
     }
-    // Calls visit(rod, rotation, axes of a, r_b − r_a), which a TwoNodeRod<double>::State is made of.
+    // Calls visit(rod, rotation, axes of a, r_b − r_a), the arguments of a TwoNodeRod<double>::State.
     template <class Visitor>
     void visit_two_nodes(const Motions<Nodes>& motions, Visitor&& visit) const;
 

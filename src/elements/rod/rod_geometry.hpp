@@ -7,9 +7,9 @@
 
 namespace gxrod {
 
-// What a piece of rod is made from: its nodes, at the Gauss-Lobatto points, with position and section axes at
-// t = 0; and either the strains (Γ, K) that it has there at its force points, zero of one that is free of
-// stress, or the shape in which it has none.
+// The geometry of a rod element: its nodes, at the Gauss-Lobatto points, with position and section axes at t
+// = 0; and either its strains (Γ, K) at the force points at t = 0, zero if it is free of stress, or its
+// stress-free shape.
 template <int Nodes>
 struct RodElementGeometry {
     std::array<int, Nodes> nodes;
@@ -22,7 +22,7 @@ struct RodElementGeometry {
     };
     std::optional<Shape> rest = {};
 
-    // By which lengths are measured: the rest, or the shape at t = 0.
+    // The shape by which lengths are measured: the stress-free shape, or the shape at t = 0.
     RodElementGeometry reference() const {
         RodElementGeometry made = *this;
         if (!rest) return made;

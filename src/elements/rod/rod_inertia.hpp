@@ -11,7 +11,7 @@ namespace gxrod {
 
 // The inertia of a rod element. Each node moves the centre of mass of its section, r_I + d_I, like a rigid
 // body; between the nodes these points are interpolated and their mass is integrated (Nodes Gauss points).
-// Rotary inertia about them is lumped to the nodes with the weights of nodal quadrature. The kinetic energy
+// Rotary inertia about them is lumped at the nodes with the weights of nodal quadrature. The kinetic energy
 // is then positive for every offset, and the semi-discrete balances of momentum, angular momentum and energy
 // are exact (docs/theory/rods.md, (R23)–(R27)).
 template <int Nodes>
@@ -25,17 +25,17 @@ class RodInertia {
                      const Linearizations<Nodes>& linearizations,
                      NodalMatrix<Nodes>& tangent) const;
 
-    // Forces and couples that are mass_proportional times the momenta.
+    // Damping: forces and couples that are mass_proportional times the momenta.
     bool is_damped() const { return section(0).mass_proportional > 0.0; }
     void add_damping_force(const Motions<Nodes>& motions, NodalVector<Nodes>& force) const;
     void add_damping_tangent(const Motions<Nodes>& motions,
                              const Linearizations<Nodes>& linearizations,
                              NodalMatrix<Nodes>& tangent) const;
-    // mass_proportional × twice the kinetic energy of the step's displacements and rotation vectors, taken
-    // for rates.
+    // Computes mass_proportional × twice the kinetic energy with the step's displacements and rotation
+    // vectors as rates.
     double damping_action(const Motions<Nodes>& previous, const Motions<Nodes>& trial) const;
 
-    // Of all these the share of the centres of mass, without rotary inertia.
+    // These add the share of the centres of mass, without rotary inertia.
     void add_translational_force(const Motions<Nodes>& motions,
                                  const Vec3& gravity,
                                  NodalVector<Nodes>& force) const;
@@ -48,13 +48,13 @@ class RodInertia {
                                            const Linearizations<Nodes>& linearizations,
                                            NodalMatrix<Nodes>& tangent) const;
 
-    // ∫ ρA N_I N_J ds.
+    // The masses ∫ρA N_I N_J ds.
     const Eigen::Matrix<double, Nodes, Nodes>& mass() const { return mass_; }
     bool has_offset() const { return has_offset_; }
     const RodSection& section(int node) const { return *sections_[node]; }
-    // The rotary inertia that is lumped to a node, in the global axes of t = 0.
+    // Computes the rotary inertia lumped at a node, in the global axes of t = 0.
     Mat3 compute_rotary_inertia(int node) const;
-    // Section axes of the nodes at t = 0.
+    // The section axes of the nodes at t = 0.
     const std::array<Quat, Nodes>& triads() const { return triads_; }
 
     double kinetic_energy(const Motions<Nodes>& motions) const;
@@ -64,20 +64,20 @@ class RodInertia {
   private:
     using Columns3 = Eigen::Matrix<double, 3, Nodes>;
 
-    // From each node to its centre of mass, spatial.
+    // Computes the offset of each node's centre of mass, spatial.
     Columns3 compute_offsets(const Motions<Nodes>& motions) const;
-    // Velocities of the centres of mass.
+    // Computes velocities of the centres of mass.
     Columns3 compute_velocities(const Motions<Nodes>& motions, const Columns3& d) const;
-    // Accelerations of the centres of mass less gravity.
+    // Computes accelerations of the centres of mass less gravity.
     Columns3 compute_accelerations(const Motions<Nodes>& motions,
                                    const Vec3& gravity,
                                    const Columns3& d) const;
 
-    // Half the mass times the squared velocities.
+    // Computes half the mass times the squared velocities.
     double compute_energy(const Motions<Nodes>& motions) const;
-    // Of the rotary inertia that is lumped to a node, now.
+    // Returns the present rotary inertia lumped at a node.
     RotaryInertia<double> turn(int node, const NodeMotion& motion) const;
-    // Its J ω, without J.
+    // Computes its J ω directly, without J.
     Vec3 compute_spin_momentum(int node, const NodeMotion& motion) const;
 
     std::array<Quat, Nodes> triads_;

@@ -8,7 +8,7 @@
 
 namespace gxrod {
 
-// What elements share of a section. Material axes.
+// The data of a section that elements share. Material axes.
 struct RodSection {
     Mat6 stiffness;                         // resultants from strains
     double kelvin_voigt;                    // time
@@ -17,14 +17,15 @@ struct RodSection {
     Vec3 centre_of_mass;                    // from the node
     Mat3 rotary_inertia;                    // per length, about the centre of mass
     bool has_inertia;                       // as Model::has_inertia
-    std::optional<Vec6> damping_roots;      // √τ_i, where the components of kelvin_voigt differ
-    std::shared_ptr<const SectionLaw> law;  // nullptr where resultants are stiffness × strains
+    std::optional<Vec6> damping_roots;      // √τ_i, if the components of kelvin_voigt differ
+    std::shared_ptr<const SectionLaw> law;  // nullptr if resultants are stiffness × strains
 
     int memory_size() const { return law ? law->memory_size() : 0; }
 
     explicit RodSection(const Section& section, bool resists_acceleration = true);
 
-    // The resultants of Kelvin-Voigt damping at these strain rates, or, of a column, for each.
+    // Computes the resultants of Kelvin-Voigt damping at these strain rates; for a matrix, at each of its
+    // columns.
     Vec6 compute_viscous_resultants(const Vec6& rates) const;
     Mat6 compute_viscosity() const;
 
@@ -40,7 +41,7 @@ struct ElementSections {
     std::array<SharedRodSection, Nodes> at_masses, at_nodes;
 
     ElementSections() = default;
-    // The same everywhere.
+    // Takes the same section everywhere.
     ElementSections(const SharedRodSection& section) {
         at_forces.fill(section);
         at_masses.fill(section);

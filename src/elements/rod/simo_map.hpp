@@ -4,8 +4,8 @@
 
 namespace gxrod {
 
-// Simo & Vu-Quoc (1986): what is interpolated are positions and the rotation vectors θ_I since the last
-// accepted step. From nodal motions to those and back: δθ_I = T(θ_I)⁻¹ δφ_I, so that test functions are
+// Simo & Vu-Quoc (1986): the element interpolates positions and the rotation vectors θ_I since the last
+// accepted step. The map between nodal and local motions is δθ_I = T(θ_I)⁻¹ δφ_I, so that test functions are
 // δφ(s) = T(θ(s)) Σ N_I T(θ_I)⁻¹ δφ_I (docs/theory/rods.md, (R12)).
 template <int Nodes>
 class SimoMap {
@@ -17,24 +17,23 @@ class SimoMap {
 
     const LocalMotion<Nodes>& local() const { return local_; }
     LocalMotion<Nodes> compute_rates(const Motions<Nodes>& motions) const;
-    // Section axes of a point with what is remembered of it.
+    // Computes the section axes of a point from its history.
     Quat turn_out(const Quat& axes) const { return axes; }
-    // See ObjectiveMap: there is no frame.
+    // This corresponds to ObjectiveMap, but there is no frame.
     static Eigen::Matrix<double, 3, 6 * Nodes> compute_frame_spin() {
         return Eigen::Matrix<double, 3, 6 * Nodes>::Zero();
     }
-    // The largest relative rotation that the interpolation takes for the short way round: none here.
+    // Returns the largest relative rotation that the interpolation takes the short way round: none here.
     double largest_relative_rotation() const { return 0.0; }
 
-    // From a generalised force of the local motion to forces and moments.
+    // Takes a generalised force of the local motion to forces and moments.
     void add_force(const NodalVector<Nodes>& local_force, NodalVector<Nodes>& force) const;
-    // The derivative of what add_force adds, if the local force has this derivative by the local motion.
+    // Adds the derivative of add_force's result, if the local force has this derivative by the local motion.
     void add_tangent(const NodalVector<Nodes>& local_force,
                      const NodalMatrix<Nodes>& local_tangent,
                      const Linearizations<Nodes>& linearizations,
                      NodalMatrix<Nodes>& tangent) const;
-    // The part of that derivative that comes through the rates, if the local force has this derivative by
-    // them.
+    // Adds the part of that derivative through the rates, if the local force has this derivative by them.
     void add_rate_tangent(const Motions<Nodes>& motions,
                           const NodalMatrix<Nodes>& local_tangent,
                           const Linearizations<Nodes>& linearizations,

@@ -3,13 +3,12 @@
 #include "rotation/cross_products.hpp"
 #include "rotation/half_rotation.hpp"
 
-// Internal force and tangent of the element `objective` with two nodes a and b, whose one force point lies
-// where the frame R is, half-way between the nodes: Γ = Rᵀ(r_b − r_a)/L − Γ₀ and K = Φ/L − K₀
-// (docs/theory/rods.md).
+// Internal force and tangent of the element `objective` with two nodes a and b. Its one force point lies in
+// the frame R, half-way between the nodes: Γ = Rᵀ(r_b − r_a)/L − Γ₀ and K = Φ/L − K₀ (docs/theory/rods.md).
 //
-// Legend, spatial: l = r_b − r_a; n, M resultants (moment_), phi = R Φ; m = n × l what the shear force does
-// to R; u = δr_b − δr_a, w = ½(I + [τ]×) δφ_a + ½(I − [τ]×) δφ_b the spin of R, p = X (δφ_b − δφ_a) = δΦ seen
-// from R.
+// Legend, spatial: l = r_b − r_a; n, M resultants (moment_), phi = R Φ; m = n × l the moment of the shear
+// force on R; u = δr_b − δr_a, w = ½(I + [τ]×) δφ_a + ½(I − [τ]×) δφ_b the spin of R, p = X (δφ_b − δφ_a) =
+// δΦ relative to R.
 namespace gxrod {
 
 template <class Real>
@@ -22,14 +21,14 @@ struct TwoNodeRod {
     Vec3 Gamma_0, Kappa_0;
     Mat3 C_NN, C_NM, C_MM;  // the stiffness of the section by blocks
 
-    // At the force point, material.
+    // Resultants at the force point, material.
     struct Strains {
         Vec3 Gamma, Kappa;
     };
     struct Resultants {
         Vec3 N, M;
     };
-    // What the element asks of its nodes: the force n of b, −n of a, and the moments.
+    // The element's forces on its nodes: the force n on b, −n on a, and the moments.
     struct Forces {
         Vec3 n, moment_a, moment_b;
     };
@@ -41,7 +40,7 @@ struct TwoNodeRod {
         Mat3 b_u, b_a, b_b;
     };
 
-    // Of the frame R.
+    // Computes the force strain in the frame R.
     Vec3 compute_force_strain(const Mat3& frame, const Vec3& l) const {
         return (frame.transpose() * l) / length - Gamma_0;
     }
@@ -49,7 +48,7 @@ struct TwoNodeRod {
         return rotation.Phi / length - Kappa_0;
     }
 
-    // Everything of one state that forces and tangents share.
+    // A state, with all values that forces and tangents share.
     class State {
       public:
         State(const TwoNodeRod& rod, const HalfRotation<Real>& rotation, const Quat& axes_a, const Vec3& l)
@@ -62,15 +61,15 @@ struct TwoNodeRod {
         Resultants compute_resultants(const Vec3& Gamma, const Vec3& Kappa) const {
             return {rod_.C_NN * Gamma + rod_.C_NM * Kappa, rod_.C_NM.transpose() * Gamma + rod_.C_MM * Kappa};
         }
-        // Those of the strains.
+        // Computes the resultants of the strains.
         Resultants compute_resultants() const {
             return compute_resultants(compute_force_strain(), compute_moment_strain());
         }
-        // Those of the strains and these together.
+        // Computes the resultants of the strains plus these.
         Resultants compute_resultants_beside(const Vec3& Gamma, const Vec3& Kappa) const {
             return compute_resultants(compute_force_strain() + Gamma, compute_moment_strain() + Kappa);
         }
-        // What an increment adds to the strains, to first order: u, and the spins of a and b.
+        // Computes the first-order strain increments for u and the spins of a and b.
         Strains compute_strain_increments(const Vec3& u, const Vec3& spin_a, const Vec3& spin_b) const {
             const Vec3 w = compute_frame_spin(spin_a, spin_b);
             const Vec3 p = compute_phi_increment(spin_a, spin_b);
@@ -82,7 +81,7 @@ struct TwoNodeRod {
             const auto [Gamma, Kappa] = compute_strain_increments(u, spin_a, spin_b);
             return compute_resultants_beside(Gamma, Kappa);
         }
-        // w and p.
+        // Compute w and p.
         Vec3 compute_frame_spin(const Vec3& spin_a, const Vec3& spin_b) const {
             return Real(0.5) * (spin_a + spin_b - tau_.cross(Vec3(spin_b - spin_a)));
         }
@@ -90,7 +89,7 @@ struct TwoNodeRod {
             const Vec3 difference = spin_b - spin_a;
             return rotation_.x * difference + (rotation_.y * phi_.dot(difference)) * phi_;
         }
-        // Has forces and tangents made of these instead of the resultants of the strains.
+        // Replaces the resultants of the strains by these for forces and tangents.
         void set_resultants(const Resultants& resultants) {
             n_ = frame_ * resultants.N;
             moment_ = frame_ * resultants.M;
@@ -112,12 +111,13 @@ struct TwoNodeRod {
       private:
         Vec3 compute_force_strain() const { return rod_.compute_force_strain(frame_, l_); }
         Vec3 compute_moment_strain() const { return rod_.compute_moment_strain(rotation_); }
-        // X A + ½(I + [τ]×) B: what changes of M and m do to the moment on b.
+        // Computes X A + ½(I + [τ]×) B: the change of the moment on b by changes of M and m.
         Mat3 pull(const Mat3& A, const Mat3& B) const {
             return rotation_.x * A + (rotation_.y * phi_) * (phi_.transpose() * A) +
                    Real(0.5) * (B + cross_columns(tau_, B));
         }
-        // From derivatives by w and p to that by the spin of b; by the spin of a it is by_w less that.
+        // Turns derivatives by w and p into the derivative by the spin of b; the derivative by the spin of a
+        // is by_w less that.
         Mat3 push(const Mat3& by_w, const Mat3& by_p) const {
             return Real(0.5) * (by_w - cross_rows(by_w, tau_)) + rotation_.x * by_p +
                    (rotation_.y * (by_p * phi_)) * phi_.transpose();
@@ -143,7 +143,7 @@ auto TwoNodeRod<Real>::State::compute_tangents() const -> Tangents {
     const Mat3 m_p = -cross_columns(l_, C_nm);
     const Mat3 n_w = cross_rows(C_nn, l_) - cross_matrix(n_);
     const Mat3 b_w = pull(cross_rows(C_mn, l_), m_w) - cross_matrix(moment_b_);
-    // δX M and δτ × m add to it.
+    // The changes δX M and δτ × m add to it.
     const Real along = phi_.dot(moment_);
     Mat3 b_p = pull(C_mm, m_p) +
                (rotation_.x1 * moment_ + (rotation_.y1 * along) * phi_ -
@@ -152,7 +152,7 @@ auto TwoNodeRod<Real>::State::compute_tangents() const -> Tangents {
                (rotation_.y * phi_) * moment_.transpose() -
                cross_matrix<Real>((Real(0.5) * rotation_.t) * m_);
     b_p.diagonal().array() += rotation_.y * along;
-    // Of both moments together, whose sum is m.
+    // Derivatives of the sum of both moments, which is m.
     const Mat3 sum_w = m_w - cross_matrix(m_);
     const Mat3 sum_b = push(sum_w, m_p);
 
