@@ -12,57 +12,14 @@ import re
 import shutil
 import subprocess
 import tarfile
-import tempfile
 import unittest
 
+from newcomer import SOURCE, VERSION, Scratch, run, without_ours
+
 BUILD = pathlib.Path(os.environ["GXROD_BUILD"]).resolve()
-SOURCE = pathlib.Path(os.environ["GXROD_SOURCE"]).resolve()
 VENV = os.environ.get("GXROD_VENV")
 NAMES = ["gxrod", "libgxrod-dev", "python3-gxrod"]
-[VERSION] = re.findall(r"project\(gxrod VERSION (\S+)", (SOURCE / "CMakeLists.txt").read_text())
 HAS_MODULE = bool(list((BUILD / "python" / "gxrod").glob("_core*.so")))
-# A run step by step; results as arrays.
-DRIVE = """
-import sys, gxrod
-with gxrod.Simulation(gxrod.Deck(sys.argv[1]).build(), results="driven.vtkhdf") as sim:
-    sim.advance(steps=5)
-    assert sim.state.position.shape == (31, 3)
-"""
-READ = """
-import gxrod
-r = gxrod.open_results("run.vtkhdf")
-print(gxrod.__version__, r.status, r["tip"].position.shape)
-"""
-
-
-def run(*command, **options):
-    done = subprocess.run([str(part) for part in command], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options)
-    if done.returncode != 0:
-        raise AssertionError(f"{command} ended with {done.returncode}:\n{done.stdout}")
-    return done.stdout
-
-
-class Scratch(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        scratch = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(scratch.cleanup)
-        cls.folder = pathlib.Path(scratch.name)
-        os.chmod(cls.folder, 0o755)  # apt's own user reads packages
-
-    def work(self, bin_folder, deck, python, module, environment):
-        """A newcomer's first steps: a run, its page, its picture, its results as arrays, a run from Python."""
-        folder = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
-        do = lambda *command: run(*command, cwd=folder, env=environment)
-        self.assertEqual(do(bin_folder / "gxrod", "--version").split(), ["gxrod", VERSION])
-        do(bin_folder / "gxrod", "run", deck, "-o", "run.vtkhdf")
-        do(bin_folder / "gxrod", "report", "run.vtkhdf")
-        self.assertIn("three.js authors", (folder / "run.html").read_text())
-        do(bin_folder / "gxrod-plot", "run.vtkhdf")
-        self.assertEqual((folder / "run.png").read_bytes()[:4], b"\x89PNG")
-        self.assertEqual(do(python, "-B", "-c", READ).split(maxsplit=2), [VERSION, "complete", "(401, 3)\n"])
-        if module:
-            do(python, "-B", "-c", DRIVE, deck)
 
 
 @unittest.skipUnless(shutil.which("dpkg-shlibdeps"), "needs dpkg-dev")
@@ -110,8 +67,7 @@ class DebianPackages(Scratch):
         self.assertEqual([line for line in found.splitlines() if line.startswith("E:")], [])
 
     def test_they_work(self):
-        environment = {key: value for key, value in os.environ.items() if not key.startswith(("GXROD", "PYTHON"))}
-        environment |= {"DEBIAN_FRONTEND": "noninteractive"}
+        environment = without_ours() | {"DEBIAN_FRONTEND": "noninteractive"}
         prefix = self.root / "usr"
         if os.geteuid() == 0 and not any(run_quietly("dpkg-query", "-W", name) for name in NAMES):
             prefix = pathlib.Path("/usr")
@@ -165,7 +121,7 @@ class Sources(Scratch):
 @unittest.skipUnless(VENV, "needs GXROD_VENV")
 class Wheel(Scratch):
     def test_it_works(self):
-        environment = {key: value for key, value in os.environ.items() if not key.startswith(("GXROD", "PYTHON"))}
+        environment = without_ours()
         deck = SOURCE / "docs" / "examples" / "rubber_pendulum" / "rubber_pendulum.toml"
         python = pathlib.Path(VENV).resolve() / "bin" / "python"
         self.work(python.parent, deck, python, True, environment)
