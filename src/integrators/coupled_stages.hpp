@@ -7,24 +7,24 @@
 
 namespace gxrod {
 
-// A Runge-Kutta scheme whose stages depend on each other and are found together, in the rotation vectors of
-// the step: with A the matrix of the scheme, c its fractions, of node i at stage j
+// A Runge-Kutta scheme whose stages depend on each other and are solved together, in the rotation vectors of
+// the step: with A the matrix of the scheme, c its fractions, for node i at stage j
 //   r_j = r_n + Δt Σ_k a_jk v_k,   v_j = v_n + Δt Σ_k a_jk a_k,
 //   θ_j = Δt Σ_k a_jk T(θ_k)⁻¹ ω_k,   ω_j = ω_n + Δt Σ_k a_jk α_k
-// (docs/theory/newmark.md, (R1)). The stages' placements are the unknowns; rates follow by A⁻¹. They are
-// kept in State::stage_motions. A⁻¹ = V diag(λ) V⁻¹ parts the linear equations of all stages into one for
-// each λ (Hairer & Wanner 1996, IV.8): one real, if the number of stages is odd, and one complex; no scheme
-// here has more than three stages.
+// (docs/theory/newmark.md, (R1)). The stages' placements are the unknowns; rates follow by A⁻¹.
+// State::stage_motions has them. A⁻¹ = V diag(λ) V⁻¹ splits the linear equations of all stages into one
+// system for each λ (Hairer & Wanner 1996, IV.8): one real, if the number of stages is odd, and one complex;
+// no scheme here has more than three stages.
 class CoupledStages : public Integrator {
   public:
     using Matrix = Eigen::MatrixXd;
     using Vector = Eigen::VectorXd;
 
-    // Radau IIA with three stages: order 5, of its stages 3, L-stable; the last stage is the end of the step.
-    // Its error is estimated as Hairer & Wanner do (IV.8.20).
+    // Makes Radau IIA with three stages: order 5, stage order 3, L-stable; the last stage is the end of the
+    // step. Its error is estimated as by Hairer & Wanner (IV.8.20).
     static CoupledStages make_radau_5();
-    // Gauss with two stages: order 4, of its stages 2, symmetric, without numerical damping. The end of the
-    // step is not a stage.
+    // Makes Gauss with two stages: order 4, stage order 2, symmetric, without numerical damping. The end of
+    // the step is not a stage.
     static CoupledStages make_gauss_4();
 
     const CoupledStages* coupled() const override { return this; }
@@ -36,22 +36,23 @@ class CoupledStages : public Integrator {
     int carried_count() const override { return stage_count() - 1; }
     void start(State& state) const override;
 
-    // A⁻¹.
+    // The matrix A⁻¹.
     const Matrix& inverse() const { return inverse_; }
-    // λ of the real equation, 0 without one, and of the complex one; both over Δt.
+    // The λ of the real equation, 0 without one, and of the complex equation; both over Δt.
     double real_factor() const { return real_factor_; }
     std::complex<double> complex_factor() const { return complex_factor_; }
-    // λ for a tangent that needs but one.
+    // A λ for a tangent that needs only one.
     double typical_factor() const { return real_factor_ > 0.0 ? real_factor_ : std::abs(complex_factor_); }
-    // Rows of V⁻¹: an unknown of the equations from those of the stages.
+    // Rows of V⁻¹: they give an unknown of the equations from the unknowns of the stages.
     const Vector& to_real() const { return to_real_; }
     const Eigen::VectorXcd& to_complex() const { return to_complex_; }
-    // Columns of V: of a stage, the real unknown times from_real plus twice the real part of the complex one
-    // times from_complex.
+    // Columns of V: an unknown of a stage is the real unknown times from_real plus twice the real part of the
+    // complex unknown times from_complex.
     const Vector& from_real() const { return from_real_; }
     const Eigen::VectorXcd& from_complex() const { return from_complex_; }
 
-    // How the rates of stage `j` follow the placements of stage `k`, of the state's stages.
+    // Computes the derivatives of the rates of stage `j` by the placements of stage `k`, for the state's
+    // stages.
     void linearize(const State& state,
                    double time_step,
                    int j,
@@ -60,16 +61,16 @@ class CoupledStages : public Integrator {
                    const ThreadTeam& team) const;
     using Integrator::linearize;
 
-    // Sets State::stage_motions as far as placements go, by velocities and accelerations at the start, or as
-    // the accelerations of the last step's stages go on.
+    // Predicts the placements in State::stage_motions, from velocities and accelerations at the start, or by
+    // extrapolating the accelerations of the last step's stages.
     enum class Prediction { from_start, from_last_step };
     void predict(State& state, const Stage& step, Prediction prediction, const ThreadTeam& team) const;
-    // Velocities and accelerations of all stages from their placements.
+    // Computes velocities and accelerations of all stages from their placements.
     void update_stages(State& state, const Stage& step, const ThreadTeam& team) const;
-    // Sets the trial to the end of the step; its accelerations too where that is a stage.
+    // Sets the trial to the end of the step, including its accelerations if that is a stage.
     void end_step(State& state, const Stage& step, const ThreadTeam& team) const;
 
-    // By the polynomials through the start, the stages and the end, of all values alike
+    // Interpolates all values by polynomials through the start, the stages and the end
     // (docs/theory/newmark.md, (D2)).
     void interpolate(const State& state,
                      double time_step,
@@ -79,8 +80,8 @@ class CoupledStages : public Integrator {
     Interpolant interpolant() const override;
     std::vector<double> inner_fractions() const override;
 
-    // What the real equation's solution makes an estimate of the error, per unit of Δt: of a node, what
-    // comes to v and a at the start, from the placements and rates of the stages.
+    // The right-hand side from which the real equation's solution estimates the error, per unit of Δt: for a
+    // node, additions to v and a at the start, from the placements and rates of the stages.
     struct Defect {
         Vec6 rates = Vec6::Zero();          // v, θ′
         Vec6 accelerations = Vec6::Zero();  // a, α
@@ -88,7 +89,7 @@ class CoupledStages : public Integrator {
     Defect compute_defect(const State& state, double time_step, std::size_t node) const;
 
   protected:
-    // Of the end of a step, by the typical factor: for what looks at a step from outside.
+    // These treat the end of a step, with the typical factor, for callers outside of a step.
     void place_nodes(State& state, const Stage& stage, NodeRange nodes) const override;
     void update_nodes(State& state, const Stage& stage, NodeRange nodes) const override;
     void linearize_nodes(const State& state,
@@ -103,7 +104,7 @@ class CoupledStages : public Integrator {
 
     Matrix inverse_;  // A⁻¹
     Matrix carried_;  // rows: coefficients of (s − 1)ᵐ, m ≥ 1, of the polynomial through values at the stages
-    Vector weights_;  // of the end, b
+    Vector weights_;  // weights b of the end
     Vector end_;      // A⁻ᵀ b
     Vector fractions_;
     bool ends_with_stage_;

@@ -22,7 +22,7 @@ class GeneralizedAlpha : public Integrator {
                               std::vector<NodeMotion>& rates) const override;
 
     int error_order() const override { return 3; }
-    // Algorithmic accelerations are those at a time (α_m − α_f) Δt later.
+    // Estimates the error; algorithmic accelerations belong to a time later by (α_m − α_f) Δt.
     StepError estimate_error(const State& state,
                              double time_step,
                              const NodeLengths& lengths) const override {

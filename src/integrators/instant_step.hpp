@@ -4,9 +4,9 @@
 
 namespace gxrod {
 
-// An equilibrium without inertia at the instant at which something acts at once. What is damped creeps for a
-// time h, the stage's time step, much shorter than that of the steps that follow: v = (r − rₙ)/h,
-// ω = T(θ) θ/h (docs/theory/newmark.md, (Q1)).
+// An equilibrium without inertia at the instant of a sudden load. Damped parts creep for a time h, the
+// stage's time step, much shorter than the steps that follow: v = (r − rₙ)/h, ω = T(θ) θ/h
+// (docs/theory/newmark.md, (Q1)).
 class InstantStep : public Integrator {
   public:
     double contact_weight() const override { return 1.0; }

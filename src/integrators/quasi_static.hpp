@@ -4,8 +4,8 @@
 
 namespace gxrod {
 
-// Motion so slow that nothing resists acceleration: at each stage of the scheme of Sdirk4, forces that may
-// depend on rates are in equilibrium. θ_i = Δt Σ_j a_ij T(θ_j)⁻¹ ω_j, and accelerations are zero.
+// Motion without inertia: at each stage of the scheme of Sdirk4, forces that may depend on rates are in
+// equilibrium. θ_i = Δt Σ_j a_ij T(θ_j)⁻¹ ω_j, and accelerations are zero.
 class QuasiStatic : public Sdirk4 {
   public:
     ConstraintLevel constraint_level(int) const override { return ConstraintLevel::position; }

@@ -7,8 +7,8 @@ namespace gxrod {
 // The classical explicit Runge-Kutta scheme of order 4 on (r, q, v, ω), q the unit quaternion of a node's
 // rotation with q̇ = ½ ω q, normalised after each step.
 //
-// Stage k places the motion for which rate number k + 1 is evaluated; rate 0 is that of the step's start, and
-// the last stage is the end of the step, whose accelerations are the next step's rate 0.
+// Stage k places the motion for which rate number k + 1 is evaluated; rate 0 is the rate at the step's start,
+// and the last stage is the end of the step, whose accelerations are the next step's rate 0.
 class RungeKutta4 : public Integrator {
   public:
     static constexpr int stages = 4;

@@ -14,7 +14,7 @@ class Sdirk4 : public Integrator {
     static constexpr int stages = 5;
     static constexpr double diagonal = 0.25;
     static const std::array<std::array<double, stages>, stages> a;
-    // The weights of the embedded scheme of order 3; the last row of `a` has those of order 4.
+    // The weights of the embedded scheme of order 3; the last row of `a` has the weights of order 4.
     static const std::array<double, stages> embedded_weights;
 
     int stage_count() const override { return stages; }
@@ -22,7 +22,8 @@ class Sdirk4 : public Integrator {
     ConstraintLevel constraint_level(int stage) const override {
         return stage + 1 < stages ? ConstraintLevel::acceleration : ConstraintLevel::position;
     }
-    // The difference between the schemes of order 4 and 3, whose leading term is that of order 3.
+    // Estimates the error as the difference between the schemes of order 4 and 3, with the leading error term
+    // of order 3.
     int error_order() const override { return 4; }
     StepError estimate_error(const State& state, double time_step, const NodeLengths& lengths) const override;
     std::vector<double> power_weights() const override;

@@ -5,8 +5,8 @@
 
 namespace gxrod {
 
-// Equilibria in a frame that turns steadily: as LoadStepping, and every node moves with the frame. Its
-// linearization is that of the placements; FrameColumns adds what the rates do.
+// Equilibria in a frame that turns steadily: like LoadStepping, but every node moves with the frame. It
+// linearizes placements only; FrameColumns adds the terms of the rates.
 class SteadyRotation : public LoadStepping {
   public:
     explicit SteadyRotation(TurningFrame frame) : frame_(std::move(frame)) {}
@@ -19,7 +19,7 @@ class SteadyRotation : public LoadStepping {
     TurningFrame frame_;
 };
 
-// v = Ω × (r − o), a = Ω × v, ω = Ω, α = 0.
+// Sets v = Ω × (r − o), a = Ω × v, ω = Ω, α = 0.
 void turn_with(const Vec3& spin, const Vec3& through, NodeMotion& motion);
 
 }  // namespace gxrod

@@ -8,19 +8,20 @@
 
 namespace gxrod {
 
-// A spring that slips, in parallel with the rest of a section: of Besseling's model, also called Iwan's.
+// A spring that slips, in parallel with the rest of a section, as in the model of Besseling and Iwan.
 struct Layer {
     StrainPart on = StrainPart::bending;
-    double stiffness = 0.0;          // of each entry: resultant per strain, before it slips
-    double limit = 0.0;              // greatest size of its resultants
-    double limit_per_tension = 0.0;  // what the limit grows by with a positive axial resultant
+    double stiffness = 0.0;          // resultant per strain of each entry, before it slips
+    double limit = 0.0;              // largest size of its resultants
+    double limit_per_tension = 0.0;  // growth of the limit per positive axial resultant
 };
 
-// S = C E + Σ S_i, each layer's S_i elastic up to its limit, at which it slips; docs/theory/laws.md,
-// (L1)–(L6). What it remembers is the slip of each layer, a strain for each of its entries.
+// The law S = C E + Σ S_i, each layer's S_i elastic up to its limit, at which it slips; docs/theory/laws.md,
+// (L1)–(L6). It remembers the slip of each layer, a strain for each of its entries.
 class LayeredLaw final : public SmallMotionLaw, public KinkedLaw {
   public:
-    // `C` acts next to all layers; it can be semidefinite. Layers on tension have no limit_per_tension.
+    // `C` acts in parallel with all layers; it can be semidefinite. Layers on tension have no
+    // limit_per_tension.
     LayeredLaw(const Mat6& C, std::vector<Layer> layers);
 
     int memory_size() const override { return memory_size_; }
@@ -65,7 +66,7 @@ class LayeredLaw final : public SmallMotionLaw, public KinkedLaw {
              Choose&& choose) const;
 
     Mat6 stiffness_;
-    std::vector<Layer> layers_;  // those on tension first
+    std::vector<Layer> layers_;  // layers on tension first
     int memory_size_ = 0;
 };
 

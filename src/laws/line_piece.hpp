@@ -4,7 +4,7 @@
 
 namespace gxrod {
 
-// The piece of a line on which x lies, and the values of a piece, which is continued beyond its ends.
+// Find the piece of a line at x, and the values of a piece, which is continued beyond its ends.
 inline std::size_t find_line_piece(const PiecewiseLine& line, double x) {
     std::size_t i = 0;
     while (i + 1 < line.piece_count() && x > line.points()[i + 1].first) ++i;

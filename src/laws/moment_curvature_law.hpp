@@ -10,16 +10,16 @@
 
 namespace gxrod {
 
-// A moment over a curvature, or its size over the size of both.
+// A curve of a moment over a curvature, or of the size of both moments over the size of both curvatures.
 struct MomentCurve {
     StrainPart on = StrainPart::bending;  // or about y or z alone
     PiecewiseLine curve;                  // from (0, 0), not falling
 };
 
-// Bends elastically along curves, and has what C says of all else; docs/theory/laws.md, (L7) and (L8).
+// A section with elastic curves for bending and C for all other strains; docs/theory/laws.md, (L7) and (L8).
 class MomentCurvatureLaw final : public SectionLaw, public KinkedLaw {
   public:
-    // C couples no entry that has a curve with any other one.
+    // C couples no entry that has a curve with another one.
     MomentCurvatureLaw(const Mat6& C, std::vector<MomentCurve> curves);
 
     int memory_size() const override { return 0; }
@@ -41,18 +41,18 @@ class MomentCurvatureLaw final : public SectionLaw, public KinkedLaw {
     const std::vector<MomentCurve>& curves() const { return curves_; }
 
   private:
-    // The response to all strains that have no curves.
+    // Computes the response to all strains without curves.
     SectionResponse respond_without_curves(const Vec6& strain) const;
 
-    Mat6 others_;  // C without what curves replace
+    Mat6 others_;  // C without the entries that curves replace
     std::vector<MomentCurve> curves_;
 };
 
-// The same curves as first loading of a section that yields at each kink and hardens kinematically: layers,
-// by (L9). Slopes must not rise from piece to piece.
+// Makes a law with the same curves for first loading, which yields at each kink and hardens kinematically:
+// layers, by (L9). Slopes must not rise from piece to piece.
 std::shared_ptr<const SectionLaw> make_kinematic_law(const Mat6& C, const std::vector<MomentCurve>& curves);
 
-// The first piece whose slope is above that of the one before it.
+// Finds the first piece with a larger slope than the piece before it.
 std::optional<std::size_t> find_rising_slope(const PiecewiseLine& curve);
 
 }  // namespace gxrod

@@ -12,12 +12,12 @@ class PiecewiseLine {
         double value, slope, integral;  // the integral from 0
     };
 
-    // Two points or more, the first at x = 0, x increasing.
+    // Takes two points or more, the first at x = 0, x increasing.
     explicit PiecewiseLine(std::vector<std::pair<double, double>> points);
 
     Value at(double x) const;
     const std::vector<std::pair<double, double>>& points() const { return points_; }
-    // Between point i and the next one.
+    // Returns the slope between point i and the next one.
     double slope(std::size_t i) const;
     std::size_t piece_count() const { return points_.size() - 1; }
 

@@ -11,26 +11,25 @@
 namespace gxrod {
 
 enum class YieldInteraction {
-    ellipsoid,  // the squares of resultants over their limits add up to 1
-    none        // each resultant by itself
+    ellipsoid,  // the sum of the squares of resultants over their limits is at most 1
+    none        // each resultant has its own limit
 };
 
-// Where resultants yield and how they harden.
+// The limits of resultants and their hardening.
 struct YieldLimits {
-    std::vector<std::pair<int, double>> limits;  // entry of S, its limit, positive
+    std::vector<std::pair<int, double>> limits;  // entry of S, its positive limit
     YieldInteraction interaction = YieldInteraction::ellipsoid;
-    // What all limits are multiplied with, over the plastic strain gone through, in strains at yield; from
-    // (0, 1) on, not falling. None: they stay.
+    // The factor of all limits over the accumulated plastic strain, in strains at yield; from (0, 1) on, not
+    // falling. Without it limits are constant.
     std::optional<PiecewiseLine> isotropic;
-    double kinematic = 0.0;  // stiffness by which yielded entries still resist, over their elastic one
+    double kinematic = 0.0;  // stiffness of yielded entries relative to their elastic one
 };
 
-// Elastic by C up to a yield surface, then S returns to its closest point in the energy norm;
-// docs/theory/laws.md, (L18)–(L26). It remembers, of each surface, plastic strains and how much it has
-// yielded.
+// Elastic by C up to a yield surface; beyond it S returns to its closest point in the energy norm;
+// docs/theory/laws.md, (L18)–(L26). It remembers for each surface plastic strains and accumulated yield.
 class PlasticLaw final : public SmallMotionLaw, public KinkedLaw {
   public:
-    // `interaction` none: C couples no two yielding entries.
+    // With `interaction` none, C couples no two yielding entries.
     PlasticLaw(const Mat6& C, const YieldLimits& yield);
 
     int memory_size() const override { return memory_size_; }
@@ -57,19 +56,19 @@ class PlasticLaw final : public SmallMotionLaw, public KinkedLaw {
 
     const YieldLimits& yield() const { return yield_; }
 
-    // Those of one surface: of up to 6 entries, without allocation.
+    // The entries of one surface: up to 6, without allocation.
     using Entries = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
     using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
 
   private:
-    // Resultants over their limits, in axes in which a return scales each entry by itself.
+    // A yield surface: resultants over their limits, in axes in which a return scales each entry separately.
     struct Surface {
-        std::vector<int> index;  // of E
+        std::vector<int> index;  // entries of E
         Entries limits;
         Entries hardening;    // kinematic: back stress per plastic strain
         Entries rate;         // λ_j of (L21), 1/energy
         Square axes;          // V, columns
-        double energy = 1.0;  // w of (L19): a yield strain is worth that much
+        double energy = 1.0;  // w of (L19): the energy of a yield strain
     };
 
     struct Return;
@@ -77,21 +76,21 @@ class PlasticLaw final : public SmallMotionLaw, public KinkedLaw {
     static Surface make_surface(const Mat6& C,
                                 const std::vector<std::pair<int, double>>& limits,
                                 double kinematic);
-    // Pieces: −1 where a surface does not yield; where it does, that of the isotropic hardening it ends on.
+    // Pieces: −1 if a surface does not yield; else the final piece of the isotropic hardening.
     static constexpr int elastic_piece = -1;
 
     double factor(double gone) const;
     Entries scale_resultants(const Surface& surface, const Vec6& elastic, const double* memory) const;
-    // Strains without the plastic ones of all surfaces.
+    // Returns strains without the plastic strains of all surfaces.
     Vec6 subtract_plastic(const Vec6& strain, std::span<const double> memory) const;
-    // What isotropic hardening multiplies all limits with, on its own piece or on a given one.
+    // The factor of all limits by isotropic hardening, on its own piece or on a given one.
     struct Hardening {
         double factor, slope, integral;
     };
     Hardening harden(double gone, const int* piece) const;
     Return find_return(const Surface& surface, const Entries& trial, double gone, const int* piece) const;
-    // Calls choose(index, part of its limits that a surface takes) for the piece of each surface, a pointer:
-    // nullptr where that is to be found.
+    // Calls choose(index, part of its limits that a surface uses) for each surface; it returns a pointer to
+    // the piece, or nullptr if the piece is to be found.
     template <class Choose>
     SectionResponse respond_by(const Vec6& strain,
                                std::span<const double> memory,

@@ -5,7 +5,7 @@
 #include "laws/layered_law.hpp"
 
 // Sections of an elastic, perfectly plastic material, without interaction of bending, torsion and tension, as
-// layers, each of which is a part of the fibres; docs/theory/laws.md, (L10) and (L11).
+// layers of fibres; docs/theory/laws.md, (L10) and (L11).
 namespace gxrod {
 
 struct YieldingMaterial {
@@ -14,9 +14,10 @@ struct YieldingMaterial {
     double yield_stress = 0.0;  // in tension; in shear 1/√3 of it (von Mises)
 };
 
-// A circle if `inner` is zero. `inner` below `outer`.
+// Makes the layers of a tube, or of a circle if `inner` is zero. `inner` < `outer`.
 std::vector<Layer> make_tube_layers(double outer, double inner, const YieldingMaterial& material);
-// Sides `width` along y, `height` along z; `torsion_constant` is Saint-Venant's J.
+// Makes the layers of a rectangle with the sides `width` along y and `height` along z; `torsion_constant` is
+// Saint-Venant's J.
 std::vector<Layer> make_rectangle_layers(double width,
                                          double height,
                                          double torsion_constant,

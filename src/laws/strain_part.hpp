@@ -7,7 +7,7 @@
 
 namespace gxrod {
 
-// Which of the strains E = (Γ, K) a mechanism of a section takes part in.
+// The part of the strains E = (Γ, K) on which a mechanism of a section acts.
 enum class StrainPart { tension, shear, shear_y, shear_z, torsion, bending, bending_y, bending_z };
 
 // Entries of E, one or two of them.

@@ -7,12 +7,12 @@
 
 namespace gxrod {
 
-// Adds to another law how a twisted section shortens, as its outer fibres, helices then, pull: ½ c κ² of
-// axial force and c κ ε of torque, κ the twist, ε the extension, c the sum of both bending stiffnesses:
+// Adds the shortening of a twisted section to another law. Its outer fibres become helices and pull: ½ c κ²
+// of axial force and c κ ε of torque, κ the twist, ε the extension, c the sum of both bending stiffnesses:
 // BeamDyn's term; docs/theory/laws.md, (L17).
 class TrapezeLaw final : public SmallMotionLaw, public KinkedLaw {
   public:
-    // Next to the stiffness `C` alone, if `inner` is nullptr.
+    // Without `inner`, adds to the stiffness `C` alone.
     TrapezeLaw(const Mat6& C, std::shared_ptr<const SectionLaw> inner = nullptr);
 
     int memory_size() const override { return inner_->memory_size(); }

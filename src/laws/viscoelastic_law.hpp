@@ -13,12 +13,12 @@ struct PronyBranch {
     double time = 1.0;
 };
 
-// S = C E + Σ S_i, C the relaxed stiffness and each S_i of a branch that follows strain quickly and relaxes;
-// exact where strain is linear in time; docs/theory/laws.md, (L12)–(L16). It remembers the strain and, of
-// each branch, that of its spring.
+// The law S = C E + Σ S_i, C the relaxed stiffness and each S_i the force of a branch that follows fast
+// strains and relaxes; exact for strains linear in time; docs/theory/laws.md, (L12)–(L16). It remembers the
+// strain and, for each branch, the strain of its spring.
 class ViscoelasticLaw final : public SmallMotionLaw {
   public:
-    // Branches act on the entries of C within `on`; on all of it if that is empty.
+    // Branches act on the entries of C within `on`; on all of C if that is empty.
     ViscoelasticLaw(const Mat6& C, std::vector<PronyBranch> branches, const std::vector<StrainPart>& on = {});
 
     int memory_size() const override { return 6 + 6 * static_cast<int>(branches_.size()); }
@@ -32,7 +32,7 @@ class ViscoelasticLaw final : public SmallMotionLaw {
     }
     std::vector<RelaxingStiffness> relaxing_stiffness() const override;
 
-    // Of the branches, at ratio 1.
+    // The stiffness of the branches at ratio 1.
     const Mat6& relaxing() const { return relaxing_; }
     const std::vector<PronyBranch>& branches() const { return branches_; }
 

@@ -4,15 +4,15 @@
 #include <cstdint>
 #include <span>
 
-// The few functions of Gmsh's C API (gmshc.h of Gmsh 4) that read a mesh. The library is loaded when it is
-// first asked for, since it brings some 90 others; gxrod is built without it.
+// The few functions of Gmsh's C API (gmshc.h of Gmsh 4) that read a mesh. The library is loaded at its first
+// use, since it brings some 90 others; gxrod is built without it.
 namespace gxrod {
 
-// Each function's last argument takes its error, 0 if there is none. Arrays that it gives are the caller's to
-// free, with `release`.
+// Pointers to the functions. Their last argument takes an error, 0 if there is none. The caller frees arrays
+// with `release`.
 struct GmshLibrary {
-    // The fourth argument is 0. Gmsh 4.8 takes it for an absent place for the error; later versions, which
-    // have a flag before that place, for the flag's 0.
+    // The fourth argument is 0. Gmsh 4.8 takes it as a null pointer for the error; later versions, which have
+    // a flag before the error, as the flag's 0.
     void (*initialize)(int argc, char** argv, int read_configuration, std::intptr_t zero, int* error);
     void (*finalize)(int* error);
     void (*open)(const char* file, int* error);
@@ -32,7 +32,7 @@ struct GmshLibrary {
                             double** coordinates,
                             std::size_t* coordinate_count,
                             int* error);
-    // Of an entity, or, with −1 and −1, of all.
+    // Gets the nodes of an entity, or, with −1 and −1, all nodes.
     void (*get_nodes)(std::size_t** nodes,
                       std::size_t* count,
                       double** coordinates,
@@ -44,7 +44,7 @@ struct GmshLibrary {
                       int include_boundary,
                       int with_parameters,
                       int* error);
-    // Of each type of element the numbers and nodes.
+    // Gets the numbers and nodes of elements by type.
     void (*get_elements)(int** types,
                          std::size_t* type_count,
                          std::size_t*** elements,
@@ -61,7 +61,7 @@ struct GmshLibrary {
 // Loads the first library found. Throws MeshError, saying what to install, if none is found.
 GmshLibrary load_gmsh(std::span<const char* const> names);
 
-// The library under the names that Debian and Gmsh itself give it; loaded once.
+// Returns the library under its names in Debian and from Gmsh itself; loaded once.
 const GmshLibrary& gmsh_library();
 
 }  // namespace gxrod

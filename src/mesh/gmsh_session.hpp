@@ -33,8 +33,8 @@ struct GmshElements {
     std::vector<std::size_t> nodes;
 };
 
-// A model in Gmsh's memory. Gmsh has one memory a process, so that one session at a time can live; with its
-// end all options are back at their defaults. Nothing is printed; what fails throws MeshError with Gmsh's own
+// A model in Gmsh's memory. Gmsh has one memory per process, so only one session can live at a time; its end
+// resets all options to their defaults. Nothing is printed; failures throw MeshError with Gmsh's own
 // messages.
 class GmshSession {
   public:
@@ -58,13 +58,13 @@ class GmshSession {
     Nodes nodes() const;
     std::vector<std::size_t> nodes_of(const Group& group) const;
     std::vector<GmshElements> elements_of(const Group& group) const;
-    // Of an entity, or, with −1, of all of this dimension.
+    // Returns the elements of an entity, or, with −1, all elements of this dimension.
     std::vector<GmshElements> elements_of_entity(int dimension, int entity) const;
 
   private:
     // Throws if there is an error or Gmsh has reported one.
     void check(int error, const std::string& failure) const;
-    // The first errors that Gmsh has reported.
+    // Returns the first errors that Gmsh has reported.
     std::string messages() const;
 
     const GmshLibrary& gmsh_;

@@ -8,15 +8,16 @@
 
 #include "rotation/types.hpp"
 
-// What gxrod takes from a mesh file.
+// The data that gxrod reads from a mesh file.
 namespace gxrod {
 
 // Line elements of a 1-dimensional physical group. Nodes are indices of LineMesh::positions.
 struct MeshLines {
     int number = 0;
-    std::string name;                // "" if it has none
-    std::vector<int> orders;         // of its elements, each once, increasing
-    std::vector<std::size_t> nodes;  // if there is one order, 1 to 3: order + 1 an element, from start to end
+    std::string name;         // "" if it has none
+    std::vector<int> orders;  // of its elements, each once, increasing
+    std::vector<std::size_t>
+        nodes;  // if there is one order, 1 to 3: order + 1 per element, from start to end
 };
 
 // The nodes of a 0-dimensional physical group.
@@ -50,7 +51,7 @@ class MeshError : public std::runtime_error {
 // MeshError.
 LineMesh read_line_mesh(const std::filesystem::path& file);
 
-// A group as a user would name it: its name, or its number if it has none.
+// Returns a group's name for users: its name, or its number if it has none.
 std::string name_of_group(int number, const std::string& name);
 
 }  // namespace gxrod

@@ -7,9 +7,9 @@
 
 namespace gxrod {
 
-// A mesh as it goes from one process of this program to another.
+// Writes a mesh as bytes for another process of this program.
 std::string write_mesh_bytes(const LineMesh& mesh);
-// Throws MeshError if these are not all bytes of a mesh.
+// Reads such a mesh; throws MeshError if these are not all its bytes.
 LineMesh read_mesh_bytes(std::string_view bytes);
 
 }  // namespace gxrod

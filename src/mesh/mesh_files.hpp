@@ -9,20 +9,19 @@
 
 namespace gxrod {
 
-// Where the files are that a deck names: next to the deck, or, for a deck from a results file, the bytes that
-// are kept with it, in a temporary folder that lives as long as this.
+// Finds the files that a deck names: next to the deck, or, for a deck from a results file, as stored bytes,
+// in a temporary folder that lives as long as this.
 class MeshFiles {
   public:
     explicit MeshFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
-    // Throws FileError if there is no space for them.
+    // Throws FileError if there is no space for the files.
     explicit MeshFiles(const std::vector<MeshRecord>& records);
     ~MeshFiles();
     MeshFiles(const MeshFiles&) = delete;
     MeshFiles& operator=(const MeshFiles&) = delete;
 
-    // The place of a file as the deck names it; whether there is one in a folder is not asked. Throws
-    // FileError if it is not kept, or kept but neither .msh
-    // nor .stl.
+    // Returns the path of a file that the deck names, without a check that it exists in a folder. Throws
+    // FileError if it is not stored, or stored but neither .msh nor .stl.
     std::filesystem::path find(const std::string& file) const;
 
   private:

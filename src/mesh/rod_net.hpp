@@ -10,11 +10,11 @@ namespace gxrod {
 // An element of a rod from a mesh, in the direction of its chain, on the polynomial through the mesh's nodes.
 struct NetElement {
     std::vector<int> nodes = {};          // order + 1, indices of RodNet::positions
-    std::vector<double> arc_length = {};  // of the nodes, from the start of the element
+    std::vector<double> arc_length = {};  // arc lengths of the nodes, from the start of the element
     std::vector<Quat> transports =
         {};  // carry axes from the start of the element to its nodes, without twisting
     Vec3 start_tangent, end_tangent;
-    double turn = 0.0;  // of the tangent, from start to end
+    double turn = 0.0;  // turn of the tangent, from start to end
 
     double length() const { return arc_length.back(); }
 };
@@ -25,23 +25,23 @@ struct NetChain {
     double length = 0.0;
 };
 
-// The lines of a mesh as a rod's: in chains, inner nodes moved along their element to the Gauss-Lobatto
-// points of its parameter, nodes numbered along the chains.
+// The lines of a mesh as a net of a rod: chains with numbered nodes, inner nodes moved along their element to
+// the Gauss-Lobatto points of its parameter.
 struct RodNet {
     int order = 1;
     std::vector<Vec3> positions;
-    std::vector<std::size_t> mesh_nodes;  // where each is in LineMesh::positions
+    std::vector<std::size_t> mesh_nodes;  // index of each in LineMesh::positions
     std::vector<NetChain> chains;
 
     double length() const;
     // Whether it is one chain with two ends.
     bool is_line() const { return chains.size() == 1 && !chains.front().is_closed; }
-    // Of a line: the fraction of its length at each node.
+    // Returns the fraction of the length at each node, for a line.
     std::vector<double> fractions() const;
 };
 
-// The lines must have elements, all of one order from 1 to 3. Throws MeshError, naming the place, where an
-// element has no length, ends where it starts or folds.
+// Makes a net from lines, which must have elements, all of one order from 1 to 3. Throws MeshError, naming
+// the place, if an element has no length, ends where it starts or folds.
 RodNet make_rod_net(const LineMesh& mesh, const MeshLines& lines);
 
 }  // namespace gxrod

@@ -10,7 +10,7 @@ namespace gxrod {
 
 using Corners = std::array<Vec3, 3>;
 
-// The triangles of an STL file, as text or bytes. Throws MeshError.
+// Reads the triangles of an STL file, as text or bytes. Throws MeshError.
 std::vector<Corners> read_stl(std::string_view bytes);
 
 }  // namespace gxrod
