@@ -10,19 +10,19 @@
 
 namespace gxrod {
 
-// Complex systems (A + i B)(x + i y) = f + i g by solvers of real ones, with twice the unknowns:
+// Solves complex systems (A + i B)(x + i y) = f + i g by real solvers, with twice the unknowns:
 //   [A −B] [x]   [f]
 //   [B  A] [y] = [g].
 // The solver for chains does not exchange equations: it needs e^{−iψ} (A + i B) with a positive definite real
-// part for some ψ, by which factors of the equations it is turned.
+// part for some ψ; factors of the equations turn the matrix by ψ.
 class ComplexAsReal {
   public:
-    // As make_linear_solver. The pattern must outlive it.
+    // Takes the same arguments as make_linear_solver. The pattern must outlive this.
     ComplexAsReal(LinearSolverKind kind,
                   const SparsePattern& pattern,
                   const ThreadTeam& team = ThreadTeam::alone());
 
-    // Of the matrix with these values times the factor of each equation.
+    // Factorizes the matrix with these values times the factor of each equation.
     Factorization factorize(const std::vector<double>& real,
                             const std::vector<double>& imaginary,
                             const Eigen::VectorXcd& factors);

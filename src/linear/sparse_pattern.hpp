@@ -6,20 +6,20 @@
 
 namespace gxrod {
 
-// Where a square sparse matrix can be non-zero. Its values lie column by column, rows ascending. Columns next
-// to each other that have the same rows are one block, and rows that follow each other one run of it: what a
-// node needs does not grow with the number of its entries.
+// The non-zero entries of a square sparse matrix. Its values lie column by column, rows ascending. Adjacent
+// columns with the same rows form a block, and consecutive rows a run of it: the memory for a node does not
+// grow with the number of its entries.
 class SparsePattern {
   public:
     struct RowRun {
         std::int64_t first;
         std::int32_t count;
-        std::int32_t before;  // rows of the column in the runs before
+        std::int32_t before;  // number of the column's rows in earlier runs
     };
     struct Block {
         std::int64_t first_column, columns;
-        std::int64_t first_entry;  // among the values
-        std::int64_t stride;       // rows of each column, and so from column to column
+        std::int64_t first_entry;  // index among the values
+        std::int64_t stride;       // number of rows of each column, and distance of columns
         std::span<const RowRun> runs;
     };
 
@@ -27,9 +27,9 @@ class SparsePattern {
     std::int64_t nonzeros() const { return starts_.back().entry; }
     std::size_t block_count() const { return starts_.size() - 1; }
     Block block(std::size_t index) const;
-    // The block of a column.
+    // Returns the block of a column.
     Block block_of(std::int64_t column) const;
-    // The place of (row, column) among the values, which must be in the pattern.
+    // Returns the place of (row, column) among the values; it must be in the pattern.
     std::int64_t slot(std::int64_t row, std::int64_t column) const;
 
     // Calls visit(row, slot) for each entry of a column.
@@ -49,7 +49,7 @@ class SparsePattern {
         }
     }
 
-    // Appends so many columns that have these rows, ascending.
+    // Appends columns, all with these rows, ascending.
     void add_columns(std::int64_t columns, std::span<const std::int64_t> rows);
     void reserve(std::size_t blocks);
 
@@ -67,11 +67,11 @@ class SparsePattern {
         }
     }
 
-    std::vector<Start> starts_{{0, 0, 0}};  // of each block, and the end of all
+    std::vector<Start> starts_{{0, 0, 0}};  // for each block, and the end of all
     std::vector<RowRun> runs_;
 };
 
-// The same entry by entry, as general solvers take it: by compressed columns.
+// The same pattern entry by entry, in compressed columns, for general solvers.
 struct CompressedColumns {
     std::vector<std::int64_t> column_starts{0};
     std::vector<std::int64_t> rows;

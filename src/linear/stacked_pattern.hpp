@@ -7,12 +7,12 @@
 
 namespace gxrod {
 
-// A pattern each of whose unknowns and equations stands there several times, as copies that all couple to
-// each other: for complex numbers, or for the stages of a step. Copies of a block of the pattern stand behind
-// each other, so that blocks stay blocks.
+// A pattern with several copies of each unknown and equation of another one, all coupled to each other: for
+// complex numbers, or for the stages of a step. Copies of a block are consecutive, so that blocks stay
+// blocks.
 class StackedPattern {
   public:
-    // The pattern must outlive it.
+    // The pattern must outlive this.
     StackedPattern(const SparsePattern& pattern, int copies);
 
     const SparsePattern& pattern() const { return stacked_; }
@@ -23,12 +23,12 @@ class StackedPattern {
              const std::vector<double>& from,
              double factor,
              std::vector<double>& to) const;
-    // One copy of a vector, in the stacked one and back.
+    // Copy one copy of a vector into the stacked one and back.
     void set(int copy, const Eigen::VectorXd& from, Eigen::VectorXd& to) const;
     void get(int copy, const Eigen::VectorXd& from, Eigen::VectorXd& to) const;
 
   private:
-    // The equations of a block: from `first`, of the stacked pattern from copies × first.
+    // The equations of a block: from `first`; in the stacked pattern from copies × first.
     struct Rows {
         std::int64_t first, count;
     };

@@ -6,8 +6,8 @@
 
 namespace gxrod {
 
-// The values of the transposed matrix, whose entries the pattern must have too: any LinearSolver solves with
-// them for the left side.
+// Returns the values of the transposed matrix, whose entries must be in the pattern: with them any
+// LinearSolver solves transposed systems.
 std::vector<double> transpose_values(const SparsePattern& pattern, const std::vector<double>& values);
 
 }  // namespace gxrod

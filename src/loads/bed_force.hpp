@@ -8,17 +8,17 @@ namespace gxrod {
 
 // A piece of a rod, or a body's node, that can touch the ground.
 struct BedPoint {
-    double radius = 0.0;  // from the line to what touches
+    double radius = 0.0;  // distance from the line to the surface that touches
     double area = 0.0;    // diameter × length of the piece
     Vec3 axis =
         Vec3::Zero();  // the rod's tangent now, of length 1; zero for a body, whose friction is lateral
 };
 
-// Force on the node, spatial; `before` is the contact at the last accepted step.
+// The force on the node, spatial; `before` is the contact at the last accepted step.
 struct BedForce {
     Vec3 force = Vec3::Zero();
-    double pressure = 0.0;  // of it, along the normal
-    BedContact after{};     // what commit keeps
+    double pressure = 0.0;  // its part along the normal
+    BedContact after{};     // the contact that commit stores
 };
 BedForce compute_bed_force(const Seabed& seabed,
                            const BedPoint& point,

@@ -21,23 +21,23 @@ using LoadMatrix = Eigen::Matrix<double,
                                  most_element_unknowns>;
 using LoadVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_element_unknowns, 1>;
 
-// The load of an element at a time: its moments (load_integral.hpp) then.
+// The load of an element at a time, with its moments (load_integral.hpp).
 struct LoadAtTime {
     double time;
     std::span<const Vec6> moments;
 };
 
-// The forces and moments that it puts on the element's nodes: spatial, six a node.
+// Computes the forces and moments of the load on the element's nodes: spatial, six per node.
 LoadVector compute_distributed_load(const LoadedElement& element,
                                     const LoadAtTime& load,
                                     const std::vector<NodeMotion>& motions);
-// Adds them per node of the model.
+// Adds them to the nodes of the model.
 void add_distributed_load(const LoadedElement& element,
                           const LoadAtTime& load,
                           const std::vector<NodeMotion>& motions,
                           std::vector<Vec6>& nodal);
 
-// The derivative of those with respect to (δr, δφ) of the element's nodes; zero for a dead load.
+// Computes their derivative by (δr, δφ) of the element's nodes; zero for a dead load.
 LoadMatrix compute_distributed_load_tangent(const LoadedElement& element,
                                             const LoadAtTime& load,
                                             const std::vector<NodeMotion>& motions,

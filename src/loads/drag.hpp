@@ -2,10 +2,11 @@
 
 #include "rotation/types.hpp"
 
-// Drag that is quadratic in u, the velocity of the fluid relative to what it pushes, in the axes of that.
+// Drag that is quadratic in u, the velocity of the fluid relative to a rod or body, in its axes.
 namespace gxrod {
 
-// Of a rod: by the cross-flow principle, factors · (|u_x| u_x, u_n u_y, u_n u_z), u_n = √(u_y² + u_z²).
+// Computes the drag of a rod by the cross-flow principle: factors · (|u_x| u_x, u_n u_y, u_n u_z), u_n =
+// √(u_y² + u_z²).
 Vec3 compute_cross_flow_drag(const Vec3& factors, const Vec3& u);
 Mat3 compute_cross_flow_drag_derivative(const Vec3& factors, const Vec3& u);
 

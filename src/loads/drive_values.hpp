@@ -11,36 +11,37 @@
 
 namespace gxrod {
 
-// Which tendons are among what acts: those whose tension is prescribed, which is all that elements need to
-// know of, or those that winches pull too; or nothing at all.
+// The tendons to include: those with prescribed tension, which suffice for elements; those that winches pull
+// too; or no action at all.
 enum class TendonsIn { prescribed, all, none };
 
-// What a model's actuations, tendons and pressures are at one time, at the force points of rods: found again
-// only where the time has changed, so that the iterations of a step share it. What has been asked for before
-// changes no value. Threads can read it at once while nobody moves it.
+// The values of a model's actuations, tendons and pressures at one time, at the force points of rods. They
+// are computed again only when the time has changed, so that the iterations of a step share them; earlier
+// requests change no value. Threads can read it at once while nobody moves it.
 class DriveValues {
   public:
     // The model must outlive this.
     explicit DriveValues(const Model& model, TendonsIn tendons = TendonsIn::prescribed);
 
-    // Throws EvaluationError, of a function without a finite value.
+    // Throws EvaluationError if a function has no finite value.
     void move_to(double time);
-    // Of all tendons of the model, whatever their functions say, until the time changes.
+    // Sets the tensions of all tendons of the model, in place of their functions, until the time changes.
     void set_tensions(std::span<const double> tensions);
-    // Of one tendon at each of its force points, from the rod's start to its end.
+    // Sets the tension of one tendon at each of its force points, from the rod's start to its end.
     void set_tensions(std::size_t tendon, std::span<const double> at_points);
-    // Where the rods are: of strains by the pressure of water and of contents, which depend on the depth. Of
-    // gravity the size. Before what acts is asked for, and after move_to.
+    // Sets strains by the pressure of water and contents, which depend on the depth, from the positions of
+    // the rods and the size of gravity. Call it after move_to, before the drives are asked for.
     void press(const std::vector<NodeMotion>& motions, double gravity);
     bool have_pressures() const { return !pressed_.empty(); }
-    // Of functions that rest on more than the time: they are evaluated again, whatever the time.
+    // Forgets functions that depend on more than the time: they are evaluated again, whatever the time.
     void forget() { time_.reset(); }
 
     // Whether no rod is driven at any time.
     bool empty() const { return drives_.empty(); }
-    // Whether something acts within this rod at some time.
+    // Whether a drive acts within this rod at some time.
     bool is_driven(int rod) const { return first_point_[static_cast<std::size_t>(rod)] != no_point; }
-    // At the force points of an element, from its start to its end; empty if the rod is not driven.
+    // Returns the drives at the force points of an element, from its start to its end; empty if the rod is
+    // not driven.
     std::span<const PointDrive> of(int rod, int element) const;
 
   private:
@@ -48,14 +49,14 @@ class DriveValues {
 
     // An actuation, or a tendon, at a force point.
     struct ActuatedPoint {
-        std::size_t point;  // in drives_
+        std::size_t point;  // index in drives_
         const Actuation* actuation;
         double s;
         double expansion;
     };
     struct TendonPoint {
         std::size_t point;
-        std::size_t pull;  // of that point
+        std::size_t pull;  // index among the pulls of that point
     };
     using Strand = std::vector<TendonPoint>;
     // A force point whose wall the pressures stretch.
@@ -73,10 +74,10 @@ class DriveValues {
     void move_strains(double time);
 
     const Model* model_;
-    std::vector<std::size_t> first_point_;  // of each rod, in drives_; no_point if it is not driven
+    std::vector<std::size_t> first_point_;  // for each rod, index in drives_; no_point if it is not driven
     std::vector<PointDrive> drives_;
     std::vector<ActuatedPoint> actuated_;
-    std::vector<Strand> strands_;  // of each tendon
+    std::vector<Strand> strands_;  // for each tendon
     std::vector<PressedPoint> pressed_;
     std::optional<double> time_;
 };

@@ -12,13 +12,13 @@ namespace gxrod {
 struct WetPoint {
     const SectionInFluid* section = nullptr;
     Mat3 axes = Mat3::Identity();  // Λ: columns are the section's x, y, z now
-    // The piece of the element that goes with the node: its length, and where its middle is from the node
-    // along the section's x. It is wet up to the surface.
+    // The piece of the element that belongs to the node: its length, and the distance of its middle from the
+    // node along the section's x. It is wet up to the surface.
     double piece_length = 0.0;
     double piece_offset = 0.0;
 };
 
-// What is around a place. Without water, or without air, no force comes of it.
+// The fluids around a place. Without water, or without air, they exert no force.
 struct FluidsAt {
     double water_density = 0.0;
     const WaterAt* water = nullptr;
@@ -27,7 +27,7 @@ struct FluidsAt {
     Vec3 gravity = Vec3::Zero();
 };
 
-// A force per length and how it follows the motion of its node.
+// A force per length, and its derivatives by the motion of its node.
 struct FluidForce {
     Vec3 force = Vec3::Zero();
     double wet_fraction = 0.0;
@@ -44,7 +44,8 @@ FluidForceDerivative compute_fluid_force_derivative(const WetPoint& point,
                                                     const FluidsAt& fluids,
                                                     const NodeMotion& motion);
 
-// Force and moment on a body's node, spatial; `axes` are the body's now. The fluids are those at the centre.
+// Force and moment on a body's node, spatial; `axes` are the body's present axes. The fluids are evaluated at
+// the centre.
 struct BodyFluidForce {
     Vec6 force = Vec6::Zero();
     double wet_fraction = 0.0;

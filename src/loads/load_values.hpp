@@ -11,19 +11,19 @@
 
 namespace gxrod {
 
-// What a model's loads are at one time, before nodes turn them: found again only where the time has changed,
-// so that the iterations of a step share it. What has been asked for before changes no value.
+// The values of a model's loads at one time, before nodes turn them. They are computed again only when the
+// time has changed, so that the iterations of a step share them; earlier requests change no value.
 class LoadValues {
   public:
-    // The model must outlive this. Of each of its distributed loads the elements follow one another.
+    // The model must outlive this. The elements of each distributed load are consecutive.
     LoadValues(const Model& model, std::vector<LoadedElement> elements);
 
-    // Throws EvaluationError, of a function without a finite value or integral.
+    // Throws EvaluationError if a function has no finite value or integral.
     void move_to(double time);
-    // Of functions that rest on more than the time: they are evaluated again, whatever the time.
+    // Forgets functions that depend on more than the time: they are evaluated again, whatever the time.
     void forget();
 
-    // Of each of Model::loads, force and moment stacked, in the axes that the load is given in.
+    // The force and moment, stacked, of each of Model::loads, in the axes of the load.
     const std::vector<Vec6>& nodal() const { return nodal_; }
 
     const std::vector<LoadedElement>& elements() const { return elements_; }
@@ -33,21 +33,21 @@ class LoadValues {
                                            first_moment_[element + 1] - first_moment_[element]);
     }
 
-    // What all distributed loads put on each node of the model at the time of move_to, spatial; empty if
-    // there are none.
+    // Returns the sum of all distributed loads on each node of the model at the time of move_to, spatial;
+    // empty if there are none.
     const std::vector<Vec6>& add_distributed(const std::vector<NodeMotion>& motions);
 
   private:
     // One distributed load.
     struct Along {
         std::size_t first_element = 0;
-        std::size_t last_element = 0;  // the one after
+        std::size_t last_element = 0;  // one past the last
         LineForm form;
-        int pieces = 1;                    // into which each element is cut at least
-        std::vector<double> fixed_breaks;  // of arc length
-        Switches moving;                   // whose breaks change with time
-        bool is_known = false;             // of one that is constant or proportional: it has been integrated
-        std::vector<Vec6> unit_moments;    // of one that is proportional: at t = 1
+        int pieces = 1;                    // least number of pieces of each element
+        std::vector<double> fixed_breaks;  // arc lengths
+        Switches moving;                   // switches whose breaks change with time
+        bool is_known = false;             // for a constant or proportional load: whether it is integrated
+        std::vector<Vec6> unit_moments;    // for a proportional load: at t = 1
     };
 
     void describe(std::size_t load);
@@ -58,13 +58,13 @@ class LoadValues {
 
     const Model* model_;
     std::vector<LoadedElement> elements_;
-    std::vector<std::size_t> first_moment_;  // of each element, and the end
+    std::vector<std::size_t> first_moment_;  // for each element, and the end
     std::vector<Along> distributed_;
     std::vector<Vec6> moments_;
     std::optional<double> time_;
     std::vector<Vec6> nodal_;
-    std::vector<Vec6> dead_;   // per node of the model, of all dead distributed loads
-    std::vector<Vec6> total_;  // with those that turn
+    std::vector<Vec6> dead_;   // per node of the model, for all dead distributed loads
+    std::vector<Vec6> total_;  // including loads that turn
     bool any_turns_ = false;
 };
 

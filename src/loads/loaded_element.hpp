@@ -19,10 +19,10 @@ using ShapeFunctions = ShapeValues (*)(double xi);
 // A distributed load on one element of its rod.
 struct LoadedElement {
     const DistributedLoad* load = nullptr;
-    std::vector<int> nodes;           // of the model
+    std::vector<int> nodes;           // indices in the model
     std::vector<Quat> triads;         // section axes at t = 0
     std::vector<double> arc_lengths;  // from the start of the rod
-    std::vector<Vec3> positions;      // where the rod is free of stress
+    std::vector<Vec3> positions;      // stress-free positions
     ShapeFunctions shapes = nullptr;
 };
 

@@ -4,8 +4,8 @@
 
 namespace gxrod {
 
-// A magnetic moment at a place in a field, spatial. Of a field by place, which has no derivatives of its own,
-// differences are taken over a small part of `length`, over which it should be smooth.
+// A magnetic moment at a place in a field, spatial. Derivatives of a field by place are differences over a
+// small part of `length`, over which it should be smooth.
 struct Magnet {
     const MagneticField& field;
     double time;
@@ -14,10 +14,10 @@ struct Magnet {
     double length;
 };
 
-// Its potential is −μ · B. The force (∇B)ᵀ μ and the couple μ × B, stacked.
+// Computes the force (∇B)ᵀ μ and the couple μ × B, stacked; the potential is −μ · B.
 Vec6 compute_magnetic_load(const Magnet& magnet);
 
-// Their derivative by (δr, δφ), where the moment turns with φ.
+// Computes their derivative by (δr, δφ), if the moment turns with φ.
 Mat6 compute_magnetic_tangent(const Magnet& magnet);
 
 }  // namespace gxrod

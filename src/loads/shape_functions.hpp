@@ -4,7 +4,7 @@
 
 namespace gxrod {
 
-// The shape functions of the elements of a rod of this order.
+// Returns the shape functions of a rod's elements of this order.
 ShapeFunctions find_shape_functions(int order);
 
 }  // namespace gxrod

@@ -6,9 +6,9 @@
 #include "linear/chains/chain_kernels.hpp"
 
 // Arithmetic of small dense blocks, for sources that are compiled for one instruction set: `Arch` puts its
-// name into that of each function. Columns lie `stride` apart. Blocks are worked on in tiles of a node's six
-// unknowns; the last one is smaller where others are attached to the node or a support holds some. The
-// operations on an entry are the same in all sets, and so are the bits.
+// name into the name of each function. Columns lie `stride` apart. Blocks are divided into tiles of a node's
+// six unknowns; the last tile is smaller if other unknowns are attached to the node or a support holds some.
+// The operations on an entry are the same in all sets, and so are the bits.
 namespace gxrod {
 
 using EightNumbers = double __attribute__((vector_size(64), aligned(8), may_alias));
@@ -26,8 +26,8 @@ struct BlockKernels {
         static constexpr int eights = (Rows + 7) / 8;
         __m512d eight[eights];
 
-        // A node's six are read and written as four and two: a load must lie within one store, or it waits
-        // until that is in the cache.
+        // A node's six values are read and written as four and two: a load must lie within one store, or it
+        // waits until that is in the cache.
         static constexpr __mmask8 mask(int count) { return static_cast<__mmask8>((1 << count) - 1); }
         static __m512d read(const double* p, int count) {
             if (count >= 8) return _mm512_loadu_pd(p);
@@ -125,7 +125,7 @@ struct BlockKernels {
                 two[Row - 4 * fours] = value;
             }
         }
-        // The pivot's column times what clears row K is taken away, and that kept there.
+        // Subtracts the pivot's column times the factor that clears row K, and stores the factor there.
         template <int K>
         void eliminate(const Column& pivot, double reciprocal) {
             const double factor = get<K>() * reciprocal;
@@ -159,7 +159,8 @@ struct BlockKernels {
         return work.template operator()<Most>();
     }
 
-    // Counts the pivot if it is negative: where A = Aᵀ these count the negative eigenvalues (Sylvester 1852).
+    // Eliminates a pivot and counts it if it is negative: for A = Aᵀ these count the negative eigenvalues
+    // (Sylvester 1852).
     template <int K, int Size>
     static bool eliminate_pivot(Column<Size>* d, std::int64_t& negative_pivots) {
         const double pivot = d[K].template get<K>();
@@ -174,7 +175,7 @@ struct BlockKernels {
         return true;
     }
 
-    // D ← D⁻¹ of a tile, by Gauss-Jordan without pivoting. False if a pivot vanishes.
+    // Computes D ← D⁻¹ for a tile, by Gauss-Jordan without pivoting. Returns false if a pivot vanishes.
     template <int Size = tile>
     static bool invert_tile(const Target& D, std::int64_t& negative_pivots) {
         Column<Size> d[Size];
@@ -187,7 +188,7 @@ struct BlockKernels {
         return true;
     }
 
-    // C ← A B of a tile and as many rows. C may be B.
+    // Computes C ← A B for a tile A and as many rows of B. C may be B.
     template <int Size = tile>
     static void multiply_tile(const View& A, const View& B, const Target& C, int columns) {
         Column<Size> a[Size];
@@ -201,7 +202,7 @@ struct BlockKernels {
         }
     }
 
-    // C ← C − A B of Rows × 6 and six rows. C is apart from both.
+    // Computes C ← C − A B for A of Rows × 6 and B of six rows. C must not overlap A or B.
     template <int Rows>
     static void subtract_tiles(const View& A, const View& B, const Target& C, int columns) {
         int j = 0;
@@ -246,7 +247,7 @@ struct BlockKernels {
         }
     }
 
-    // C ← C − A B of p × n and n × m. C is apart from both.
+    // Computes C ← C − A B for p × n and n × m. C must not overlap A or B.
     static void subtract_product(int p, int n, int m, const View& A, const View& B, const Target& C) {
         if (p % tile == 0 && n % tile == 0 && p <= 4 * tile) {
             for (int k = 0; k < n; k += tile)
@@ -256,7 +257,7 @@ struct BlockKernels {
         subtract_any(p, n, m, A, B, C);
     }
 
-    // The same where tiles are not whole.
+    // Computes the same for incomplete tiles.
     static void subtract_any(int p, int n, int m, const View& A, const View& B, const Target& C) {
         constexpr int most = 2 * tile;
         for (int first = 0; first < p; first += most) {
@@ -275,8 +276,8 @@ struct BlockKernels {
         }
     }
 
-    // D ← L and U of n × n with D = L U, in tiles; on the diagonal the inverses of L's tiles, those of U are
-    // 1. False if a pivot vanishes.
+    // Factorizes D = L U of n × n in place, in tiles; the diagonal has the inverses of L's tiles, the
+    // diagonal tiles of U are 1. Returns false if a pivot vanishes.
     static bool factorize(int n, double* D, std::int64_t& negative_pivots) {
         const bool is_whole = n % tile == 0;
         for (int p = 0; p < n; p += tile) {
@@ -298,7 +299,7 @@ struct BlockKernels {
         return true;
     }
 
-    // X ← D⁻¹ B of n × m, with what factorize made of D. X has no gaps; it may be B.
+    // Computes X ← D⁻¹ B of n × m from the result of factorize. X has no gaps; it may be B.
     static void solve(int n, int m, const double* D, const View& B, double* X) {
         if (n == tile) return multiply_tile({D, n}, B, {X, n}, m);
         if (B.entries != X) copy(n, m, B, X);
@@ -311,7 +312,7 @@ struct BlockKernels {
         for (int p = n - tile; p > 0; p -= tile) subtract_tiles(p, {D + p * n, n}, {X + p, n}, {X, n}, m);
     }
 
-    // The same, in place, where the last tile is not whole.
+    // Computes the same in place if the last tile is incomplete.
     static void solve_any(int n, int m, const double* D, double* X) {
         const int last = n / tile * tile;
         for (int p = 0; p < last; p += tile) {
@@ -326,7 +327,7 @@ struct BlockKernels {
         for (int p = last - tile; p > 0; p -= tile) subtract_tiles(p, {D + p * n, n}, {X + p, n}, {X, n}, m);
     }
 
-    // Leaves no gaps.
+    // Copies without gaps.
     static void copy(int rows, int columns, const View& from, double* to) {
         for (int j = 0; j < columns; ++j) {
             const double* column = from.entries + j * from.stride;

@@ -7,13 +7,12 @@
 
 namespace gxrod {
 
-// The unknowns of a symmetric pattern in blocks: those next to each other whose columns have the same rows,
-// such as the unknowns of a node, or of the nodes within an element. A block couples wholly to its
-// neighbours.
+// The unknowns of a symmetric pattern in blocks: consecutive unknowns whose columns have the same rows, such
+// as the unknowns of a node, or of the nodes within an element. A block couples wholly to its neighbours.
 struct BlockPartition {
     std::vector<std::int64_t> starts;  // the first unknown of each block, and the number of unknowns
     std::vector<std::size_t> neighbour_starts;
-    std::vector<int> neighbours;  // of each block, ascending, without itself
+    std::vector<int> neighbours;  // neighbours of each block, ascending, without itself
 
     explicit BlockPartition(const SparsePattern& pattern);
 

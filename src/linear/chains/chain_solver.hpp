@@ -8,26 +8,26 @@
 
 namespace gxrod {
 
-// Eliminates the insides of chains block by block, by the order that EliminationOrder finds, and leaves the
-// system of the junctions, if there are any, to fronts. Pivots are sought within no block; instead
-// each solution is checked against the system, refined once if it is not good to round-off, and where that
-// does not suffice, as where a pivot vanishes, the whole system goes to a general solver, which also says
-// what is singular. The values that were factorized must stay until the last solution.
+// Eliminates the insides of chains block by block, in the order of EliminationOrder, and passes the system of
+// the junctions, if there are any, to fronts. It does not pivot within blocks; instead it checks each
+// solution against the system and refines it once if it is not good to round-off. If that does not suffice,
+// or if a pivot vanishes, a general solver takes the whole system, and also finds singular equations. The
+// factorized values must stay unchanged until the last solution.
 class ChainSolver : public LinearSolver {
   public:
     explicit ChainSolver(const SparsePattern& pattern, const ThreadTeam& team = ThreadTeam::alone());
 
     Factorization factorize(const std::vector<double>& values) override;
     void solve(Eigen::VectorXd& right_hand_side) override;
-    // Of the junctions alone: chains take far less.
+    // Estimates the operations for the junctions alone: chains take far less.
     double estimate_flops() const override {
         return junction_solver_ ? junction_solver_->estimate_flops() : 0.0;
     }
     LinearSolverKind kind() const override { return LinearSolverKind::chains; }
 
-    // False of a pattern without its diagonal, whose systems all go to a general solver.
+    // False for a pattern without its diagonal; a general solver then takes all systems.
     bool works_by_blocks() const { return !steps_.empty() || junction_solver_; }
-    // The unknowns outside of chains.
+    // Returns the number of unknowns outside of chains.
     std::int64_t count_kept() const { return steps_.empty() ? pattern_->size() : junctions_.size(); }
 
   private:
@@ -65,7 +65,7 @@ class ChainSolver : public LinearSolver {
     std::vector<EntryRun> runs_;
     WorkPhases run_phases_;
     std::vector<double> blocks_;
-    std::vector<double> apart_;  // of right-hand sides
+    std::vector<double> apart_;  // sums for right-hand sides
     Eigen::VectorXd solution_;
     Eigen::VectorXd residual_;    // b − A x
     Eigen::VectorXd magnitudes_;  // |A| |x| + |b|
@@ -76,13 +76,14 @@ class ChainSolver : public LinearSolver {
         int rows, columns;
     };
     std::vector<JunctionBlock> junction_blocks_;
-    std::vector<std::int64_t> junction_rows_;  // of each unknown of the junctions, that of the whole system
+    std::vector<std::int64_t>
+        junction_rows_;  // for each unknown of the junctions, its index in the whole system
     std::vector<double> junction_values_;
     Eigen::VectorXd junction_vector_;
     std::unique_ptr<FrontSolver> junction_solver_;
 
     std::unique_ptr<LinearSolver> general_;
-    bool is_general_ = false;           // whether it has the last factorization
+    bool is_general_ = false;           // whether general_ has the last factorization
     std::int64_t negative_pivots_ = 0;  // of the last elimination of blocks
 };
 

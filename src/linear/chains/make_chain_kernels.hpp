@@ -3,7 +3,7 @@
 #include "linear/chains/block_kernels.hpp"
 #include "linear/chains/chain_kernels.hpp"
 
-// For sources that are compiled for one instruction set, as block_kernels.hpp is.
+// For sources that are compiled for one instruction set, like block_kernels.hpp.
 namespace gxrod {
 
 template <class Arch>
@@ -50,12 +50,12 @@ struct ChainSweeps : BlockKernels<Arch> {
         return true;
     }
 
-    // Processors do not see soon enough what is read from the end to the start. Of a coupling some steps
-    // ahead, the columns of A_ut, and with them the diagonal that follows.
+    // Prefetches, since processors do not detect early enough reads from the end to the start: for a coupling
+    // some steps ahead, the columns of A_ut, and with them the diagonal that follows.
     static void fetch_ahead(const ChainSteps& chain, const ChainCoupling* at, const double* values) {
         constexpr int ahead = 8;
         constexpr int line = 8;
-        constexpr int columns = 6;  // of a node
+        constexpr int columns = 6;  // columns of a node
         if (at - chain.couplings + ahead >= chain.coupling_count) return;
         const ChainCoupling& u = at[ahead];
         if (!u.column.is_given) return;
@@ -108,7 +108,7 @@ struct ChainSweeps : BlockKernels<Arch> {
             const int n = step.size;
             for (int i = 0; i < step.couplings; ++i) {
                 --u;
-                // See fetch_ahead.
+                // Prefetches likewise (fetch_ahead).
                 if (u->to >= ahead) {
                     for (int k = 0; k < n * u->size; k += line)
                         __builtin_prefetch(blocks + u->to - ahead + k);

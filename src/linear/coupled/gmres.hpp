@@ -26,7 +26,7 @@ GmresResult solve_by_gmres(
     }
     Eigen::MatrixXd basis(b.size(), most_iterations + 1);
     basis.col(0) = b / residual;
-    // Of the Hessenberg matrix, turned to an upper triangle by rotations.
+    // The Hessenberg matrix, turned into an upper triangle by rotations.
     Eigen::MatrixXd R = Eigen::MatrixXd::Zero(most_iterations + 1, most_iterations);
     Eigen::VectorXd cosines(most_iterations), sines(most_iterations);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(most_iterations + 1);
@@ -35,7 +35,7 @@ GmresResult solve_by_gmres(
     while (k < most_iterations && residual > tolerance) {
         Eigen::VectorXd next = apply(basis.col(k));
         auto column = R.col(k);
-        // Again where most of it is taken away, so that the basis stays orthogonal.
+        // Orthogonalizes again if most of the vector is removed, so that the basis stays orthogonal.
         for (double before = std::numeric_limits<double>::infinity(); next.norm() < 0.5 * before;) {
             before = next.norm();
             const Eigen::VectorXd shares = basis.leftCols(k + 1).transpose() * next;

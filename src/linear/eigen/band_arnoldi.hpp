@@ -14,23 +14,22 @@ namespace gxrod {
 //
 //   (x, y) → (−S⁻¹ ((D + 2 σ M) x + M y), x)
 //
-// has the eigenvalues θ = 1/μ and the vectors (x, μ x). Whatever relaxes adds unknowns w = x/(1 + λτ), the
+// has the eigenvalues θ = 1/μ and the vectors (x, μ x). Relaxing stiffness adds unknowns w = x/(1 + λτ), the
 // strains of its dashpots (V22). Each new vector is made orthogonal to all others; the basis grows
 // (docs/theory/vibrations.md, (V13)).
 class BandArnoldi {
   public:
-    // `inverse` has the factors of S. Components are weighed by `weights`, and y is kept over `scale`, a
-    // typical |μ|.
+    // `inverse` has the factors of S. `weights` scale components; y is stored over `scale`, a typical |μ|.
     BandArnoldi(const QuadraticProblem& problem,
                 double shift,
                 LinearSolver& inverse,
                 const Eigen::VectorXd& weights,
                 double scale);
 
-    // One of the start vectors; or, later, one that brings in what the others have no part of. False if the
-    // basis is whole.
+    // Adds a start vector, or later a vector with parts that the others lack. Returns false if the basis is
+    // complete.
     bool add_noise();
-    // Applies the operator to so many of the basis; false if nothing is left of what it does.
+    // Applies the operator to `steps` vectors of the basis; returns false if it yields nothing new.
     bool grow(int steps);
 
     Eigen::Index steps() const { return done_; }
@@ -41,8 +40,8 @@ class BandArnoldi {
         Eigen::MatrixXcd combinations;
     };
     Ritz find_ritz() const;
-    // x of a Ritz vector, improved by one more application, which frees it of parts that have no eigenvalue.
-    // With μ = 1/θ; and what is left of S⁻¹ times the problem, relative, in the weighed norm.
+    // The x of a Ritz vector, improved by one more application, which removes parts without eigenvalue, with
+    // μ = 1/θ and the relative residual: S⁻¹ times the problem, in the weighted norm.
     struct Vector {
         std::complex<double> mu;
         Eigen::VectorXcd x;
@@ -54,19 +53,19 @@ class BandArnoldi {
     using Index = Eigen::Index;
     using Ref = Eigen::Ref<const Eigen::VectorXd>;
 
-    // z → operator z; both weighed and scaled.
+    // Computes z → operator z; both weighted and scaled.
     void apply(const Ref& z, Eigen::VectorXd& image);
-    // −S⁻¹ ((D + 2 σ M) x + M y + Σ τ/(1 + στ) R w), as they are; w one after the other.
+    // Computes −S⁻¹ ((D + 2 σ M) x + M y + Σ τ/(1 + στ) R w), unscaled; w one after the other.
     void apply_top(const Eigen::VectorXd& x,
                    const Eigen::VectorXd& y,
                    const Eigen::VectorXd& w,
                    Eigen::VectorXd& top);
-    // Unknowns of the operator: x, y and each w.
+    // The number of unknowns of the operator: x, y and each w.
     Index unknowns() const { return (2 + relaxing_count()) * problem_.size(); }
     Index relaxing_count() const { return static_cast<Index>(problem_.relaxing.size()); }
-    // By which w is multiplied, so that it is about as large as x.
+    // The factor of w that makes it about as large as x.
     double dashpot_scale(Index i) const;
-    // Appends what of w is orthogonal to the basis; its parts go into column j of H, if j ≥ 0.
+    // Appends the part of w orthogonal to the basis; its components go into column j of H, if j ≥ 0.
     bool append(Index j);
     void reserve(Index columns);
 

@@ -8,22 +8,22 @@ namespace gxrod {
 struct EigenPairs {
     Eigen::VectorXd values;   // θ, by falling |θ|
     Eigen::MatrixXd vectors;  // a column each
-    bool exhausted = false;   // nothing is left but θ = 0
+    bool exhausted = false;   // there are no others but θ = 0
 };
 
 struct LanczosSettings {
     int wanted = 1;
-    int block = 2;            // start vectors: copies of a multiple eigenvalue that are found at once
+    int block = 2;            // start vectors: copies of a multiple eigenvalue that can be found at once
     double tolerance = 1e-9;  // of a pair's residual, relative to θ
     int most_products = 3000;
 };
 
-// The eigenpairs of largest |θ|, apart from those whose vectors are `known`; fewer than wanted if there are
+// Finds the eigenpairs of largest |θ|, except those whose vectors are `known`; fewer than wanted if there are
 // no more or they do not converge.
 //
-// Lanczos' method from several start vectors (Ruhe 1979), each new vector made orthogonal to all; where the
-// basis is full it starts again from the best Ritz vectors and what couples them to the rest (thick restart,
-// Wu & Simon 2000).
+// It is Lanczos' method from several start vectors (Ruhe 1979), each new vector made orthogonal to all. When
+// the basis is full it restarts from the best Ritz vectors and their couplings to the rest (thick restart, Wu
+// & Simon 2000).
 EigenPairs find_largest(const Pencil& pencil,
                         const LanczosSettings& settings,
                         const Eigen::MatrixXd& known = {});

@@ -13,9 +13,9 @@ struct LowestPairs {
     Eigen::VectorXd values;   // ascending
     Eigen::MatrixXd vectors;  // φᵀ M φ = 1, orthogonal by M
     Eigen::VectorXd
-        residuals;       // for each an eigenvalue lies so near, relative to its distance from the shift
+        residuals;       // an eigenvalue lies this near to each, relative to its distance from the shift
     double shift = 0.0;  // below all eigenvalues
-    // Below it lie so many eigenvalues, as the pivots of K − limit M count them, and so many were found; −1:
+    // The pivots of K − limit M count `counted` eigenvalues below the limit, of which `found` were found; −1:
     // not counted.
     double limit = 0.0;
     std::int64_t counted = -1;
@@ -27,8 +27,9 @@ struct LowestPairs {
     }
 };
 
-// The `count` lowest ones, or those below a bound. So many unknowns are multipliers, whose negative
-// eigenvalues do not count. Empty if M vanishes or no shift below all eigenvalues is found.
+// Finds the `count` lowest pairs, or those below a bound. `multipliers` unknowns are multipliers, whose
+// negative eigenvalues do not count. Returns nothing if M vanishes or no shift below all eigenvalues is
+// found.
 std::optional<LowestPairs> find_lowest_pairs(const SparsePattern& pattern,
                                              const std::vector<double>& K,
                                              const std::vector<double>& M,

@@ -13,7 +13,7 @@ struct RelaxingMatrix {
     double time = 1.0;  // τ
     std::vector<double> values;
 
-    // λτ/(1 + λτ), and its divided difference of two λ, which is its derivative if these are the same.
+    // Return λτ/(1 + λτ), and its divided difference for two λ, which is its derivative if these are equal.
     template <class Number>
     Number factor(Number lambda) const {
         return lambda * time / (1.0 + lambda * time);
@@ -23,26 +23,27 @@ struct RelaxingMatrix {
     }
 };
 
-// T(λ) x = (λ² M + λ D + K) x = 0, real matrices of any symmetry by their values on one pattern; and, where
-// something relaxes, T(λ) = λ² M + λ D + K + Σ λτ/(1 + λτ) R. The pattern must outlive it.
+// The problem T(λ) x = (λ² M + λ D + K) x = 0, real matrices of any symmetry by their values on one pattern;
+// with relaxing stiffness, T(λ) = λ² M + λ D + K + Σ λτ/(1 + λτ) R. The pattern must outlive it.
 struct QuadraticProblem {
     const SparsePattern* pattern;
     std::vector<double> K, D, M;
     std::vector<RelaxingMatrix> relaxing{};
 
     std::int64_t size() const { return pattern->size(); }
-    // T(λ).
+    // Return T(λ).
     std::vector<double> at(double lambda) const;
     std::vector<std::complex<double>> at(std::complex<double> lambda) const;
-    // Its matrices transposed: the right vectors of that are left vectors y of this, yᵀ T(λ) = 0.
+    // Returns the problem with transposed matrices: its right vectors are left vectors y of this one, yᵀ T(λ)
+    // = 0.
     QuadraticProblem transposed() const;
 };
 
-// A damping ratio above which motions are said to creep.
+// Motions with a larger damping ratio creep.
 inline constexpr double most_damping = 0.99;
 
-// Whether a motion decays so fast for its frequency that it hardly swings. Where something relaxes there are
-// as many of these as unknowns, near −1/τ and where all of its branches let a section creep.
+// Whether a motion decays so fast for its frequency that it hardly oscillates. With relaxing stiffness there
+// are as many of these as unknowns, near −1/τ and where all branches of a section creep.
 inline bool creeps(std::complex<double> lambda) { return lambda.real() < -most_damping * std::abs(lambda); }
 
 }  // namespace gxrod

@@ -4,16 +4,16 @@
 
 namespace gxrod {
 
-// The smallest factors λ, of either sign, at which K + λ S φ = 0 has a solution, K symmetric and positive
+// The smallest factors λ, of either sign, for which (K + λ S) φ = 0 has a solution, K symmetric and positive
 // definite, S symmetric.
 struct SmallestFactors {
-    bool is_definite = true;  // whether K is; otherwise nothing else is set
+    bool is_definite = true;  // whether K is positive definite; otherwise nothing else is set
     Eigen::VectorXd
-        values;  // by rising |λ|: the asked number of positive ones, and the negative ones between
+        values;  // by rising |λ|: as many positive ones as asked for, and the negative ones between
     Eigen::MatrixXd vectors;    // φᵀ K φ = 1
     Eigen::VectorXd residuals;  // relative
-    // Up to so far from zero either way lie so many, as the pivots of K ± limit S count them, and so many
-    // were found; −1: not counted.
+    // The pivots of K ± limit S count the `counted` factors up to this limit on either side of zero, of which
+    // `found` were found; −1: not counted.
     double limit = 0.0;
     std::int64_t counted_positive = -1, counted_negative = -1;
     std::int64_t found_positive = 0, found_negative = 0;

@@ -5,8 +5,8 @@
 #include "linear/chains/block_kernels.hpp"
 
 // Arithmetic of dense matrices of any size, for sources that are compiled for one instruction set, on tiles
-// of 6 × 6 by BlockKernels. From each entry the products are subtracted one by one, in the order of
-// elimination, so that the bits depend neither on the instruction set nor on how the work is cut.
+// of 6 × 6 by BlockKernels. Products are subtracted from each entry one by one, in the order of elimination,
+// so that the bits depend neither on the instruction set nor on the division of the work.
 namespace gxrod {
 
 template <class Arch>
@@ -16,7 +16,7 @@ struct DenseKernels : BlockKernels<Arch> {
     using Target = typename Blocks::Target;
 #if defined(__AVX512F__)
     using Vector = EightNumbers;
-    static constexpr int wide = 6;  // columns of C that are kept in registers
+    static constexpr int wide = 6;  // columns of C in registers
 #elif defined(__AVX__)
     using Vector = FourNumbers;
     static constexpr int wide = 3;
@@ -25,12 +25,12 @@ struct DenseKernels : BlockKernels<Arch> {
     static constexpr int wide = 3;
 #endif
     static constexpr int lanes = sizeof(Vector) / sizeof(double);
-    static constexpr int high = 3;  // vectors of each of them
+    static constexpr int high = 3;  // vectors of each column
     static constexpr int high_rows = high * lanes;
-    // Of A and B at a time: rows of A then stay in the nearest cache, and B in the next.
+    // Sizes of slices of A and B: rows of A then stay in the nearest cache, and B in the next.
     static constexpr std::int64_t deep = 96;
     static constexpr std::int64_t broad = 192;
-    static constexpr std::int64_t many_columns = 12;  // for which rows of A are first put side by side
+    static constexpr std::int64_t many_columns = 12;  // from here on rows of A are first packed side by side
 
     static View at(const View& A, std::int64_t row, std::int64_t column) {
         return {A.entries + row + column * A.stride, A.stride};
@@ -41,7 +41,7 @@ struct DenseKernels : BlockKernels<Arch> {
     static std::int64_t smaller(std::int64_t a, std::int64_t b) { return a < b ? a : b; }
     static View view(const Target& A) { return {A.entries, A.stride}; }
 
-    // C ← C − A B of so many rows and columns that C stays in registers.
+    // Computes C ← C − A B with so few rows and columns that C stays in registers.
     template <class Numbers, int Rows, int Columns>
     static void subtract_tile(std::int64_t depth, const View& A, const View& B, const Target& C) {
         constexpr int step = sizeof(Numbers) / sizeof(double);
@@ -69,7 +69,7 @@ struct DenseKernels : BlockKernels<Arch> {
         std::int64_t columns, std::int64_t depth, const View& A, const View& B, const Target& C) {
         std::int64_t j = 0;
         for (; j + wide <= columns; j += wide) {
-            // Processors do not prefetch reads across columns soon enough.
+            // Prefetches, since processors do not prefetch reads across columns early enough.
             for (std::int64_t next = j + wide; next < smaller(j + 2 * wide, columns); ++next) {
                 __builtin_prefetch(C.entries + next * C.stride);
                 __builtin_prefetch(C.entries + next * C.stride + Rows * sizeof(Numbers) / sizeof(double) - 1);
@@ -87,7 +87,7 @@ struct DenseKernels : BlockKernels<Arch> {
         }
     }
 
-    // C ← C − A B of rows × depth and depth × columns. C is apart from both.
+    // Computes C ← C − A B for rows × depth and depth × columns. C must not overlap A or B.
     static void subtract_large_product(std::int64_t rows,
                                        std::int64_t columns,
                                        std::int64_t depth,
@@ -101,7 +101,7 @@ struct DenseKernels : BlockKernels<Arch> {
                     rows, some_columns, smaller(deep, depth - k), at(A, 0, k), at(B, k, j), at(C, 0, j));
         }
     }
-    // The same with a depth that is not too large.
+    // Computes the same for a moderate depth.
     static void subtract_slice(std::int64_t rows,
                                std::int64_t columns,
                                std::int64_t depth,
@@ -129,14 +129,14 @@ struct DenseKernels : BlockKernels<Arch> {
         for (; i < rows; ++i) subtract_rows<double, 1>(columns, depth, at(A, i, 0), B, at(C, i, 0));
     }
 
-    // Where a range of rows or columns is cut in two: between tiles.
+    // Returns the place between tiles at which a range of rows or columns is halved.
     static std::int64_t halve(std::int64_t count) {
         constexpr std::int64_t tile = Blocks::tile;
         return (count / 2 + tile - 1) / tile * tile;
     }
 
-    // A ← L and U of a matrix of rows × columns, rows ≥ columns, with A = L U, in tiles; on the diagonal the
-    // inverses of L's tiles, those of U are 1. Without pivoting; false if a pivot vanishes.
+    // Factorizes A = L U of rows × columns, rows ≥ columns, in place, in tiles; the diagonal has the inverses
+    // of L's tiles, the diagonal tiles of U are 1. There is no pivoting; returns false if a pivot vanishes.
     static bool factorize_columns(std::int64_t rows,
                                   std::int64_t columns,
                                   const Target& A,
@@ -151,7 +151,7 @@ struct DenseKernels : BlockKernels<Arch> {
         return factorize_columns(rows - half, columns - half, at(A, half, half), negative_pivots);
     }
 
-    // B ← L⁻¹ B of n × columns.
+    // Computes B ← L⁻¹ B of n × columns.
     static void solve_lower(std::int64_t n, std::int64_t columns, const View& L, const Target& B) {
         if (n <= Blocks::tile) return multiply(static_cast<int>(n), columns, L, B);
         const std::int64_t half = halve(n);
@@ -160,13 +160,13 @@ struct DenseKernels : BlockKernels<Arch> {
         solve_lower(n - half, columns, at(L, half, half), at(B, half, 0));
     }
 
-    // A ← A⁻¹ of a tile or less.
+    // Computes A ← A⁻¹ for a tile or less.
     static bool invert(int n, const Target& A, std::int64_t& negative_pivots) {
         if (n == Blocks::tile) return Blocks::invert_tile(A, negative_pivots);
         return Blocks::template call_with_rows<Blocks::tile - 1>(
             n, [&]<int Size>() { return Blocks::template invert_tile<Size>(A, negative_pivots); });
     }
-    // B ← A B with a tile or less.
+    // Computes B ← A B for a tile or less.
     static void multiply(int n, std::int64_t columns, const View& A, const Target& B) {
         if (n == Blocks::tile) return Blocks::multiply_tile(A, view(B), B, static_cast<int>(columns));
         Blocks::template call_with_rows<Blocks::tile - 1>(n, [&]<int Size>() {

@@ -7,11 +7,11 @@
 
 namespace gxrod {
 
-// In which order blocks that have two neighbours or fewer are eliminated, each from the system that the ones
-// before left. Chains, trees and closed loops vanish; what is left are the junctions of a net, each with
-// three neighbours or more. What lies between two blocks that are coupled already, such as nodes within an
-// element, comes first; then ends of chains, all of them inwards at the same pace, so that halves of a rod do
-// not wait for each other; then the others, along the chain. Only these fill in.
+// The order in which blocks with two neighbours or fewer are eliminated, each from the system that the steps
+// before left. Chains, trees and closed loops vanish; the junctions of a net remain, each with three
+// neighbours or more. Blocks between two coupled blocks, such as nodes within an element, come first; then
+// ends of chains, all of them inwards at the same pace, so that halves of a rod do not wait for each other;
+// then the others, along the chain. Only these fill in.
 struct EliminationOrder {
     struct Step {
         int block;
@@ -19,10 +19,10 @@ struct EliminationOrder {
     };
 
     std::vector<Step> steps;
-    std::vector<int> kept;  // blocks that are left, ascending
+    std::vector<int> kept;  // remaining blocks, ascending
     int fills = 0;          // pairs of blocks that elimination couples
 
-    // Blocks larger than `largest` are kept.
+    // Blocks larger than `largest` remain.
     EliminationOrder(const BlockPartition& blocks, int largest);
 };
 

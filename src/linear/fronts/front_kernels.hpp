@@ -7,28 +7,27 @@
 // The sweeps of FrontSolver over its fronts. Matrices are dense, column by column.
 namespace gxrod {
 
-// Of the given values, and where it belongs among the factors.
+// A copy of given values to their place among the factors.
 struct FrontCopy {
     std::int64_t from, to;
     std::int32_t from_stride, to_stride;  // from column to column
     std::int32_t rows, columns;
 };
 
-// Rows of a front after its pivots, which follow each other in the order of elimination and in the front
-// above.
+// Rows of a front after its pivots that are consecutive in the order of elimination and in the front above.
 struct FrontRun {
     std::int32_t unknown;  // in the order of elimination
-    std::int32_t above;    // row of the front above
+    std::int32_t above;    // row in the front above
     std::int32_t count;
 };
 
-// Unknowns that are eliminated together, and those behind them that they couple.
+// Unknowns that are eliminated together, and the later unknowns that they couple.
 struct Front {
-    std::int64_t lower;                   // rows × pivots: L, and of U what is between the pivots
+    std::int64_t lower;                   // rows × pivots: L, and U between the pivots
     std::int64_t upper;                   // pivots × (rows − pivots): the rest of U
-    std::int64_t update;                  // in the stack of its level: what is to be added to the front above
-    std::int64_t runs, copies, children;  // where they begin
-    std::int32_t first;                   // pivot in the order of elimination
+    std::int64_t update;                  // in the stack of its level: the sum to be added to the front above
+    std::int64_t runs, copies, children;  // indices of the first
+    std::int32_t first;                   // first pivot in the order of elimination
     std::int32_t pivots, rows;
     std::int32_t run_count, copy_count, child_count;
     std::int32_t stack;  // 0 or 1
@@ -39,30 +38,30 @@ struct Fronts {
     std::int64_t count;
     const FrontRun* runs;
     const FrontCopy* copies;
-    const std::int32_t* children;  // fronts
+    const std::int32_t* children;  // indices of fronts
 };
 
-// Compiled for each instruction set; all give the same bits.
+// Kernels for each instruction set; all give the same bits.
 struct FrontKernels {
     // Gathers one front from the values and the updates of its children, eliminates its pivots, and leaves
-    // its own update in its stack. False if a pivot vanishes. Adds the number of negative pivots.
+    // its own update in its stack. Returns false if a pivot vanishes. Adds the number of negative pivots.
     bool (*eliminate)(const Fronts& fronts,
                       std::int64_t front,
                       const double* values,
                       double* factors,
                       double* const* stacks,
                       std::int64_t& negative_pivots);
-    // x ← L⁻¹ x of one front; `work` has room for its rows.
+    // Computes x ← L⁻¹ x for one front; `work` has room for its rows.
     void (*go_forward)(
         const Fronts& fronts, std::int64_t front, const double* factors, double* x, double* work);
-    // x ← U⁻¹ x.
+    // Computes x ← U⁻¹ x.
     void (*go_backward)(
         const Fronts& fronts, std::int64_t front, const double* factors, double* x, double* work);
 };
 
 FrontKernels find_front_kernels(InstructionSet set);
 
-// By instruction set; those of the baseline where the compiler has no such set.
+// Make the kernels of an instruction set; if the compiler lacks it, the baseline's.
 FrontKernels make_front_kernels_baseline();
 FrontKernels make_front_kernels_avx2();
 FrontKernels make_front_kernels_avx512();

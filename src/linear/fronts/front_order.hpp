@@ -6,16 +6,16 @@
 
 namespace gxrod {
 
-// In which order the blocks of a system are eliminated so that little fills in, and which of them together,
-// as a front: those that couple the same blocks behind them, or nearly so. By approximate minimum degree, or
-// nested dissection where that fills in less; CHOLMOD of SuiteSparse does both. A front comes after
-// those that it takes updates from.
+// The order of elimination of a system's blocks with little fill, and their grouping into fronts: blocks that
+// couple the same later blocks, or nearly so. It comes from approximate minimum degree, or nested dissection
+// if that fills in less; CHOLMOD of SuiteSparse does both. A front comes after the fronts from which it takes
+// updates.
 struct FrontOrder {
     std::vector<int> blocks;              // in the order of elimination
-    std::vector<int> starts;              // of each front in that order, and the number of blocks
-    std::vector<std::size_t> row_starts;  // of each front among `rows`, and their number
-    std::vector<int> rows;                // of each front its blocks and those behind, ascending, by their
-                                          // place in that order
+    std::vector<int> starts;              // start of each front in that order, and the number of blocks
+    std::vector<std::size_t> row_starts;  // start of each front in `rows`, and the number of rows
+    std::vector<int>
+        rows;  // for each front its blocks and the later ones, ascending, by their place in that order
 
     // Throws std::runtime_error if memory does not suffice.
     explicit FrontOrder(const BlockPartition& partition);

@@ -7,19 +7,19 @@
 namespace gxrod {
 
 // LU by dense fronts over blocks of unknowns, such as those of a node, for systems whose blocks fill in:
-// those of junctions. Pivots are sought within no block, so the caller must check the residual. The
-// pattern must be symmetric and have its diagonal.
+// systems of junctions. It does not pivot within blocks, so the caller must check the residual. The pattern
+// must be symmetric and have its diagonal.
 class FrontSolver {
   public:
     explicit FrontSolver(const SparsePattern& pattern);
 
-    // False if a pivot vanishes.
+    // Factorizes; returns false if a pivot vanishes.
     bool factorize(const std::vector<double>& values);
-    // Of a factorization.
+    // Estimates the operations of a factorization.
     double estimate_flops() const;
-    // Of the last regular factorization.
+    // The number of negative pivots of the last regular factorization.
     std::int64_t negative_pivots() const { return negative_pivots_; }
-    // Replaces the right-hand side by the solution. After a regular factorization only.
+    // Replaces the right-hand side by the solution, after a regular factorization.
     void solve(Eigen::VectorXd& right_hand_side);
 
   private:

@@ -3,7 +3,7 @@
 #include "linear/fronts/dense_kernels.hpp"
 #include "linear/fronts/front_kernels.hpp"
 
-// For sources that are compiled for one instruction set, as block_kernels.hpp is.
+// For sources that are compiled for one instruction set, like block_kernels.hpp.
 namespace gxrod {
 
 template <class Arch>
@@ -19,7 +19,7 @@ struct FrontSweeps : DenseKernels<Arch> {
         for (std::int64_t i = 0; i < count; ++i) to[i] += from[i];
     }
 
-    // The parts of a front: L and U of its pivots, the rest of U, and what is left.
+    // The parts of a front: L and U of its pivots, the rest of U, and the update.
     struct Parts {
         std::int64_t pivots, behind;
         Target lower, upper, update;
@@ -47,7 +47,7 @@ struct FrontSweeps : DenseKernels<Arch> {
         }
     }
 
-    // A column of a child's update into the column of the front.
+    // Adds a column of a child's update to the column of the front.
     static void add_column(
         const Front& child, const FrontRun* runs, const double* from, std::int64_t column, const Parts& to) {
         const bool is_behind = column >= to.pivots;
@@ -96,7 +96,7 @@ struct FrontSweeps : DenseKernels<Arch> {
         return true;
     }
 
-    // y ← y − A x, column by column as A lies in memory.
+    // Computes y ← y − A x, column by column as A lies in memory.
     static void subtract_columns(
         std::int64_t rows, std::int64_t columns, const View& A, const double* x, double* y) {
         constexpr std::int64_t some = Dense::tile;

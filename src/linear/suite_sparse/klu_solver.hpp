@@ -16,8 +16,8 @@ class KluSolver : public LinearSolver {
     void solve(Eigen::VectorXd& right_hand_side) override;
     LinearSolverKind kind() const override { return LinearSolverKind::klu; }
 
-    // Additions and multiplications of a factorization over the entries of L, from the pattern alone; 0 if
-    // not known. The larger, the more the matrix fills.
+    // Estimates additions and multiplications of a factorization over the entries of L, from the pattern
+    // alone; 0 if not known. A large value means much fill.
     double estimate_flops_per_entry() const;
 
   private:

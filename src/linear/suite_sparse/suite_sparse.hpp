@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-// What the solvers of SuiteSparse share.
+// Functions shared by the solvers of SuiteSparse.
 namespace gxrod {
 
 static_assert(sizeof(SuiteSparse_long) == sizeof(std::int64_t));
