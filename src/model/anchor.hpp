@@ -4,10 +4,10 @@
 
 namespace gxrod {
 
-// A point that a node carries, or one that is fixed in space.
+// A point that a node carries, or a point fixed in space.
 struct Anchor {
-    int node = -1;  // -1: the ground
-    // From the node to the point, global axes at t = 0; of the ground the point itself.
+    int node = -1;  // −1: the ground
+    // The arm from the node to the point, global axes at t = 0; for the ground the point itself.
     Vec3 arm = Vec3::Zero();
 
     bool is_ground() const { return node < 0; }

@@ -6,7 +6,7 @@
 
 namespace gxrod {
 
-// Whether anything that touches has friction.
+// Whether any contact has friction.
 inline bool rubs(const Contact& contact) {
     const bool has_rods = contact.between_rods || contact.within_rods;
     const auto rubs_there = [](const ContactException& one) { return one.friction.value_or(0.0) > 0.0; };

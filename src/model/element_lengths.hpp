@@ -11,7 +11,7 @@ struct ElementLengths {
     double most = 0.0;
 };
 
-// Of the elements of a rod.
+// Finds the lengths of a rod's elements.
 inline ElementLengths find_element_lengths(const Rod& rod) {
     const auto per_element = static_cast<std::size_t>(rod.order) + 1;
     ElementLengths lengths{rod.length, 0.0};

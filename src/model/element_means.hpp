@@ -5,11 +5,11 @@
 
 namespace gxrod {
 
-// A function along a rod that its elements take at their force points alone. Where it jumps or has a kink
-// within an element, its values there are those of the polynomial, of as many coefficients as the element has
-// force points, that has the same integrals over the element with each polynomial of this degree: of an
-// element with one force point the mean. So a part of an element counts by its share. The function itself
-// where it is smooth.
+// Returns a function for a rod's elements, which evaluate it only at their force points. If the function
+// jumps or has a kink within an element, its values there are those of a polynomial with as many coefficients
+// as force points, with the same integrals over the element against each polynomial of this degree; with one
+// force point it is the mean. So a part of an element counts by its share. Where the function is smooth it is
+// unchanged.
 LineFunction take_element_means(const LineFunction& function, const Rod& rod);
 
 }  // namespace gxrod

@@ -4,9 +4,8 @@
 
 namespace gxrod {
 
-// The strain energy that round-off of positions and rotations makes of no strain, and where supports move the
-// work of the forces that it makes: an energy below it means nothing, nor does its failing to
-// balance.
+// Computes the strain energy that round-off of positions and rotations causes and, if supports move, the work
+// of the resulting forces: smaller energies and imbalances mean nothing.
 double compute_energy_round_off(const Model& model);
 
 }  // namespace gxrod

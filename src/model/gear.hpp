@@ -11,7 +11,7 @@ struct GearSide {
     bool is_turn = true;  // otherwise the slide
 };
 
-// Ties the coordinates of two joints: ratio × first + second = 0, both since t = 0.
+// Couples the coordinates of two joints: ratio × first + second = 0, both since t = 0.
 struct Gear {
     std::string name;
     std::array<GearSide, 2> sides{};

@@ -10,18 +10,18 @@
 
 namespace gxrod {
 
-// What a joint leaves free: of B against A.
+// The kinds of joints, by the motions of B against A that they leave free.
 enum class JointKind {
     ball,       // all turns
     hinge,      // a turn about the axis
     cylinder,   // a turn about the axis and a slide along it
     slider,     // a slide along the axis
-    universal,  // turns about the axis, which A carries, and about another one at right angles to it, which B
-                // carries
-    screw,      // a turn about the axis and with it a slide along it
+    universal,  // turns about the axis, which A carries, and about a second one at right angles to it, which
+                // B carries
+    screw,      // a turn about the axis coupled to a slide along it
     plane,      // slides across the axis and the turn about it
     weld,       // nothing
-    distance,   // all but the distance of two points
+    distance,   // all but a change of the distance of two points
     free,       // everything
     sleeve      // a point, the slide along a rod and all turns: a Sleeve, not a Joint
 };
@@ -34,13 +34,13 @@ struct JointSide {
     Mat3 axes = Mat3::Identity();
 };
 
-// A friction of a free coordinate: within ± its strength (a moment of a turn, a force of a slide) it sticks,
-// elastically up to `stick` (rad or length). The strength is `force` and `lever` times the force that the
+// Friction of a free coordinate: within ± its strength (a moment for a turn, a force for a slide) it sticks,
+// elastically up to `stick` (rad or length). The strength is `force` plus `lever` times the force that the
 // joint holds across the coordinate or at its point.
 struct Friction {
     double force = 0.0;
     double stick = 0.0;
-    double lever = 0.0;  // of a turn a length, the coefficient times the radius; of a slide the coefficient
+    double lever = 0.0;  // for a turn a length, coefficient × radius; for a slide the coefficient
 
     bool acts() const { return force > 0.0 || lever > 0.0; }
 };
@@ -52,38 +52,38 @@ struct CoordinateLimits {
     double damping = 0.0;
 };
 
-// What acts on a coordinate that a joint leaves free. A turn is the right-hand one of B against A about the
-// axis, in rad, of any number of turns; a slide is of B against A along the axis. Both are 0 at t = 0. A
-// universal joint's turn is the one about A's axis.
+// The actions on a coordinate that a joint leaves free. A turn is the right-hand turn of B against A about
+// the axis, in rad, over any number of turns; a slide is of B against A along the axis. Both are 0 at t = 0.
+// A universal joint's turn is about A's axis.
 struct JointCoordinate {
     std::optional<TimeFunction> motion;  // a motor: the coordinate as a function of time
-    TimeFunction drive;                  // moment or force that A exerts on B in addition to all else
+    TimeFunction drive;                  // additional moment or force that A exerts on B
     double stiffness = 0.0;
     double damping = 0.0;
-    TimeFunction rest;  // value at which the spring exerts nothing
+    TimeFunction rest;  // value at which the spring is free of force
     Friction friction;
     CoordinateLimits limits;
 };
 
-// Two points of rods, bodies or the ground, A and B, and what they can still do against each other.
+// A joint between two points A and B of rods, bodies or the ground.
 struct Joint {
     std::string name;
     JointKind kind = JointKind::ball;
     JointSide a, b;  // at most one on the ground
     JointCoordinate turn, slide;
-    double lead = 0.0;    // of a screw: slide of one turn
-    double length = 0.0;  // of a distance joint
+    double lead = 0.0;    // for a screw: slide per turn
+    double length = 0.0;  // for a distance joint
 
     bool has_ground() const { return a.anchor.is_ground() || b.anchor.is_ground(); }
-    // B's, or A's if B is on the ground.
+    // Returns B's anchor, or A's if B is on the ground.
     const Anchor& moving_anchor() const { return b.anchor.is_ground() ? a.anchor : b.anchor; }
-    // Whether the kind leaves a turn about one axis, or a slide along one, free.
+    // Whether the kind leaves one turn about an axis, or one slide along it, free.
     bool has_turn() const;
     bool has_slide() const;
 };
 
-// A point B that slides along a rod, A, whose line is the smooth one through its nodes. What acts on the
-// slide acts along the line; the slide is the arc length of t = 0 from the place then.
+// A point B that slides along a rod, A, whose line is the smooth one through its nodes. Forces on the slide
+// act along the line; the slide is the arc length at t = 0, from the initial place.
 struct Sleeve {
     std::string name;
     int rod = 0;         // in Model::rods, one line

@@ -4,7 +4,7 @@
 
 namespace gxrod {
 
-// "hinge", "weld", as a deck has it.
+// Returns the name in decks: "hinge", "weld".
 inline const char* name_of(JointKind kind) {
     switch (kind) {
         case JointKind::ball:

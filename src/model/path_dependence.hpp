@@ -4,8 +4,8 @@
 
 namespace gxrod {
 
-// Whether an equilibrium depends on how it was reached: by what sections remember, by friction, or by
-// elements that measure rotations from the step before.
+// Whether an equilibrium depends on its history: by memory of sections, by friction, or by elements that
+// measure rotations from the previous step.
 bool depends_on_path(const Model& model);
 
 }  // namespace gxrod

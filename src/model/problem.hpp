@@ -14,12 +14,14 @@ namespace gxrod {
 // each run has a problem of its own.
 struct Problem {
     DeckRecord record;
-    Model model;                    // with what acts in the first stage
-    std::vector<StagePlan> stages;  // one at least
+    Model model;                    // with the actions of the first stage
+    std::vector<StagePlan> stages;  // at least one
     OutputSettings output;
     std::vector<std::string> notes;  // choices that the reader made for the user, a line each
 
-    const AnalysisSettings& analysis() const { return stages.front().analysis; }  // of the first stage
+    const AnalysisSettings& analysis() const {
+        return stages.front().analysis;
+    }  // the analysis of the first stage
 };
 
 }  // namespace gxrod

@@ -5,14 +5,14 @@
 
 #include "model/model.hpp"
 
-// Friction at its limit, which sticks or slips (docs/theory/laws.md, (L29)).
+// Friction at its limit, whether it sticks or slips (docs/theory/laws.md, (L29)).
 namespace gxrod {
 
-// Lists what has friction of its own: "joint knee", "tendon pull", "the seabed", "contact".
+// Lists everything with friction: "joint knee", "tendon pull", "the seabed", "contact".
 std::vector<std::string> list_frictions(const Model& model);
 
-// Moves limits of friction, of all or of the one listed so, by so little that no force changes: what is at
-// its limit sticks, or slips.
+// Returns the model with limits of friction, all or only the listed one, changed so little that no force
+// changes: friction at its limit then sticks, or slips.
 enum class AtLimit { sticks, slips };
 Model set_at_limit(Model model, AtLimit then);
 Model set_at_limit(Model model, AtLimit then, const std::string& listed);

@@ -4,23 +4,23 @@
 
 namespace gxrod {
 
-// How near to its limit, relative to that, what yields or slips is taken to flow on in derivatives.
+// Relative distance from its limit within which a law is taken to yield or slip in derivatives.
 constexpr double at_its_limit = 1e-9;
 
 // A law that is smooth only on each of its pieces: a surface yields or does not, a layer slips or sticks, a
-// strain lies between two points of a table. Derivatives are those of the piece on which a section is. What
-// has it is a SectionLaw, too.
+// strain lies between two points of a table. Derivatives belong to the piece of the current state. Its
+// classes are also SectionLaws.
 class KinkedLaw {
   public:
     virtual ~KinkedLaw() = default;
 
-    // Numbers that say on which piece a response is.
+    // The number of integers that identify the piece of a response.
     virtual int piece_count() const = 0;
-    // Finds these numbers. What is at its limit to rounding yields or slips, as if it flowed on.
+    // Finds these integers. Parts at their limit to rounding count as yielding or slipping.
     virtual void find_pieces(const Vec6& strain,
                              std::span<const double> memory,
                              std::span<int> pieces) const = 0;
-    // The response on given pieces, which are continued smoothly beyond their kinks.
+    // Computes the response on given pieces, which are continued smoothly beyond their kinks.
     virtual SectionResponse respond_on(std::span<const int> pieces,
                                        const Vec6& strain,
                                        std::span<const double> memory,
@@ -28,7 +28,7 @@ class KinkedLaw {
                                        std::span<double> after) const = 0;
 };
 
-// nullptr of a law that is smooth.
+// Casts to a kinked law; nullptr for a smooth law.
 inline const KinkedLaw* as_kinked(const SectionLaw& law) { return dynamic_cast<const KinkedLaw*>(&law); }
 
 }  // namespace gxrod

@@ -4,39 +4,39 @@
 
 #include "rotation/types.hpp"
 
-// Where a section would carry its forces without coupling, and in which axes. Points are (y, z) from the
-// node, in the section's axes.
+// The centres at which a section carries its forces without coupling, and its principal axes. Points are (y,
+// z) from the node, in the section's axes.
 namespace gxrod {
 
 using SectionPoint = Eigen::Vector2d;
 
-// Two stiffnesses or inertias about axes that are y and z turned about x, right-handed, by at most 45°.
+// Two principal stiffnesses or inertias about the axes y and z turned about x, right-handed, by at most 45°.
 struct PrincipalAxes {
-    double turn = 0.0;  // radians; 0 where both are equal
+    double turn = 0.0;  // radians; 0 if both are equal
     double about_y = 0.0, about_z = 0.0;
 };
 
 class SectionCentres {
   public:
-    // Of a stiffness that is positive definite, order x y z rx ry rz, and of the inertia of a rigid slice,
-    // which may be zero.
+    // Takes a positive definite stiffness, order x y z rx ry rz, and the inertia of a rigid slice, which may
+    // be zero.
     SectionCentres(const Mat6& stiffness, const Mat6& mass);
 
-    // Where a force along x makes no bending: the curvatures about y and z are 0.
+    // The point at which a force along x causes no bending: the curvatures about y and z are 0.
     const SectionPoint& tension_centre() const { return tension_centre_; }
-    // Where forces along y and z make no twist.
+    // The point at which forces along y and z cause no twist.
     const SectionPoint& shear_centre() const { return shear_centre_; }
-    // nullopt without inertia.
+    // The centre of mass; nullopt without inertia.
     const std::optional<SectionPoint>& centre_of_mass() const { return centre_of_mass_; }
-    // Moment by curvature where no force acts and no torque, whatever couples: about the tension centre.
+    // Moment by curvature without force and torque, including all couplings: about the tension centre.
     const PrincipalAxes& bending() const { return bending_; }
     // Rotary inertia per length about the centre of mass; nullopt without inertia.
     const std::optional<PrincipalAxes>& inertia() const { return inertia_; }
-    // A length of the section, which its offsets can be compared with: the larger radius √(EI/EA).
+    // A length of the section for comparison with its offsets: the larger radius √(EI/EA).
     double size() const { return size_; }
-    // A point whose components are zero where they are round-off compared with the size.
+    // Returns a point with components set to zero that are round-off compared with the size.
     SectionPoint clean(const SectionPoint& point) const;
-    // Whether one of them is away from the node, or the axes of bending are turned.
+    // Whether a centre is away from the node, or the axes of bending are turned.
     bool are_apart() const;
 
   private:

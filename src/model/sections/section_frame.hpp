@@ -5,8 +5,8 @@
 // Matrices of a section about other points and in other axes.
 namespace gxrod {
 
-// A frame in a section: a point, in the section's axes, and axes that are the section's turned about x,
-// right-handed: from y towards z.
+// A frame in a section: a point, in the section's axes, and the section's axes turned about x, right-handed:
+// from y towards z.
 struct SectionFrame {
     double y = 0.0, z = 0.0;
     double turn = 0.0;
@@ -14,11 +14,11 @@ struct SectionFrame {
     bool is_trivial() const { return y == 0.0 && z == 0.0 && turn == 0.0; }
 };
 
-// A stiffness or an inertia, order x y z rx ry rz, in the section's axes, from what it is about the point of
-// a frame and in its axes: with R from the frame's axes to the section's and d its point,
+// Moves a stiffness or an inertia, order x y z rx ry rz, given about the point of a frame and in its axes, to
+// the section's node and axes. With R from the frame's axes to the section's and d its point,
 //     Γ′ = Rᵀ(Γ + K × d), K′ = Rᵀ K, and the same of v and ω: (Γ′, K′) = T (Γ, K), C = Tᵀ C′ T, M = Tᵀ M′ T.
 Mat6 move_from(const SectionFrame& frame, const Mat6& matrix);
-// The inverse.
+// Applies the inverse.
 Mat6 move_to(const SectionFrame& frame, const Mat6& matrix);
 
 }  // namespace gxrod

@@ -4,18 +4,19 @@
 
 #include "model/settings/settings.hpp"
 
-// What an analysis asks of a model and of its deck, whatever its kind.
+// The traits of an analysis that matter to models and decks.
 namespace gxrod {
 
 struct AnalysisTraits {
-    const char* kind = "static";  // as decks say it
-    // Takes steps in t that move the state; other kinds look at the state that they are given.
+    const char* kind = "static";  // name in decks
+    // Whether it takes steps in t that move the state; other kinds examine a given state.
     bool has_steps = true;
-    // t is time, and loads are as they are written; otherwise it is the load factor.
+    // Whether t is time, and loads are as written; otherwise t is the load factor.
     bool is_timed = false;
-    // Accelerations are integrated: every free motion needs inertia, and there are initial velocities.
+    // Whether accelerations are integrated: every free motion needs inertia, and there are initial
+    // velocities.
     bool needs_inertia = false;
-    // Masses matter, though some motions may have none.
+    // Whether masses matter, though some motions may have none.
     bool uses_mass = false;
 };
 
@@ -27,15 +28,14 @@ inline bool is_path(const AnalysisSettings& analysis) {
     return std::holds_alternative<PathSettings>(analysis);
 }
 inline bool is_timed(const AnalysisSettings& analysis) { return traits_of(analysis).is_timed; }
-// Of a path that follows limit points, where it is now.
+// Returns the current load factor of a path that follows limit points.
 std::optional<double> limit_load_factor_of(const AnalysisSettings& analysis);
 inline bool needs_inertia(const AnalysisSettings& analysis) { return traits_of(analysis).needs_inertia; }
 
-// Where t ends, which starts at 0: the time, or the load factor. Of a path, where it may end: its bound,
-// or 1.
+// Returns the end of t, which starts at 0: time or load factor. For a path, a possible end: its bound, or 1.
 double end_of(const AnalysisSettings& analysis);
-// How many steps it takes to get there if none is cut, of a path at most; 0 if that is not known beforehand,
-// or there are none.
+// Returns the number of steps if none is cut, for a path the largest number; 0 if it is not known beforehand,
+// or there are no steps.
 long steps_of(const AnalysisSettings& analysis);
 
 }  // namespace gxrod

@@ -15,17 +15,17 @@ struct Excitation {
     double phase = 0.0;  // rad
 };
 
-// A node whose answer is recorded.
+// A node whose response is recorded.
 struct ResponsePoint {
     std::string name;
     int node = 0;
 };
 
-// How the model answers to forces that swing steadily, about a state.
+// The response of the model to steady harmonic forces, about a state.
 struct ResponseSettings {
     std::vector<double> omegas;  // rad per time, rising
     std::vector<Excitation> excitation;
-    std::vector<ResponsePoint> points;  // of the deck's histories, those at nodes
+    std::vector<ResponsePoint> points;  // those of the deck's histories at nodes
 };
 
 }  // namespace gxrod

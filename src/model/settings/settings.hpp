@@ -12,7 +12,7 @@
 #include "model/settings/response_settings.hpp"
 #include "rotation/types.hpp"
 
-// What is asked of the model: how to integrate and what to record. The defaults here are the deck's defaults.
+// The requests for a model: how to integrate and what to record. The defaults here are the deck's defaults.
 namespace gxrod {
 
 enum class Scheme {
@@ -29,13 +29,13 @@ enum class Scheme {
 enum class TangentKind {
     automatic,   // mixed or consistent, by the model
     consistent,  // the exact derivative
-    mixed,       // its geometric part by resultants that are unknowns of their own (Magisano et al. 2017)
+    mixed,       // its geometric part by independent resultants (Magisano et al. 2017)
     paper,       // Rubin (2007), (5.6), with its additive update; rigid bodies under newmark_simplified
     difference   // central differences of the residual
 };
 
 enum class LinearSolverKind {
-    automatic,  // chooses by the matrix
+    automatic,  // by the matrix
     chains,     // by blocks, the insides of chains first, then their junctions by fronts
     klu,
     umfpack
@@ -53,9 +53,9 @@ struct NewtonSettings {
     double absolute_residual = 0.0;
 };
 
-// Steps chosen by an estimate of their error; of schemes that have one.
+// Steps chosen by an estimate of their error; for schemes that have one.
 struct AdaptiveSettings {
-    // Of one step: displacements relative to the model's length, rotations in rad.
+    // The tolerance of one step: displacements relative to the model's length, rotations in rad.
     double tolerance = 1e-4;
     double min_step = 0.0;
     double max_step = std::numeric_limits<double>::infinity();
@@ -65,14 +65,14 @@ struct DynamicSettings {
     double end_time = 0.0;
     long steps = 0;  // equal steps from 0 to end_time
     Scheme scheme = Scheme::newmark_simplified;
-    std::string chosen_for;  // why gxrod took this scheme, where the deck leaves it open; else ""
+    std::string chosen_for;  // the reason for this scheme, if the deck leaves it open; else ""
     double beta = 0.25;
     double gamma = 0.5;
-    double spectral_radius = 0.9;              // at infinite frequency, of generalized_alpha
+    double spectral_radius = 0.9;              // at infinite frequency, for generalized_alpha
     std::optional<AdaptiveSettings> adaptive;  // then time_step() is the first step
-    // Takes the velocities nearest to the initial ones that joints allow.
+    // Whether initial velocities are projected to the nearest ones that joints allow.
     bool projects_start = false;
-    // Without, the motion is so slow that nothing resists acceleration (kind quasi-static).
+    // Whether there is inertia; without, the motion is quasi-static (kind quasi-static).
     bool has_inertia = true;
     NewtonSettings newton;
     LinearSolverKind linear_solver = LinearSolverKind::automatic;
@@ -82,13 +82,13 @@ struct DynamicSettings {
 
 // Equilibria while the load factor t runs from 0 to 1.
 struct StaticSettings {
-    long steps = 10;  // equal ones, cut where Newton's method fails
+    long steps = 10;  // equal steps, cut if Newton's method fails
     NewtonSettings newton;
     LinearSolverKind linear_solver = LinearSolverKind::automatic;
 };
 
-// The stiffness of sections, joints and contact that are about to yield or to slip: as if they unloaded, or
-// as if the load that brought them there went on.
+// The stiffness of sections, joints and contact that are about to yield or to slip: for unloading, or for
+// continued loading.
 enum class Linearization { elastic, loading };
 
 // Small vibrations about a state.
@@ -107,40 +107,40 @@ struct BucklingSettings {
 // Values of a component of a node's displacement, or of the load factor t, at which a path must have an
 // equilibrium.
 struct PathTarget {
-    int node = -1;      // −1: of t
+    int node = -1;      // −1: t
     int component = 0;  // x, y or z
     std::vector<double> values;
 };
 
-// What each step of a path prescribes instead of the arc length.
+// A quantity that each step of a path prescribes instead of the arc length.
 struct PathControl {
     int node = -1;
     int component = 0;         // of displacement, or, from 3 on, of rotation
-    std::optional<double> to;  // of displacement: where the path ends, to which it sets out
+    std::optional<double> to;  // displacement at which the path ends, and towards which it starts
 };
 
-// What is done about limit points and bifurcations of a path: steps end on them, or the steps between which
+// The treatment of limit points and bifurcations of a path: steps end on them, or the steps between which
 // they lie are reported, or nothing.
 enum class CriticalSearch { locate, report, off };
 
 // Equilibria along a path on which the load factor t may turn back.
 struct PathSettings {
-    // Where it ends, whichever comes first; at least one of them.
+    // The ends of the path; it ends at the first one, and needs at least one.
     std::optional<double> least_load, greatest_load;  // of t
     std::optional<double> arc;
     std::optional<long> steps;
-    std::optional<long> points;  // critical ones
+    std::optional<long> points;  // number of critical points
     // Arc lengths: about the mean displacement over the model's length, or the mean rotation times 0.2.
-    std::optional<double> first_step;  // none: chosen by how the model answers to its loads
+    std::optional<double> first_step;  // none: chosen by the model's response to its loads
     double max_step = 0.2;
     double min_step = 1e-7;
     std::vector<PathTarget> at;
     std::optional<PathControl> control;
     CriticalSearch critical = CriticalSearch::locate;
     int branches = 0;  // generations of branches to follow
-    // Instead of equilibria at any load factor, limit points are followed while t goes on: this is the load
-    // factor of an earlier path, on which loads of the model rest, and it is found together with them. None:
-    // no limit points are followed.
+    // If given, the path follows limit points while t advances, instead of equilibria at any load factor. It
+    // is the load factor of an earlier path, on which loads of the model depend, and is solved for together
+    // with the points.
     std::shared_ptr<double> limit_load_factor;
     NewtonSettings newton;
     LinearSolverKind linear_solver = LinearSolverKind::automatic;

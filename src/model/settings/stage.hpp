@@ -9,10 +9,10 @@
 #include "model/model.hpp"
 #include "model/settings/settings.hpp"
 
-// Analyses one after the other, each from the state in which the last one leaves the model.
+// Stages: analyses one after the other, each from the state in which the last one leaves the model.
 namespace gxrod {
 
-// What acts on a model, and what holds it, in one stage.
+// The actions on a model, and its supports, in one stage.
 struct Actions {
     TimeVector gravity{Vec3::Zero()};
     std::vector<NodalLoad> loads;
@@ -20,41 +20,43 @@ struct Actions {
     std::vector<Support> supports;
     std::optional<TurningFrame> rotation = {};
     bool has_inertia = true;
-    bool has_time = true;            // of Model::has_time
-    std::vector<Joint> joints = {};  // those of the model, with what acts on their coordinates
+    bool has_time = true;            // as Model::has_time
+    std::vector<Joint> joints = {};  // the model's joints, with the actions on their coordinates
     std::vector<Sleeve> sleeves = {};
     std::vector<Actuation> actuations = {};
-    std::vector<Tendon> tendons = {};  // the same in all stages, those that are slack with a tension of zero
-    // The same in all stages but for currents, wind and waves.
+    std::vector<Tendon> tendons = {};  // the same in all stages; slack ones have a tension of zero
+    // The same in all stages except currents, wind and waves.
     Surroundings surroundings = {};
-    Contact contact = {};  // the same in all stages but for the motions of obstacles
+    Contact contact = {};  // the same in all stages except the motions of obstacles
 };
 
 struct Problem;
 
 struct StagePlan {
-    std::string name;  // "" of the one stage of a deck that has [analysis]
+    std::string name;  // "" for the only stage of a deck with [analysis]
     AnalysisSettings analysis;
-    Actions actions = {};     // of its own t, from 0; empty of the first stage, whose actions the model has
+    Actions actions = {};  // by its own t, from 0; empty for the first stage, whose actions are in the model
     long frame_interval = 1;  // as OutputSettings::every
-    // Where its t ends; of a path, once it has ended. Shared with what later stages hold at its value there.
+    // The end of its t; for a path, set once it has ended. Shared with later stages that hold values from
+    // there.
     std::shared_ptr<double> end = {};
-    // The problem with another value of what a sweep varies. Throws std::runtime_error if there is none.
+    // Builds the problem with another value of a sweep's parameter. Throws std::runtime_error if there is
+    // none.
     std::function<Problem(double value)> vary = {};
 };
 
-// Whether one of them follows limit points.
+// Whether one of the stages follows limit points.
 bool follows_limits(std::span<const StagePlan> stages);
 
-// The model's own, which it has no longer, joints excepted.
+// Moves the actions out of the model, except joints, which it keeps.
 Actions take_actions(Model& model);
 void set_actions(Actions actions, Model& model);
 
-// What follows one axis in the results: t of the stages added up. Stages without time before the first one
-// with time end at 0, each of length 1; with a path among them, whose arc length is not known beforehand,
-// they begin at 0.
+// The common axis of results: t of the stages added up. Stages without time before the first one with time
+// end at 0, each of length 1; with a path among them, whose arc length is not known beforehand, they begin at
+// 0.
 double find_axis_start(std::span<const StagePlan> stages);
-// Where they end on it; infinity with a path.
+// Returns the end of the stages on this axis; infinity with a path.
 double find_axis_end(std::span<const StagePlan> stages);
 
 }  // namespace gxrod

@@ -9,7 +9,7 @@ namespace gxrod {
 struct TurningFrame {
     Vec3 axis = Vec3::UnitZ();  // a unit vector
     Vec3 through = Vec3::Zero();
-    TimeFunction speed;  // rad per time, by the load factor
+    TimeFunction speed;  // rad per time, as a function of the load factor
 
     Vec3 spin(double load_factor) const { return speed(load_factor) * axis; }
 };

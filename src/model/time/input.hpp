@@ -8,31 +8,31 @@
 
 namespace gxrod {
 
-// How an input goes from one value to the next.
+// The course of an input from one value to the next.
 enum class InputHold {
-    step,   // at once: constant over the steps that follow
-    linear  // on a straight line over the steps until the next value is due
+    step,   // a jump: constant over the steps that follow
+    linear  // a straight line over the steps until the next value is due
 };
 
-// What an input has been set to; part of what a run resumes from.
+// The value of an input that was set; part of the data for resuming a run.
 struct InputState {
-    double is_set = 0.0;   // 1; otherwise the deck's value counts
-    double planned = 0.0;  // the deck's value at t = 0, by which a deck that has changed is known
-    // From one value to another between two times of the stage at hand.
+    double is_set = 0.0;   // 1; otherwise the deck's value applies
+    double planned = 0.0;  // the deck's value at t = 0, which detects a changed deck
+    // A change from one value to another between two times of the present stage.
     double from_time = 0.0, from = 0.0;
     double to_time = 0.0, to = 0.0;
 };
 
-// A number that whoever drives a run changes while it goes on, [input.NAME]: a function of time whose course
-// is not known beforehand. Expressions of a deck read it wherever they can use t. Each problem that is built
-// from a deck has its own, so each simulation has.
+// A number that the driver of a run changes while it runs, [input.NAME]: a function of time whose course is
+// not known beforehand. Expressions of a deck read it wherever they can use t. Each problem built from a deck
+// has its own inputs, so each simulation has.
 class Input {
   public:
     explicit Input(std::string name) : name_(std::move(name)) {}
 
     const std::string& name() const { return name_; }
     InputHold hold() const { return hold_; }
-    // The deck's value, until it is set.
+    // Sets the deck's value, which applies until the input is set.
     void plan(TimeFunction value, InputHold hold) {
         planned_ = std::move(value);
         hold_ = hold;
@@ -46,12 +46,12 @@ class Input {
         return state_.from + part * (state_.to - state_.from);
     }
 
-    // At this time of the stage; one that changes linearly is there at `until`.
+    // Sets the value at this time of the stage; a linear change reaches it at `until`.
     void set(double value, double time, double until) {
         const double from = hold_ == InputHold::linear ? (*this)(time) : value;
         state_ = {1.0, planned_(0.0), time, from, std::max(time, until), value};
     }
-    // Where t begins again: in the next stage.
+    // Restarts at t = 0 of the next stage.
     void begin_stage() {
         if (state_.is_set != 0.0) state_ = {1.0, state_.planned, 0.0, state_.to, 0.0, state_.to};
     }
@@ -61,7 +61,7 @@ class Input {
         state.planned = planned_(0.0);
         return state;
     }
-    // A value of the deck that has changed since then counts instead.
+    // Restores a state, unless the deck's value has changed since; then the deck's value applies.
     void recall(const InputState& state) {
         state_ = {};
         if (state.planned == planned_(0.0)) state_ = state;

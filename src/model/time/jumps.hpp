@@ -7,12 +7,12 @@
 
 namespace gxrod {
 
-// Times inside an interval at which something that acts on a model, or within it, jumps: sorted, each once.
-// `samples` as find_breaks_in_time has it. Along rods functions are asked at a few places, and those whose
-// jumps travel along a rod are left out. Throws EvaluationError.
+// Finds the times inside an interval at which an action on a model, or within it, jumps: sorted, each once.
+// `samples` is the same as in find_breaks_in_time. Functions along rods are evaluated at a few places; jumps
+// that travel along a rod are left out. Throws EvaluationError.
 std::vector<double> find_jumps(const Model& model, const Interval& times, int samples);
 
-// The last time before a jump, and the first after it, by which functions of time are on either side.
+// The last time before a jump, and the first after it, for functions of time on either side.
 struct JumpSides {
     double before, after;
 };

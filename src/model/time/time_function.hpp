@@ -10,26 +10,27 @@
 
 namespace gxrod {
 
-// A number on which a function's form depends: where it crosses one of the knots the function may jump or
-// have a kink, between them it is smooth. Of "s < 2*t ? 1 : 0" the number is s − 2 t and the knot 0; of a
-// table, the number is what it is asked for and the knots are its rows.
+// A number on which a function's form depends: the function may jump or have a kink where the number crosses
+// a knot, and is smooth between knots. For "s < 2*t ? 1 : 0" the number is s − 2 t and the knot 0; for a
+// table, the number is its argument and the knots are its rows.
 struct Switch {
-    std::function<double(double time, double s)> argument;  // can be NaN where the function does not need it
+    std::function<double(double time, double s)> argument;  // can be NaN if the function does not need it
     std::vector<double> knots{0.0};                         // increasing
     bool has_time = true;
     bool has_arc_length = true;
     bool is_variable = false;  // the argument is the time or the arc length itself
 };
 
-// Those that an argument of another rests on come before it.
+// Arguments on which another depends come before it.
 using Switches = std::vector<Switch>;
 
-// A number that can change with time: the value of a deck key that takes f(t).
-// Calling one function from two threads at once is not allowed (an expression evaluates in place).
+// A number that can change with time: the value of a deck key that takes f(t). Not for two threads at once
+// (an expression evaluates in place).
 class TimeFunction {
   public:
     TimeFunction(double constant = 0.0) : constant_(constant) {}
-    // `has_time`: whether its form has t; a number that changes otherwise, as an input does, may not.
+    // `has_time`: whether t occurs in its form; a number that changes for another reason, like an input, may
+    // not have it.
     explicit TimeFunction(std::function<double(double)> function,
                           std::shared_ptr<const Switches> switches = nullptr,
                           bool has_time = true)
@@ -38,9 +39,9 @@ class TimeFunction {
     double operator()(double time) const { return function_ ? function_(time) : constant_; }
     bool is_constant() const { return !function_; }
     bool has_time() const { return function_ && has_time_; }
-    // Whether the value is the constant 0, so that a load of it need not be evaluated.
+    // Whether the value is the constant 0, so that such a load need not be evaluated.
     bool is_zero() const { return !function_ && constant_ == 0.0; }
-    // nullptr if it is smooth everywhere.
+    // nullptr if the function is smooth everywhere.
     const std::shared_ptr<const Switches>& switches() const { return switches_; }
 
   private:
@@ -50,17 +51,17 @@ class TimeFunction {
     bool has_time_ = false;
 };
 
-// How a function of time and place follows the time.
+// The dependence on time of a function of time and place.
 enum class InTime {
     constant,      // f(s)
     proportional,  // t f(s)
     varying
 };
 
-// What is known of a function of time and place.
+// Known properties of a function of time and place.
 struct LineForm {
     InTime in_time = InTime::varying;
-    bool is_even = false;  // the same all along the rod
+    bool is_even = false;  // constant along the rod
 };
 
 // A number that can change with time and along a rod, f(t, s), s the arc length from the rod's start.
