@@ -46,7 +46,7 @@ struct ElementBlock {
     std::vector<InRod> rods;  // rod and element of each rod element
     std::vector<int> groups;  // group of each element in ScaleGroups, ascending
     bool is_damped = false;   // whether any element is
-    WorkPhases phases;        // of the elements
+    WorkPhases phases;        // division of the elements into phases
     // For each part, the entries of the matrix that it is the first to add to, and so sets to zero.
     std::vector<std::vector<EntryRange>> cleared;
 

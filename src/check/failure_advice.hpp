@@ -8,7 +8,7 @@
 
 namespace gxrod {
 
-// What a message reports about an equilibrium that was not found.
+// The facts that a message reports about an equilibrium that was not found.
 struct Failure {
     enum class Phase { initial_accelerations, implicit_step, explicit_step, load_step, instant };
 

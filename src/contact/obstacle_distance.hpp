@@ -10,7 +10,7 @@ struct ObstacleDistance {
     Vec3 normal = Vec3::Zero();     // along its gradient, of length 1
     double slope = 1.0;             // the length of its gradient
     Mat3 curvature = Mat3::Zero();  // its second derivative, symmetric
-    Vec3 position = Vec3::Zero();   // of the point on the obstacle's line that is closest
+    Vec3 position = Vec3::Zero();   // closest point on the obstacle's line
 };
 // Finds the distance from an obstacle at its place at t = 0. On the line of a tube, where no direction is
 // closest, the normal is zero.

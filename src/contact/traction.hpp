@@ -16,7 +16,7 @@ struct CoulombFriction {
     double stiffness = 0.0;  // elastic stiffness while it sticks
     Vec3 traction = Vec3::Zero();
     Slip slip = Slip::by_law;
-    Vec3 direction = Vec3::Zero();  // of the traction if it is assumed to slide, of length 1
+    Vec3 direction = Vec3::Zero();  // unit vector of the traction, if it is assumed to slide
 
     bool acts(double normal_force) const { return coefficient > 0.0 && normal_force > 0.0; }
 };

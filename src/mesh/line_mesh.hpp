@@ -15,7 +15,7 @@ namespace gxrod {
 struct MeshLines {
     int number = 0;
     std::string name;         // "" if it has none
-    std::vector<int> orders;  // of its elements, each once, increasing
+    std::vector<int> orders;  // orders of its elements, each once, increasing
     std::vector<std::size_t>
         nodes;  // if there is one order, 1 to 3: order + 1 per element, from start to end
 };

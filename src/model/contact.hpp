@@ -24,7 +24,7 @@ struct TriangleMesh {
     std::string file;  // name in the deck
     std::vector<Vec3> positions;
     std::vector<std::array<int, 3>> triangles;
-    std::vector<int> numbers;    // of the triangles, in the file, from 1
+    std::vector<int> numbers;    // numbers of the triangles in the file, from 1
     double feature_angle = 0.0;  // edges with a larger turn are sharp
     std::size_t left_out = 0;    // triangles without area
     std::size_t repeated = 0;    // left out too, since another triangle has the same corners
@@ -43,7 +43,7 @@ struct Obstacle {
     std::string name;
     Shape shape = Shape::plane;
     bool is_hollow = false;
-    Vec3 normal = Vec3::UnitZ();  // of a plane, towards the rods, of length 1
+    Vec3 normal = Vec3::UnitZ();  // for a plane, towards the rods, of length 1
     std::vector<Vec3> line;       // for a plane one of its points
     std::vector<Vec3> tangents;   // for a tube, by arc length, at each point of the line
     double radius = 0.0;

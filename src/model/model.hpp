@@ -108,7 +108,7 @@ void set_line_elements(Rod& rod,
 // A point of a rod: an element, and ξ from −1 to 1 from the element's start to its end.
 struct RodPlace {
     int rod = 0;      // index in Model::rods
-    int element = 0;  // of the rod
+    int element = 0;  // index in the rod
     double xi = 0.0;
     bool is_asked = true;  // whether more is requested than the node's motion
 };

@@ -10,8 +10,8 @@
 
 namespace gxrod {
 
-// What is run: a model and what is asked of it. Functions of time and inputs are shared by copies of one, so
-// each run has a problem of its own.
+// The input of a run: a model and the requests for it. Copies share functions of time and inputs, so each run
+// has its own problem.
 struct Problem {
     DeckRecord record;
     Model model;                    // with the actions of the first stage

@@ -40,7 +40,7 @@ using VelocityField = std::function<Vec3(double time, const Vec3& position)>;
 struct SpeedProfile {
     std::vector<double> heights;
     std::vector<double> speeds;
-    Vec3 direction = Vec3::UnitX();  // of length 1
+    Vec3 direction = Vec3::UnitX();  // unit vector
     TimeFunction factor{1.0};
 };
 

@@ -83,10 +83,11 @@ class ContactPairs {
 
   private:
     Segment segment_of(std::size_t piece, const std::vector<NodeMotion>& motions) const;
-    std::vector<Segment> find_segments(const std::vector<NodeMotion>& motions) const;  // of all pieces
+    std::vector<Segment> find_segments(
+        const std::vector<NodeMotion>& motions) const;  // segments of all pieces
     // Bounds the motion of all pieces.
     double find_reach(const std::vector<Vec6>& increments) const;
-    NodeGroup list_nodes(int a, int b) const;  // of two elements
+    NodeGroup list_nodes(int a, int b) const;  // nodes of two elements
     PairLaw law_of(const NearPieces& near) const;
     double largest_skin() const;
     // Finds the share of the motion by which all pieces may move, if they reach `reach` from their axes,

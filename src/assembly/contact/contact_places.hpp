@@ -18,7 +18,7 @@ inline constexpr double largest_shape_sum = 1.65;
 // A place of a rod or body that can touch obstacles, with its share of length.
 struct ContactPlace {
     int element = 0;                                  // in the list of elements
-    double fraction = 0.0;                            // of the rod's length, from its start
+    double fraction = 0.0;                            // fraction of the rod's length, from its start
     double weight = 0.0;                              // a length at t = 0
     std::array<double, most_element_nodes> shapes{};  // values of the element's shape functions
     Vec3 arm = Vec3::Zero();                          // from the node of a body, at t = 0

@@ -13,9 +13,9 @@ namespace gxrod {
 struct ImpulseDirection {
     // The motion relative to an obstacle at rest.
     struct Way {
-        Vec3 gradient;          // of the gap at the start
+        Vec3 gradient;          // gradient of the gap at the start
         Vec3 move;              // Δx
-        double change = 0.0;    // of the gap
+        double change = 0.0;    // change of the gap
         double shortest = 0.0;  // length of moves below which n̂ needs no correction
     };
     std::optional<Vec3> before = {};  // the normal at the start, for (C18)

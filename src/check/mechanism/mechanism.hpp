@@ -18,8 +18,9 @@ struct Mechanism {
     int motors = 0;
     bool is_counted = false;  // whether it is small enough for the numbers below
 
-    int equations = 0;  // of its joints, motors left out, without those that a plane of the deck meets anyway
-    int redundant = 0;  // equations that follow from the others and from supports
+    int equations =
+        0;  // equations of its joints, motors left out, without those that a plane of the deck meets anyway
+    int redundant = 0;                    // equations that follow from the others and from supports
     int free_motions = 0;                 // motions that joints and supports leave; motors move some of them
     int unmoved = 0;                      // motions that motors leave
     std::vector<int> redundant_joints;    // joints with these equations, in Model::joints; gears follow them

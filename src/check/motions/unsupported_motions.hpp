@@ -11,7 +11,7 @@ namespace gxrod {
 // A small motion of a part as a rigid body: point x moves by velocity + rotation × (x − point).
 struct UnsupportedMotion {
     Vec3 velocity = Vec3::Zero();  // for a turn: along its axis, or zero
-    Vec3 rotation = Vec3::Zero();  // of length 1, or zero for a translation
+    Vec3 rotation = Vec3::Zero();  // unit vector, or zero for a translation
     Vec3 point = Vec3::Zero();     // on the axis of a turn, the nearest to the part's first support
     bool has_place = false;        // whether the axis of a turn is unique, not only its direction
 };

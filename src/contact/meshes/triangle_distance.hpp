@@ -9,7 +9,7 @@ namespace gxrod {
 // A flat triangle, with the axes of its edges; edge i goes from corner i to the next one.
 struct Triangle {
     std::array<Vec3, 3> corners;
-    Vec3 normal = Vec3::Zero();   // of length 1, counterclockwise about it
+    Vec3 normal = Vec3::Zero();   // unit vector, counterclockwise about it
     std::array<Vec3, 3> along{};  // the edges' directions, of length 1
     std::array<Vec3, 3> out{};    // away from the triangle, in its plane, of length 1
     std::array<double, 3> lengths{};

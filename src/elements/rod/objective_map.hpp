@@ -66,7 +66,7 @@ class ObjectiveMap {
     struct FrameForces {
         Columns3 n, m;
         Vec3 M;
-        NodalVector<Nodes> stacked;  // of the nodes, including the share of R
+        NodalVector<Nodes> stacked;  // on the nodes, including the share of R
     };
     FrameForces compute_frame_forces(const NodalVector<Nodes>& local_force) const;
 

@@ -84,7 +84,7 @@ class ChainSolver : public LinearSolver {
 
     std::unique_ptr<LinearSolver> general_;
     bool is_general_ = false;           // whether general_ has the last factorization
-    std::int64_t negative_pivots_ = 0;  // of the last elimination of blocks
+    std::int64_t negative_pivots_ = 0;  // pivots of the last elimination of blocks
 };
 
 }  // namespace gxrod

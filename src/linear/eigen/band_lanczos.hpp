@@ -14,7 +14,7 @@ struct EigenPairs {
 struct LanczosSettings {
     int wanted = 1;
     int block = 2;            // start vectors: copies of a multiple eigenvalue that can be found at once
-    double tolerance = 1e-9;  // of a pair's residual, relative to θ
+    double tolerance = 1e-9;  // relative to θ, for a pair's residual
     int most_products = 3000;
 };
 

@@ -25,7 +25,7 @@ struct ResponsePoint {
 struct ResponseSettings {
     std::vector<double> omegas;  // rad per time, rising
     std::vector<Excitation> excitation;
-    std::vector<ResponsePoint> points;  // those of the deck's histories at nodes
+    std::vector<ResponsePoint> points;  // the points of the deck's histories at nodes
 };
 
 }  // namespace gxrod

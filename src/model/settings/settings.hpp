@@ -45,7 +45,8 @@ enum class LinearSolverKind {
 inline constexpr double usual_newton_tolerance = 1e-8;
 
 struct NewtonSettings {
-    // Of the residual, relative to the largest force and moment at any node. None: as the steps need it.
+    // The tolerance of the residual, relative to the largest force and moment at any node. None: as the steps
+    // need it.
     std::optional<double> tolerance;
     int max_iterations = 20;
     TangentKind tangent = TangentKind::automatic;
@@ -115,7 +116,7 @@ struct PathTarget {
 // A quantity that each step of a path prescribes instead of the arc length.
 struct PathControl {
     int node = -1;
-    int component = 0;         // of displacement, or, from 3 on, of rotation
+    int component = 0;         // component of displacement, or, from 3 on, of rotation
     std::optional<double> to;  // displacement at which the path ends, and towards which it starts
 };
 
@@ -126,7 +127,7 @@ enum class CriticalSearch { locate, report, off };
 // Equilibria along a path on which the load factor t may turn back.
 struct PathSettings {
     // The ends of the path; it ends at the first one, and needs at least one.
-    std::optional<double> least_load, greatest_load;  // of t
+    std::optional<double> least_load, greatest_load;  // bounds of t
     std::optional<double> arc;
     std::optional<long> steps;
     std::optional<long> points;  // number of critical points
@@ -229,7 +230,7 @@ struct HistoryRequest {
     std::string with = {};
 };
 
-// Of frames, in the file; lossless.
+// The compression of frames in the file; lossless.
 enum class Compression { none, deflate };
 
 struct OutputSettings {
