@@ -8,7 +8,7 @@
 
 namespace gxrod {
 
-// How often steps had to be repeated with shorter ones.
+// Counts of steps that were repeated with shorter ones.
 struct StepCuts {
     std::int64_t steps = 0;      // steps that a run has completed; with equal steps, the steps asked for
     std::int64_t cut_steps = 0;  // cut steps, each counted once

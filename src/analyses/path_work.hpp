@@ -24,7 +24,7 @@ struct PathPoint {
 // Finds the equilibrium at a load factor from another one, if it can.
 using FindEquilibrium = std::function<std::optional<PathPoint>(const PathPoint& from, double load_factor)>;
 
-// How a load step is searched for jumps.
+// Options of a search for jumps in a load step.
 struct PathSearch {
     FindEquilibrium find;
     double tolerable;  // admissible difference between strain energy and work of a piece

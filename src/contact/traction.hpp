@@ -6,8 +6,8 @@
 // (docs/theory/contact.md, (C5)).
 namespace gxrod {
 
-// How friction decides between sticking and slipping: by the law, or as an iteration assumes it, whatever the
-// slip is now.
+// The state of friction: by the law, or assumed by an iteration to stick or to slide, whatever the slip is
+// now.
 enum class Slip { by_law, sticks, slides };
 
 // Friction with the traction of the last accepted step.

@@ -11,7 +11,7 @@ namespace gxrod {
 // it comes from the normals at both ends of a step, (C18), with a part of the change if they turn by more
 // than a right angle; on meshes from the mean gradient plus its error along Δx, (C19).
 struct ImpulseDirection {
-    // The motion relative to an obstacle at rest.
+    // The motion of a place, for obstacles at rest.
     struct Way {
         Vec3 gradient;          // gradient of the gap at the start
         Vec3 move;              // Δx

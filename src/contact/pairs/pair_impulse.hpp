@@ -15,7 +15,7 @@ struct PairStart {
     Vec12 ends;                  // positions of these segments' ends
 };
 
-// Returns their positions.
+// Returns the positions of both segments' ends.
 Vec12 find_ends(const Segment& a, const Segment& b);
 
 // Makes the forces between two segments impulses, (C20): in the mean direction of the normals between their

@@ -8,8 +8,8 @@ namespace gxrod {
 constexpr double at_its_limit = 1e-9;
 
 // A law that is smooth only on each of its pieces: a surface yields or does not, a layer slips or sticks, a
-// strain lies between two points of a table. Derivatives belong to the piece of the current state. Its
-// classes are also SectionLaws.
+// strain lies between two points of a table. Derivatives belong to the piece of the current state. A class
+// with this interface is a SectionLaw, too.
 class KinkedLaw {
   public:
     virtual ~KinkedLaw() = default;

@@ -19,7 +19,7 @@ struct Transition {
 };
 
 // Finds the transitions from the start of the interval to its end, by the function's switches; `samples` is
-// the same as in find_breaks_in_time. At the start the value is its own, and no slope before it is sought.
+// the same as in find_breaks_in_time. At the start it takes the value there, and no slope before it.
 // Round-off, and kinks of less than 1e-3 of the largest slope, are left out. Throws EvaluationError.
 std::vector<Transition> find_transitions(const TimeFunction& function, const Interval& times, int samples);
 
