@@ -63,7 +63,6 @@ struct WaveKernels {
 };
 
 WaveKernels make_wave_kernels_baseline();
-// Returns the baseline's kernels if the compiler does not have the set.
 WaveKernels make_wave_kernels_avx2();
 
 // Returns kernels for the instruction set; all sets give the same bits.

@@ -9,9 +9,10 @@ enum class InstructionSet {
     avx512,    // eight lanes: AVX-512 F, CD, DQ and VL, and FMA, which headers ask for
 };
 
-// Returns the widest set that this machine has, or the one that the environment variable
-// GXROD_INSTRUCTION_SET names: "baseline", "avx2" or "avx512". Throws std::invalid_argument for another word
-// or a set that the machine lacks.
+// Returns the widest set that this machine has and for which gxrod was built, or the one that the environment
+// variable GXROD_INSTRUCTION_SET names: "baseline", "avx2" or "avx512". Throws std::invalid_argument for
+// another word or a set that the machine or this build lacks, and std::runtime_error if the machine has none
+// of those built.
 InstructionSet find_instruction_set();
 
 }  // namespace gxrod

@@ -104,7 +104,8 @@ std::array<double, 16> sum_flow(
 
 TEST_CASE("Kernels of waves give the same bits with every instruction set", "[environment]") {
     if (find_instruction_set() == InstructionSet::baseline) return;
-    const WaveKernels narrow = make_wave_kernels_baseline(), wide = make_wave_kernels_avx2();
+    const WaveKernels narrow = find_wave_kernels(InstructionSet::baseline),
+                      wide = find_wave_kernels(InstructionSet::avx2);
     const Trains trains = make_trains(52);
     for (const double z : {-30.0, -1.0, 0.0, 2.0}) {
         for (const auto of : {&WaveKernels::along, &WaveKernels::in_plane}) {
@@ -118,7 +119,7 @@ TEST_CASE("Kernels of waves give the same bits with every instruction set", "[en
 }
 
 TEST_CASE("Sines, cosines and exponentials of waves are right to round-off", "[environment]") {
-    const WaveKernels::OfDirections kernels = make_wave_kernels_baseline().along;
+    const WaveKernels::OfDirections kernels = find_wave_kernels(InstructionSet::baseline).along;
     std::mt19937_64 engine(5);
     for (const double range : {0.1, 2.0, 10.0, 1e3, 1e6}) {
         for (int trial = 0; trial < 500; ++trial) {
@@ -148,7 +149,7 @@ TEST_CASE("Sines, cosines and exponentials of waves are right to round-off", "[e
 
 TEST_CASE("Kernels of waves sum what they say", "[environment]") {
     const Trains trains = make_trains(24);
-    const Results results = run(make_wave_kernels_baseline().in_plane, trains, -0.7);
+    const Results results = run(find_wave_kernels(InstructionSet::baseline).in_plane, trains, -0.7);
     std::array<double, 3> surface{};
     for (std::size_t i = 0; i < 24; ++i) {
         const double phase =
@@ -170,7 +171,7 @@ TEST_CASE("Trains of one direction are summed along it as in the plane", "[envir
     Trains trains = make_trains(24);
     trains.cosine.assign(24, 1.0);
     trains.sine.assign(24, 0.0);
-    const WaveKernels kernels = make_wave_kernels_baseline();
+    const WaveKernels kernels = find_wave_kernels(InstructionSet::baseline);
     const Results along = run(kernels.along, trains, -0.7), plane = run(kernels.in_plane, trains, -0.7);
     CHECK(total(along.surface, 0) == total(plane.surface, 0));
     CHECK(total(along.surface, 1) == total(plane.surface, 1));

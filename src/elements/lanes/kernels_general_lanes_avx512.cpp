@@ -1,6 +1,5 @@
 #include "elements/lanes/kernels_of_sets.hpp"
 
-#ifdef __AVX512F__
 #include "elements/lanes/make_general_kernels.hpp"
 
 namespace gxrod {
@@ -8,10 +7,3 @@ namespace gxrod {
 void add_general_kernels_avx512(Kernels& kernels) { add_general_kernels<xsimd::avx512f>(kernels); }
 
 }  // namespace gxrod
-#else
-namespace gxrod {
-
-void add_general_kernels_avx512(Kernels& kernels) { add_general_kernels_avx2(kernels); }
-
-}  // namespace gxrod
-#endif

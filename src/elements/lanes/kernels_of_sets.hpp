@@ -8,7 +8,6 @@ namespace gxrod {
 
 Kernels make_kernels_baseline();
 void add_general_kernels_baseline(Kernels& kernels);
-// Where the compiler lacks a set, these return the kernels of the next narrower set.
 Kernels make_kernels_avx2();
 void add_general_kernels_avx2(Kernels& kernels);
 Kernels make_kernels_avx512();

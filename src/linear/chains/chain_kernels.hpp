@@ -85,7 +85,7 @@ struct ChainKernels {
 
 ChainKernels find_chain_kernels(InstructionSet set);
 
-// Make the kernels of an instruction set; if the compiler lacks it, those of the next narrower set.
+// Each is there if its set is built (machine/built_sets.hpp).
 ChainKernels make_chain_kernels_baseline();
 ChainKernels make_chain_kernels_avx2();
 ChainKernels make_chain_kernels_avx512();

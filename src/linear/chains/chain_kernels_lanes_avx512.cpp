@@ -1,6 +1,5 @@
 #include "linear/chains/chain_kernels.hpp"
 
-#ifdef __AVX512DQ__
 #include <xsimd/xsimd.hpp>
 
 #include "linear/chains/make_chain_kernels.hpp"
@@ -10,10 +9,3 @@ namespace gxrod {
 ChainKernels make_chain_kernels_avx512() { return ChainSweeps<xsimd::avx512f>::make(); }
 
 }  // namespace gxrod
-#else
-namespace gxrod {
-
-ChainKernels make_chain_kernels_avx512() { return make_chain_kernels_avx2(); }
-
-}  // namespace gxrod
-#endif

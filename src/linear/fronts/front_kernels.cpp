@@ -1,10 +1,20 @@
 #include "linear/fronts/front_kernels.hpp"
 
+#include "machine/built_sets.hpp"
+
 namespace gxrod {
 
 FrontKernels find_front_kernels(InstructionSet set) {
-    if (set == InstructionSet::avx512) return make_front_kernels_avx512();
-    return set == InstructionSet::avx2 ? make_front_kernels_avx2() : make_front_kernels_baseline();
+    if constexpr (is_built(InstructionSet::avx512)) {
+        if (set == InstructionSet::avx512) return make_front_kernels_avx512();
+    }
+    if constexpr (is_built(InstructionSet::avx2)) {
+        if (set == InstructionSet::avx2) return make_front_kernels_avx2();
+    }
+    if constexpr (is_built(InstructionSet::baseline)) {
+        if (set == InstructionSet::baseline) return make_front_kernels_baseline();
+    }
+    return {};
 }
 
 }  // namespace gxrod

@@ -61,7 +61,7 @@ struct FrontKernels {
 
 FrontKernels find_front_kernels(InstructionSet set);
 
-// Make the kernels of an instruction set; if the compiler lacks it, the baseline's.
+// Each is there if its set is built (machine/built_sets.hpp).
 FrontKernels make_front_kernels_baseline();
 FrontKernels make_front_kernels_avx2();
 FrontKernels make_front_kernels_avx512();

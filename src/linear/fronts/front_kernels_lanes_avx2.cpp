@@ -1,6 +1,5 @@
 #include "linear/fronts/front_kernels.hpp"
 
-#ifdef __AVX2__
 #include <xsimd/xsimd.hpp>
 
 #include "linear/fronts/make_front_kernels.hpp"
@@ -10,10 +9,3 @@ namespace gxrod {
 FrontKernels make_front_kernels_avx2() { return FrontSweeps<xsimd::avx2>::make(); }
 
 }  // namespace gxrod
-#else
-namespace gxrod {
-
-FrontKernels make_front_kernels_avx2() { return make_front_kernels_baseline(); }
-
-}  // namespace gxrod
-#endif
