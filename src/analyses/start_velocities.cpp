@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "model/evaluation_error.hpp"
+#include "rotation/vector_text.hpp"
 #include "solvers/hidden_constraints.hpp"
 #include "solvers/newton_steps.hpp"
 
@@ -16,8 +17,7 @@ constexpr double part_of_step = 1e-2;
 
 std::string describe(const Vec3& v) {
     // Round-off of a projection is not worth a digit.
-    const auto clean = [&](double x) { return std::abs(x) < 1e-12 * v.norm() ? 0.0 : x; };
-    return fmt::format("[{:.9g}, {:.9g}, {:.9g}]", clean(v.x()), clean(v.y()), clean(v.z()));
+    return in_brackets(v, 9, 1e-12 * v.norm());
 }
 
 [[noreturn]] void report(const System& system, int index, const State& state, const State& fitting) {

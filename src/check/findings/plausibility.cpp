@@ -14,6 +14,7 @@
 #include "environment/ground.hpp"
 #include "model/evaluation_error.hpp"
 #include "model/settings/analysis_traits.hpp"
+#include "rotation/vector_text.hpp"
 
 namespace gxrod {
 namespace {
@@ -29,10 +30,7 @@ constexpr double least_piece = 0.2;            // of a line of rods; shorter one
 constexpr double most_speed = 2.0;             // along a rod, compared with waves of stretching
 
 std::string describe(const Box& box) {
-    const auto point = [](const Vec3& v) {
-        return fmt::format("({:.4g}, {:.4g}, {:.4g})", v[0], v[1], v[2]);
-    };
-    return point(box.min()) + " to " + point(box.max());
+    return in_parentheses(box.min(), 4) + " to " + in_parentheses(box.max(), 4);
 }
 
 // About the centre of mass of a solid circle a diameter: four radii of gyration.

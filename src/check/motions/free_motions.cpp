@@ -1,5 +1,7 @@
 #include "check/motions/free_motions.hpp"
 
+#include "rotation/vector_text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,9 +26,8 @@ std::string describe_vector(Vec3 direction) {
         if (direction[i] < 0.0) direction = -direction;
         break;
     }
-    // Adding zero makes −0 into 0.
-    const Vec3 rounded = (direction * 1000.0).array().round() / 1000.0 + 0.0;
-    return fmt::format("({:.3g}, {:.3g}, {:.3g})", rounded[0], rounded[1], rounded[2]);
+    const Vec3 rounded = (direction * 1000.0).array().round() / 1000.0;
+    return in_parentheses(rounded, 3);
 }
 
 // A straight line in space.

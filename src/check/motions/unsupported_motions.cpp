@@ -4,6 +4,7 @@
 
 #include "numerics/singular_values.hpp"
 #include "rotation/rotation_map.hpp"
+#include "rotation/vector_text.hpp"
 
 namespace gxrod {
 namespace {
@@ -136,13 +137,11 @@ std::string describe_direction(const Vec3& direction) {
     for (int i = 0; i < 3; ++i) {
         if (std::abs(std::abs(direction[i]) - 1.0) < round_off) return std::string(1, "xyz"[i]);
     }
-    return fmt::format(
-        "({:.6g}, {:.6g}, {:.6g})", direction[0] + 0.0, direction[1] + 0.0, direction[2] + 0.0);
+    return in_parentheses(direction);
 }
 
 std::string describe_point(const Vec3& point, double size) {
-    const auto number = [size](double x) { return std::abs(x) < round_off * size ? 0.0 : x; };
-    return fmt::format("({:.6g}, {:.6g}, {:.6g})", number(point[0]), number(point[1]), number(point[2]));
+    return in_parentheses(point, 6, round_off * size);
 }
 
 }  // namespace

@@ -7,16 +7,13 @@
 
 #include "check/surroundings/fluid_summary.hpp"
 #include "model/evaluation_error.hpp"
+#include "rotation/vector_text.hpp"
 
 namespace gxrod {
 namespace {
 
 constexpr double round_off = 1e-15;  // of a component of a direction
 constexpr std::array<const char*, 3> frames{"spatial", "follower", "body"};
-
-std::string describe(const Vec3& v) {
-    return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0] + 0.0, v[1] + 0.0, v[2] + 0.0);
-}
 
 // Nodes that several rods share.
 ItemList list_connections(const Model& model) {
@@ -47,8 +44,10 @@ std::string describe_support(const Model& model, const Support& support) {
     if (!support.axes.isApprox(Quat::Identity(), 0.0)) {
         const Mat3 axes = support.axes.toRotationMatrix().unaryExpr(
             [](double x) { return std::abs(x) < round_off ? 0.0 : x; });
-        text += fmt::format(
-            "; x {}, y {}, z {}", describe(axes.col(0)), describe(axes.col(1)), describe(axes.col(2)));
+        text += fmt::format("; x {}, y {}, z {}",
+                            in_parentheses(axes.col(0)),
+                            in_parentheses(axes.col(1)),
+                            in_parentheses(axes.col(2)));
     }
     return text + "\n";
 }
@@ -143,13 +142,13 @@ std::string describe_gravity(const Model& model) {
         });
     };
     try {
-        if (is_part([](double) { return 1.0; })) return fmt::format("gravity {}\n", describe(end));
+        if (is_part([](double) { return 1.0; })) return fmt::format("gravity {}\n", in_parentheses(end));
         if (is_part([](double t) { return t; }))
-            return fmt::format("gravity grows with t, to {} at t = 1\n", describe(end));
+            return fmt::format("gravity grows with t, to {} at t = 1\n", in_parentheses(end));
     } catch (const EvaluationError&) {
         // Between steps, where no function need have a value.
     }
-    return fmt::format("gravity changes with t; at t = 1 it is {}\n", describe(end));
+    return fmt::format("gravity changes with t; at t = 1 it is {}\n", in_parentheses(end));
 }
 
 }  // namespace

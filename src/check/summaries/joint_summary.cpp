@@ -6,17 +6,14 @@
 #include <vector>
 
 #include "model/joint_name.hpp"
+#include "rotation/vector_text.hpp"
 
 namespace gxrod {
 namespace {
 
-std::string describe(const Vec3& v) {
-    return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0] + 0.0, v[1] + 0.0, v[2] + 0.0);
-}
-
 // The axes of a joint, or the length of a distance, with what it has to do with them.
 std::string describe_axes(const Joint& joint) {
-    const std::string axis = describe(joint.a.axes.col(0));
+    const std::string axis = in_parentheses(joint.a.axes.col(0));
     switch (joint.kind) {
         case JointKind::hinge:
             return " about " + axis;
@@ -28,7 +25,7 @@ std::string describe_axes(const Joint& joint) {
         case JointKind::screw:
             return fmt::format(" along {}, {:.6g} a turn,", axis, joint.lead);
         case JointKind::universal:
-            return fmt::format(" about {} of A and {} of B", axis, describe(joint.b.axes.col(0)));
+            return fmt::format(" about {} of A and {} of B", axis, in_parentheses(joint.b.axes.col(0)));
         case JointKind::plane:
             return " across " + axis;
         case JointKind::distance:
@@ -80,7 +77,7 @@ std::string describe_joint(const Model& model, const Joint& joint) {
                             describe_anchor(model, joint.b.anchor));
     } else {
         text += fmt::format(" at {} between {} and {}",
-                            describe(find_place(model, joint.a.anchor)),
+                            in_parentheses(find_place(model, joint.a.anchor)),
                             name_side(model, joint.a.anchor),
                             name_side(model, joint.b.anchor));
     }
@@ -91,7 +88,7 @@ std::string describe_sleeve(const Model& model, const Sleeve& sleeve) {
     const Rod& rod = model.rods[sleeve.rod];
     return fmt::format("joint {}: sleeve at {} between rod {}, {:.6g} of {:.6g} along it, and {}{}\n",
                        sleeve.name,
-                       describe(find_place(model, sleeve.point)),
+                       in_parentheses(find_place(model, sleeve.point)),
                        rod.name,
                        sleeve.place,
                        rod.length,
@@ -102,11 +99,11 @@ std::string describe_sleeve(const Model& model, const Sleeve& sleeve) {
 }  // namespace
 
 std::string describe_anchor(const Model& model, const Anchor& anchor) {
-    if (anchor.is_ground()) return fmt::format("the ground at {}", describe(anchor.arm));
+    if (anchor.is_ground()) return fmt::format("the ground at {}", in_parentheses(anchor.arm));
     const std::string& node = model.nodes[anchor.node].name;
     if (anchor.arm.isZero(0.0)) return node;
     return fmt::format(
-        "{} by an arm of {:.6g} to {}", node, anchor.arm.norm(), describe(find_place(model, anchor)));
+        "{} by an arm of {:.6g} to {}", node, anchor.arm.norm(), in_parentheses(find_place(model, anchor)));
 }
 
 ItemList list_gears(const Model& model) {

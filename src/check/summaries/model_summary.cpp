@@ -16,23 +16,22 @@
 #include "model/settings/frame_interval.hpp"
 #include "model/spring_law.hpp"
 #include "numerics/eigenvalues.hpp"
+#include "rotation/vector_text.hpp"
 #include "state/spring_line.hpp"
 
 namespace gxrod {
 
 namespace {
 
-std::string describe(const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]); }
-
 std::string describe_body(const Model& model, const Body& body) {
     const std::string text =
         fmt::format("body {}: mass {:.6g}, principal inertia {}, node {} at {}, centre of mass {} from it\n",
                     body.name,
                     body.mass,
-                    describe(find_symmetric_eigen(body.inertia).values),
+                    in_parentheses(find_symmetric_eigen(body.inertia).values),
                     model.nodes[body.node].name,
-                    describe(model.nodes[body.node].position),
-                    describe(body.attitude * body.centre_of_mass));
+                    in_parentheses(model.nodes[body.node].position),
+                    in_parentheses(body.attitude * body.centre_of_mass));
     return text + describe_fluid(model, body);
 }
 

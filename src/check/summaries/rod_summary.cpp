@@ -9,6 +9,7 @@
 #include "check/summaries/section_summary.hpp"
 #include "check/surroundings/fluid_summary.hpp"
 #include "model/element_lengths.hpp"
+#include "rotation/vector_text.hpp"
 
 namespace gxrod {
 namespace {
@@ -22,9 +23,7 @@ constexpr double least_twist = 0.01;
 
 // Components are zero where they are round-off compared with the others or `size`.
 std::string describe(const Vec3& v, double size = 0.0) {
-    const double largest = std::max(size, v.cwiseAbs().maxCoeff());
-    const auto clean = [largest](double x) { return std::abs(x) < round_off * largest ? 0.0 : x; };
-    return fmt::format("({:.6g}, {:.6g}, {:.6g})", clean(v[0]), clean(v[1]), clean(v[2]));
+    return in_parentheses(v, 6, round_off * std::max(size, v.cwiseAbs().maxCoeff()));
 }
 
 // Other entries are round-off compared with the diagonal ones of their row and column.

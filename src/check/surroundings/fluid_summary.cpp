@@ -7,6 +7,7 @@
 
 #include "check/surroundings/line_words.hpp"
 #include "environment/sea.hpp"
+#include "rotation/vector_text.hpp"
 
 namespace gxrod {
 namespace {
@@ -14,10 +15,6 @@ namespace {
 // So many waves are said one by one.
 constexpr std::size_t most_single_waves = 3;
 constexpr double degrees = 180.0 / M_PI;
-
-std::string describe(const Vec3& v) {
-    return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0] + 0.0, v[1] + 0.0, v[2] + 0.0);
-}
 
 // Of drag or added mass: "1.2 across, 0.02 along", or for each axis.
 std::string describe_coefficients(const Vec3& c) {
@@ -58,7 +55,7 @@ std::string describe_in_water(const Model& model,
     if (gravity == 0.0) return text + "\n";
     const Extent weight =
         find_range(sections, [&](const Section& one) { return find_wet_weight(one, density, gravity); });
-    text += fmt::format(", weight less buoyancy {} per length", describe(weight));
+    text += fmt::format(", weight less buoyancy {} per length", in_parentheses(weight));
     if (weight.most < 0.0) return text + ": it floats\n";
     return text + (weight.least < 0.0 ? ": in parts it floats\n" : "\n");
 }
@@ -86,7 +83,7 @@ std::string describe_profile(const SpeedProfile& profile) {
                        profile.heights.front(),
                        profile.speeds.back(),
                        profile.heights.back(),
-                       describe(profile.direction));
+                       in_parentheses(profile.direction));
 }
 
 std::string describe_flow(const Flow& flow, const char* what) {
@@ -140,7 +137,8 @@ std::string describe_ground(const Seabed& ground) {
     } else if (ground.normal.z() == 1.0) {
         text += fmt::format("z = {:.6g}", ground.point.z());
     } else {
-        text += fmt::format("a plane through {} across {}", describe(ground.point), describe(ground.normal));
+        text += fmt::format(
+            "a plane through {} across {}", in_parentheses(ground.point), in_parentheses(ground.normal));
     }
     text += fmt::format(", stiffness {:.6g}, damping {:.6g}", ground.stiffness, ground.damping);
     if (!ground.has_friction())
@@ -196,7 +194,7 @@ std::string describe_fluid(const Model& model, const Body& body) {
     std::string text = fmt::format("  in fluids: volume {:.6g}, {:.6g} high, drag areas {}\n",
                                    body.fluid->volume,
                                    body.fluid->height,
-                                   describe(body.fluid->drag_area));
+                                   in_parentheses(body.fluid->drag_area));
     if (!model.surroundings.water) return text;
     const double displaced = model.surroundings.water->density * body.fluid->volume;
     return text + fmt::format("  in water: displaced mass {:.6g}{}\n",

@@ -6,6 +6,7 @@
 
 #include "deck/places/part.hpp"
 #include "deck/schema/schema_tables.hpp"
+#include "rotation/vector_text.hpp"
 
 namespace gxrod {
 namespace {
@@ -62,10 +63,6 @@ bool check_variables(const CheckedPlaceVector& components, const Part& part, con
         is_valid = false;
     }
     return is_valid;
-}
-
-std::string describe(const Vec3& vector) {
-    return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", vector[0] + 0.0, vector[1] + 0.0, vector[2] + 0.0);
 }
 
 // One of the two velocities of nodes.
@@ -137,10 +134,10 @@ void set_velocity(const CheckedTable& table,
                 table,
                 key,
                 fmt::format("gives {} to {}, to which {} gives {}; a node has one velocity",
-                            describe(values[i]),
+                            in_brackets(values[i]),
                             node.name,
                             setting.table->path_of(setting.key),
-                            describe(node.*velocity.member)));
+                            in_brackets(node.*velocity.member)));
         }
     }
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "deck/joints/ends.hpp"
+#include "rotation/vector_text.hpp"
 
 namespace gxrod {
 namespace {
@@ -16,10 +17,6 @@ namespace {
 constexpr double same_place = 1e-9;
 // Cosine of the angle of axes that are at right angles.
 constexpr double right_angle = 1e-9;
-
-std::string describe_place(const Vec3& place) {
-    return fmt::format("[{:.9g}, {:.9g}, {:.9g}]", place[0], place[1], place[2]);
-}
 
 // The points of A and B; nullopt of the ground.
 using Points = std::array<std::optional<PlacedPoint>, 2>;
@@ -76,9 +73,9 @@ std::optional<Vec3> find_common_place(const CheckedTable& table,
         fmt::format("the points are {:.6g} apart; expected `at`: {} is where \"{}\" is, {} where "
                     "\"{}\" is",
                     distance,
-                    describe_place(place(0)),
+                    in_brackets(place(0), 9),
                     words[0].word,
-                    describe_place(place(1)),
+                    in_brackets(place(1), 9),
                     words[1].word));
     return std::nullopt;
 }

@@ -6,12 +6,14 @@
 #include <cmath>
 
 #include "rotation/rotation_map.hpp"
+#include "rotation/vector_text.hpp"
 
 namespace gxrod {
 namespace {
 
 // The sine of an angle that counts as zero.
 constexpr double zero_angle = 1e-6;
+constexpr double round_off = 1e-12;  // of an axis
 
 struct GlobalAxis {
     char name;
@@ -28,12 +30,6 @@ GlobalAxis choose_y_axis(const Vec3& tangent) {
             chosen = axis;
     }
     return chosen;
-}
-
-std::string describe(const Vec3& vector) {
-    // Round-off and −0 would read as findings.
-    const auto clean = [](double x) { return std::abs(x) < 1e-12 ? 0.0 : x; };
-    return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", clean(vector[0]), clean(vector[1]), clean(vector[2]));
 }
 
 }  // namespace
@@ -55,7 +51,7 @@ std::optional<Quat> find_start_axes(const CheckedTable& rod, const Vec3& tangent
         Quat axes = choose_axes(tangent);
         context.notes.push_back(fmt::format("{}: not given; section y at the start is {}, from global {}",
                                             rod.path_of("y_axis"),
-                                            describe(axes * Vec3::UnitY()),
+                                            in_brackets(axes * Vec3::UnitY(), 6, round_off),
                                             choose_y_axis(tangent).name));
         return axes;
     }

@@ -11,6 +11,7 @@
 #include "numerics/eigenvalues.hpp"
 #include "report/model/centres_json.hpp"
 #include "report/model/model_json.hpp"
+#include "rotation/vector_text.hpp"
 
 namespace gxrod {
 
@@ -30,8 +31,6 @@ template <class Part>
 std::string tell_rest(const std::vector<Part>& parts) {
     return parts.size() > most_rows ? fmt::format("The first {} of {}.", most_rows, parts.size()) : "";
 }
-
-std::string vector(const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]); }
 
 bool is_diagonal(const Mat6& matrix) { return matrix.isDiagonal(1e-12); }
 
@@ -77,8 +76,8 @@ Json describe_body_table(const Model& model) {
         rows.push_back({body.name,
                         model.nodes[body.node].name,
                         body.mass,
-                        vector(find_symmetric_eigen(body.inertia).values),
-                        vector(body.centre_of_mass)});
+                        in_parentheses(find_symmetric_eigen(body.inertia).values),
+                        in_parentheses(body.centre_of_mass)});
     }
     return {{"title", "Rigid bodies"},
             {"columns", {"", "node", "mass", "principal inertia", "centre of mass, body axes"}},
@@ -127,8 +126,8 @@ Json describe_joint_table(const Model& model) {
                         name_of(joint.kind),
                         name_end(model, joint.a.anchor),
                         name_end(model, joint.b.anchor),
-                        vector(find_place(model, joint.a.anchor)),
-                        has_axis ? vector(joint.a.axes.col(0)) : std::string()});
+                        in_parentheses(find_place(model, joint.a.anchor)),
+                        has_axis ? in_parentheses(joint.a.axes.col(0)) : std::string()});
     }
     return {{"title", "Joints"},
             {"columns", {"", "type", "from", "to", "at", "axis"}},
