@@ -29,35 +29,37 @@ JointRows::JointRows(const Joint& joint) : arms_(arms_of(joint)), coordinates_(j
     add_motors(joint);
 }
 
+// The equations below have the separation d = r_B − r_A of the points, and the axes a₁ a₂ a₃ that A carries
+// and b₁ b₂ b₃ that B carries; the first of them is the joint's axis.
 void JointRows::add_kind(const Joint& joint) {
     switch (joint.kind) {
-        case JointKind::ball:
+        case JointKind::ball:  // d = 0
             return add_points();
-        case JointKind::hinge:
+        case JointKind::hinge:  // d = 0, a₁·b₂ = a₁·b₃ = 0
             add_points();
             return add_aligned_axes(joint);
-        case JointKind::cylinder:
+        case JointKind::cylinder:  // a₂·d = a₃·d = 0, a₁·b₂ = a₁·b₃ = 0
             add_across(joint);
             return add_aligned_axes(joint);
-        case JointKind::slider:
+        case JointKind::slider:  // a₂·d = a₃·d = 0, a₁·b₂ = a₂·b₃ = a₃·b₁ = 0
             add_across(joint);
             return add_equal_axes(joint);
-        case JointKind::universal:
+        case JointKind::universal:  // d = 0, a₁·b₁ = 0
             add_points();
             return add({.product = {carry_on_a(joint, 0), carry_on_b(joint, 0)}});
-        case JointKind::screw:
+        case JointKind::screw:  // as a cylinder, and slide − (lead/2π) ψ = 0 with the turn ψ
             add_across(joint);
             add_aligned_axes(joint);
             return add({.is_length = true,
                         .product = coordinates_.slide->product(),
                         .turn_factor = -0.5 * joint.lead / std::numbers::pi});
-        case JointKind::plane:
+        case JointKind::plane:  // a₁·d = 0, a₁·b₂ = a₁·b₃ = 0
             add({.is_length = true, .product = {carry_on_a(joint, 0), separation()}});
             return add_aligned_axes(joint);
-        case JointKind::weld:
+        case JointKind::weld:  // d = 0, a₁·b₂ = a₂·b₃ = a₃·b₁ = 0
             add_points();
             return add_equal_axes(joint);
-        case JointKind::distance:
+        case JointKind::distance:  // (d·d/L − L)/2 = 0
             return add_distance(joint.length);
         case JointKind::sleeve:
             assert(!"a sleeve has equations of its own");
@@ -67,13 +69,13 @@ void JointRows::add_kind(const Joint& joint) {
     }
 }
 
-// Both points coincide.
+// The points coincide: d = 0, by global components.
 void JointRows::add_points() {
     for (int i = 0; i < 3; ++i)
         add({.is_length = true, .product = {{.vector = Vec3::Unit(i)}, separation()}});
 }
 
-// A's axis is across the other two of B.
+// A's axis is at right angles to the other two of B.
 void JointRows::add_aligned_axes(const Joint& joint) {
     for (const int across : {1, 2}) add({.product = {carry_on_a(joint, 0), carry_on_b(joint, across)}});
 }
