@@ -44,6 +44,8 @@ class Scratch(unittest.TestCase):
         do = lambda *command: run(*command, cwd=folder, env=environment)
         self.assertEqual(do(bin_folder / "gxrod", "--version").split(), ["gxrod", VERSION])
         do(bin_folder / "gxrod", "run", deck, "-o", "run.vtkhdf")
+        # Packages are for machines without AVX, too.
+        run(bin_folder / "gxrod", "run", deck, "-o", "old.vtkhdf", cwd=folder, env=environment | {"GXROD_INSTRUCTION_SET": "baseline"})
         do(bin_folder / "gxrod", "report", "run.vtkhdf")
         self.assertIn("three.js authors", (folder / "run.html").read_text())
         do(bin_folder / "gxrod-plot", "run.vtkhdf")
