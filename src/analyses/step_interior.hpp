@@ -67,6 +67,8 @@ class StepInterior {
     std::vector<PointValues> points_;
     std::vector<Vec6> reactions_;
     std::vector<PointSurroundings> bodies_;
+    std::vector<SpringValues> springs_;
+    std::vector<BushingValues> bushings_;
     std::vector<JointValues> joints_;
     std::vector<TendonValues> tendons_;
 };

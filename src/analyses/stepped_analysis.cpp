@@ -9,13 +9,14 @@
 #include "assembly/lanes/frame_columns.hpp"
 #include "check/findings/stiffness_contrast.hpp"
 #include "check/summaries/direction_words.hpp"
+#include "elements/spring_line.hpp"
+#include "elements/tie_values.hpp"
 #include "model/evaluation_error.hpp"
 #include "solvers/coupled/coupled_step.hpp"
 #include "solvers/newton_steps.hpp"
 #include "solvers/steps/settling.hpp"
 #include "solvers/worst_nodes.hpp"
 #include "state/energy_jump.hpp"
-#include "state/spring_line.hpp"
 
 namespace gxrod {
 
@@ -570,6 +571,10 @@ Snapshot SteppedAnalysis::snapshot(bool with_elements) {
     if (with_elements) section_values_ = system_.compute_section_values(state_);
     joint_values_ = system_.joints().compute_joint_values(state_, state_.time);
     Snapshot snapshot{axis_time(), state_.trial, section_values_, reactions_, point_values_};
+    spring_values_ = compute_spring_values(system_.model(), state_.trial);
+    bushing_values_ = compute_bushing_values(system_.model(), state_.trial);
+    snapshot.springs = spring_values_;
+    snapshot.bushings = bushing_values_;
     snapshot.joints = joint_values_;
     snapshot.bodies = body_values_;
     if (!system_.model().tendons.empty()) tendon_values_ = system_.compute_tendon_values(state_, state_.time);

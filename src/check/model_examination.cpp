@@ -24,7 +24,7 @@
 #include "model/settings/newton_choice.hpp"
 #include "model/settings/scheme_choice.hpp"
 #include "numerics/eigenvalues.hpp"
-#include "state/spring_line.hpp"
+#include "elements/spring_line.hpp"
 
 namespace gxrod {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "elements/plain_element.hpp"
 #include "elements/point_pair.hpp"
-#include "state/bushing_motion.hpp"
+#include "elements/bushing_motion.hpp"
 
 namespace gxrod {
 

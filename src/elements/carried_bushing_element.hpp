@@ -2,7 +2,7 @@
 
 #include "elements/plain_element.hpp"
 #include "elements/point_pair.hpp"
-#include "state/carried_bushing_motion.hpp"
+#include "elements/carried_bushing_motion.hpp"
 
 namespace gxrod {
 

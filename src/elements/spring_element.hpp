@@ -3,7 +3,7 @@
 #include "elements/plain_element.hpp"
 #include "elements/point_pair.hpp"
 #include "model/spring_law.hpp"
-#include "state/spring_line.hpp"
+#include "elements/spring_line.hpp"
 
 namespace gxrod {
 

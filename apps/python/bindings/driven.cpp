@@ -5,6 +5,7 @@
 
 #include "check/model_examination.hpp"
 #include "deck/schema/choices.hpp"
+#include "elements/tie_values.hpp"
 #include "results/histories/quantity.hpp"
 #include "sensitivity/equilibrium_adjoint.hpp"
 
@@ -88,6 +89,10 @@ std::vector<double> Driven::compute_at(const Problem& problem,
     }
     Snapshot snapshot{load_factor, state.trial, {}, reactions, points};
     snapshot.load_factor = snapshot.limit_load_factor = load_factor;
+    const std::vector<SpringValues> springs = compute_spring_values(problem.model, state.trial);
+    const std::vector<BushingValues> bushings = compute_bushing_values(problem.model, state.trial);
+    snapshot.springs = springs;
+    snapshot.bushings = bushings;
     snapshot.joints = joints;
     const std::vector<PointSurroundings> bodies = system.compute_body_surroundings(state, load_factor);
     snapshot.bodies = bodies;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "state/spring_line.hpp"
+#include "elements/spring_line.hpp"
 
 namespace gxrod {
 

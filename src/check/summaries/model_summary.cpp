@@ -12,12 +12,12 @@
 #include "check/summaries/joint_summary.hpp"
 #include "check/summaries/rod_summary.hpp"
 #include "check/surroundings/fluid_summary.hpp"
+#include "elements/spring_line.hpp"
 #include "model/settings/analysis_traits.hpp"
 #include "model/settings/frame_interval.hpp"
 #include "model/spring_law.hpp"
 #include "numerics/eigenvalues.hpp"
 #include "rotation/vector_text.hpp"
-#include "state/spring_line.hpp"
 
 namespace gxrod {
 

@@ -4,8 +4,6 @@
 #include <cassert>
 
 #include "rotation/rotation_map.hpp"
-#include "state/spring_line.hpp"
-#include "state/values/bushing_values.hpp"
 
 namespace gxrod {
 namespace {
@@ -42,14 +40,6 @@ Quat section_axes(const Model& model, const RodPlace& place, int node) {
     const bool is_end = place.xi == 1.0;
     return rod
         .triads[static_cast<std::size_t>(first - rod.element_nodes.begin() + (is_end ? rod.order : local))];
-}
-
-// Of the nodes that carry the ends of a spring or a bushing; nullptr for the ground.
-std::array<const NodeMotion*, 2> find_motions(const std::array<Anchor, 2>& ends, const Snapshot& snapshot) {
-    const auto find = [&](const Anchor& end) -> const NodeMotion* {
-        return end.is_ground() ? nullptr : &snapshot.nodes[static_cast<std::size_t>(end.node)];
-    };
-    return {find(ends[0]), find(ends[1])};
 }
 
 // Of a joint, or of a sleeve, which come behind joints and gears.
@@ -92,8 +82,8 @@ HistoryPoint::HistoryPoint(const Model& model, const std::vector<HistoryRequest>
         contact_ = 0;
         for (std::size_t i = 0; i < index; ++i) contact_ += requests[i].contact ? 1 : 0;
     }
-    if (request.spring >= 0) spring_ = &model.springs[static_cast<std::size_t>(request.spring)];
-    if (request.bushing >= 0) bushing_ = &model.bushings[static_cast<std::size_t>(request.bushing)];
+    spring_ = request.spring;
+    bushing_ = request.bushing;
     is_of_gear_ = request.gear >= 0;
     joint_ = is_of_gear_ ? static_cast<int>(model.joints.size()) + request.gear : request.joint;
     if (is_of_gear_) drives_slide_ = !model.gears[static_cast<std::size_t>(request.gear)].sides[1].is_turn;
@@ -212,8 +202,8 @@ void HistoryPoint::go_on_from(Quantity quantity, std::span<const double> row) {
 
 PointKind HistoryPoint::kind() const {
     if (contact_ >= 0 && !body_) return PointKind::rod_in_contact;
-    if (spring_) return PointKind::spring;
-    if (bushing_) return PointKind::bushing;
+    if (spring_ >= 0) return PointKind::spring;
+    if (bushing_ >= 0) return PointKind::bushing;
     if (joint_ >= 0) return is_of_gear_ ? PointKind::gear : PointKind::joint;
     return body_ ? PointKind::body : PointKind::rod;
 }
@@ -251,15 +241,12 @@ HistoryPoint::Row HistoryPoint::joint_value(Quantity quantity, const JointValues
 }
 
 double HistoryPoint::spring_value(Quantity quantity, const Snapshot& snapshot) const {
-    const auto [a, b] = find_motions(spring_->ends, snapshot);
-    const SpringLine line = compute_spring_line(*spring_, a, b);
-    return quantity == Quantity::elongation ? line.length - spring_->length
-                                            : compute_axial_force(*spring_, line);
+    const SpringValues& values = snapshot.springs[static_cast<std::size_t>(spring_)];
+    return quantity == Quantity::elongation ? values.elongation : values.axial_force;
 }
 
 Vec3 HistoryPoint::bushing_value(Quantity quantity, const Snapshot& snapshot) const {
-    const auto [a, b] = find_motions(bushing_->ends, snapshot);
-    const BushingValues values = compute_bushing_values(*bushing_, a, b);
+    const BushingValues& values = snapshot.bushings[static_cast<std::size_t>(bushing_)];
     switch (quantity) {
         case Quantity::displacement:
             return values.displacement;
@@ -278,8 +265,8 @@ Vec3 HistoryPoint::bushing_value(Quantity quantity, const Snapshot& snapshot) co
 }
 
 HistoryPoint::Row HistoryPoint::compute(Quantity quantity, const Snapshot& snapshot) {
-    if (bushing_) return row(bushing_value(quantity, snapshot));
-    if (spring_) return {spring_value(quantity, snapshot)};
+    if (bushing_ >= 0) return row(bushing_value(quantity, snapshot));
+    if (spring_ >= 0) return {spring_value(quantity, snapshot)};
     if (tendon_ >= 0) {
         const TendonValues& tendon = snapshot.tendons[static_cast<std::size_t>(tendon_)];
         if (quantity == Quantity::tendon_length) return {tendon.length};

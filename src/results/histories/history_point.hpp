@@ -55,13 +55,13 @@ class HistoryPoint {
 
     Vec3 start_ = Vec3::Zero();  // start of a node
     Quat start_axes_ = Quat::Identity();
-    int node_;                          // or -1
-    std::size_t point_ = 0;             // or a point of a rod, by index in Snapshot::points
-    const Body* body_ = nullptr;        // or a body
-    std::size_t body_index_ = 0;        // index of the body
-    const Spring* spring_ = nullptr;    // or a spring
-    const Bushing* bushing_ = nullptr;  // or a bushing
-    int joint_ = -1;                    // or a joint, or a gear, by index in Snapshot::joints
+    int node_;                    // or -1
+    std::size_t point_ = 0;       // or a point of a rod, by index in Snapshot::points
+    const Body* body_ = nullptr;  // or a body
+    std::size_t body_index_ = 0;  // index of the body
+    int spring_ = -1;             // or a spring, by index in Snapshot::springs
+    int bushing_ = -1;            // or a bushing, by index in Snapshot::bushings
+    int joint_ = -1;              // or a joint, or a gear, by index in Snapshot::joints
     bool is_of_gear_ = false;
     bool drives_slide_ = false;  // whether its motor drives the slide
     bool rubs_slide_ = false;    // whether its friction acts on the slide

@@ -5,10 +5,12 @@
 
 #include "state/contact_touch.hpp"
 #include "state/state.hpp"
+#include "state/values/bushing_values.hpp"
 #include "state/values/joint_values.hpp"
 #include "state/values/obstacle_values.hpp"
 #include "state/values/point_values.hpp"
 #include "state/values/section_values.hpp"
+#include "state/values/spring_values.hpp"
 #include "state/values/tendon_values.hpp"
 
 // The data that an analysis passes to the results at an accepted step.
@@ -59,8 +61,11 @@ struct Snapshot {
     int branch = 0;            // branch of a path; 0: the main one
     // Load factor of the limit point in a stage that follows limit points; in other stages t, too.
     double limit_load_factor = 0.0;
-    std::span<const JointValues> joints = {};  // in the order of Model::joints, then of Model::gears
-    std::span<const double> inputs = {};       // values of Model::inputs
+    std::span<const SpringValues> springs = {};    // in the order of Model::springs
+    std::span<const BushingValues> bushings = {};  // in the order of Model::bushings
+    // In the order of Model::joints, then of Model::gears, then of Model::sleeves.
+    std::span<const JointValues> joints = {};
+    std::span<const double> inputs = {};  // values of Model::inputs
     // Surroundings of Model::bodies; empty if the model has none.
     std::span<const PointSurroundings> bodies = {};
     std::span<const TendonValues> tendons = {};  // in the order of Model::tendons; empty if no history asks

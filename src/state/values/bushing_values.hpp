@@ -1,10 +1,10 @@
 #pragma once
 
-#include "state/spring_line.hpp"
+#include "rotation/types.hpp"
 
 namespace gxrod {
 
-// The values of a bushing that histories show, in its axes.
+// What a history records of a bushing at a step, in its axes.
 struct BushingValues {
     Mat3 axes = Mat3::Identity();  // spatial: columns are x, y, z
     Vec3 displacement = Vec3::Zero();
@@ -12,8 +12,5 @@ struct BushingValues {
     Vec3 force = Vec3::Zero();  // force of B on it
     Vec3 moment = Vec3::Zero();
 };
-
-// Computes them from the motions `a`, `b` of the nodes that carry A and B; nullptr for the ground.
-BushingValues compute_bushing_values(const Bushing& bushing, const NodeMotion* a, const NodeMotion* b);
 
 }  // namespace gxrod

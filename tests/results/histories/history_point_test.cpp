@@ -1,5 +1,6 @@
 #include "results/histories/history_point.hpp"
 
+#include "elements/tie_values.hpp"
 #include "results/sample.hpp"
 #include "rotation/rotation_map.hpp"
 #include "tools/catch.hpp"
@@ -312,7 +313,9 @@ TEST_CASE("A spring's history is its elongation and its tension", "[results]") {
     const Vec3 u = node.Lambda * spring.ends[1].arm;
     const Vec3 d = node.r + u;
     const double rate = d.normalized().dot(node.v + node.omega.cross(u));
-    const Snapshot snapshot = motion.snapshot();
+    const std::vector<SpringValues> springs = compute_spring_values(model, motion.nodes);
+    Snapshot snapshot = motion.snapshot();
+    snapshot.springs = springs;
     CHECK(point.compute(Quantity::elongation, snapshot)[0] == Approx(d.norm() - 1.5).epsilon(1e-14));
     CHECK(point.compute(Quantity::axial_force, snapshot)[0] ==
           Approx(7.0 * (d.norm() - 1.5) + 2.0 * rate).epsilon(1e-14));

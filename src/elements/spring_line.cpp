@@ -1,4 +1,4 @@
-#include "state/spring_line.hpp"
+#include "elements/spring_line.hpp"
 
 #include "model/spring_law.hpp"
 

@@ -1,4 +1,4 @@
-#include "state/bushing_motion.hpp"
+#include "elements/bushing_motion.hpp"
 
 namespace gxrod {
 

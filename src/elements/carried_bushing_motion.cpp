@@ -1,4 +1,4 @@
-#include "state/carried_bushing_motion.hpp"
+#include "elements/carried_bushing_motion.hpp"
 
 #include "rotation/rotation_map.hpp"
 #include "rotation/tangent_map.hpp"

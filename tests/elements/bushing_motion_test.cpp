@@ -1,4 +1,4 @@
-#include "state/bushing_motion.hpp"
+#include "elements/bushing_motion.hpp"
 
 #include "rotation/rotation_map.hpp"
 #include "tools/catch.hpp"
@@ -36,7 +36,7 @@ Bushing make_bushing(RandomValues& random) {
 
 }  // namespace
 
-TEST_CASE("a bushing's strain is what B has moved against A, half way between their axes", "[state]") {
+TEST_CASE("a bushing's strain is what B has moved against A, half way between their axes", "[elements]") {
     RandomValues random(4);
     const Bushing bushing = make_bushing(random);
     const NodeMotion a = Path(random).at(0.0);
@@ -51,7 +51,7 @@ TEST_CASE("a bushing's strain is what B has moved against A, half way between th
     CHECK((motion.axes * motion.strain.head<3>() - apart).norm() < 1e-14);
 }
 
-TEST_CASE("the rate of a bushing's strain is its derivative", "[state]") {
+TEST_CASE("the rate of a bushing's strain is its derivative", "[elements]") {
     RandomValues random(5);
     for (int trial = 0; trial < 4; ++trial) {
         const Bushing bushing = make_bushing(random);

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "rotation/swing.hpp"
-#include "state/spring_line.hpp"
+#include "elements/spring_line.hpp"
 
 namespace gxrod {
 

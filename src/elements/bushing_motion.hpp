@@ -1,7 +1,7 @@
 #pragma once
 
 #include "rotation/half_rotation.hpp"
-#include "state/spring_line.hpp"
+#include "elements/spring_line.hpp"
 
 namespace gxrod {
 

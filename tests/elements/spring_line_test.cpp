@@ -1,11 +1,11 @@
-#include "state/spring_line.hpp"
+#include "elements/spring_line.hpp"
 
 #include "rotation/rotation_map.hpp"
 #include "tools/catch.hpp"
 
 using namespace gxrod;
 
-TEST_CASE("a spring's length and rate follow the points that its nodes carry", "[state]") {
+TEST_CASE("a spring's length and rate follow the points that its nodes carry", "[elements]") {
     // B is carried around z at radius 2 from the origin; A is at (0, 1, 0).
     Spring spring;
     spring.ends = {Anchor{-1, Vec3(0.0, 1.0, 0.0)}, Anchor{0, Vec3(2.0, 0.0, 0.0)}};

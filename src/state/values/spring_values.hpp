@@ -1,0 +1,11 @@
+#pragma once
+
+namespace gxrod {
+
+// What a history records of a spring at a step.
+struct SpringValues {
+    double elongation = 0.0;   // length less that at which it is free
+    double axial_force = 0.0;  // tension, the damper's too
+};
+
+}  // namespace gxrod
