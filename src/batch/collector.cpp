@@ -9,7 +9,6 @@
 #include "check/findings/found_values.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "model/settings/analysis_traits.hpp"
-#include "results/histories/quantity.hpp"
 
 namespace gxrod {
 namespace {
@@ -24,8 +23,6 @@ Values values_of(const LedgerColumn& column, const LedgerRow& row) {
     const std::array<double, 3> numbers = numbers_of(column, row);
     return {{numbers[0], numbers[1], numbers[2]}, column.width()};
 }
-
-int width_of(Quantity quantity) { return quantity_form(quantity, PointKind::rod).shape.columns; }
 
 // A vector is x y z, a quaternion w x y z.
 double take_component(const Values& values, std::optional<Component> component) {
@@ -107,18 +104,16 @@ void check_history(const Collection& collection, const Problem& problem, FaultLi
             fmt::format("the deck has no history \"{}\"{}", collection.history, hint.empty() ? known : hint));
     }
     const auto& quantities = history->quantities;
-    const std::string word = word_of(quantity_choices, collection.quantity);
-    if (std::find(quantities.begin(), quantities.end(), collection.quantity) == quantities.end()) {
-        std::vector<std::string> recorded;
-        for (const Quantity quantity : quantities) recorded.push_back(word_of(quantity_choices, quantity));
+    const std::string& word = collection.quantity;
+    if (std::find(quantities.begin(), quantities.end(), word) == quantities.end()) {
         return faults.add(collection.place,
                           collection.path() + ".quantity",
                           fmt::format("history \"{}\" of the deck does not record {}; it has {}",
                                       collection.history,
                                       word,
-                                      plain_list(recorded)));
+                                      plain_list(quantities)));
     }
-    const std::string wrong = explain_component(collection, width_of(collection.quantity));
+    const std::string wrong = explain_component(collection, quantity_of(history->target, word).columns);
     if (!wrong.empty()) faults.add(collection.place, collection.path() + ".component", word + " " + wrong);
 }
 
@@ -163,7 +158,7 @@ std::string describe(const Collection& collection) {
     if (collection.history.empty()) {
         text += std::string(collection.ledger->name);
     } else {
-        text += fmt::format("{} of {}", word_of(quantity_choices, collection.quantity), collection.history);
+        text += fmt::format("{} of {}", collection.quantity, collection.history);
     }
     if (collection.at) text += fmt::format(" at t = {}", *collection.at);
     return collection.reference ? fmt::format("{}, distance from {}", text, *collection.reference) : text;
@@ -217,12 +212,14 @@ double TakenNumber::value() const {
 Collector::Collector(const std::vector<Collection>& collections, const Problem& problem) {
     const auto& histories = problem.output.histories;
     for (const Collection& collection : collections) {
-        std::optional<HistoryPoint> point;
+        std::optional<HistoryWatch> watch;
+        const Quantity* quantity = nullptr;
         if (const HistoryRequest* history = find_history(problem, collection.history)) {
             const auto index = static_cast<std::size_t>(history - histories.data());
-            point.emplace(problem.model, histories, index);
+            watch.emplace(problem.model, histories, index);
+            quantity = &quantity_of(history->target, collection.quantity);
         }
-        columns_.push_back({collection, std::move(point), {collection.take, collection.at}});
+        columns_.push_back({collection, std::move(watch), quantity, {collection.take, collection.at}});
     }
 }
 
@@ -230,9 +227,9 @@ void Collector::add(const Snapshot& snapshot, const LedgerRow& ledger) {
     for (Column& column : columns_) {
         const Collection& collection = column.collection;
         if (!collection.stage.empty()) continue;
-        const Values values = column.point ? Values{column.point->compute(collection.quantity, snapshot),
-                                                    width_of(collection.quantity)}
-                                           : values_of(*collection.ledger, ledger);
+        const Values values =
+            column.watch ? Values{column.watch->compute(*column.quantity, snapshot), column.quantity->columns}
+                         : values_of(*collection.ledger, ledger);
         column.number.add(snapshot.time, take_component(values, collection.component));
     }
 }

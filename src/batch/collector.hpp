@@ -5,8 +5,8 @@
 
 #include "batch/plan/plan.hpp"
 #include "deck/problem.hpp"
-#include "results/histories/history_point.hpp"
 #include "run/run.hpp"
+#include "watch/history_watch.hpp"
 
 namespace gxrod {
 
@@ -59,7 +59,8 @@ class Collector {
   private:
     struct Column {
         const Collection& collection;
-        std::optional<HistoryPoint> point;
+        std::optional<HistoryWatch> watch;
+        const Quantity* quantity;  // of the history
         TakenNumber number;
         double found = std::numeric_limits<double>::quiet_NaN();
     };

@@ -4,8 +4,8 @@
 
 #include "model/settings/analysis_traits.hpp"
 #include "model/settings/frame_interval.hpp"
-#include "results/histories/quantity.hpp"
 #include "results/tables/step_columns.hpp"
+#include "watch/quantities.hpp"
 
 namespace gxrod {
 namespace {
@@ -24,9 +24,7 @@ double count_frame_numbers(const Model& model) {
 double count_history_numbers(const OutputSettings& output) {
     double numbers = 1.0;
     for (const HistoryRequest& history : output.histories) {
-        for (const Quantity quantity : history.quantities) {
-            numbers += quantity_form(quantity, PointKind::rod).shape.columns;
-        }
+        for (const Quantity* quantity : quantities_of(history)) numbers += quantity->columns;
     }
     return numbers;
 }

@@ -13,7 +13,7 @@
 #include "model/evaluation_error.hpp"
 #include "model/settings/analysis_traits.hpp"
 #include "model/settings/frame_interval.hpp"
-#include "results/histories/history_point.hpp"
+#include "watch/history_watch.hpp"
 
 namespace gxrod {
 

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "check/shape_report.hpp"
-#include "deck/schema/choices.hpp"
 #include "machine/phase_timer.hpp"
 #include "model/settings/analysis_traits.hpp"
 
@@ -65,15 +64,13 @@ void DeckRun::find_shapes() {
     if (!failure.empty()) throw std::runtime_error(name_ + ": " + failure);
 }
 
-HistoryPoint::Row DeckRun::value(const std::string& history, const std::string& quantity) {
+HistoryRow DeckRun::value(const std::string& history, const std::string& quantity) {
     const std::vector<HistoryRequest>& requests = problem_.output.histories;
     for (std::size_t i = 0; i < requests.size(); ++i) {
         if (requests[i].name != history) continue;
-        for (const Choice<Quantity>& choice : quantity_choices) {
-            if (choice.word != quantity) continue;
-            return HistoryPoint(problem_.model, requests, i)
-                .compute(choice.value, analysis().snapshot(false));
-        }
+        const Quantity* found = find_quantity(requests[i].target, quantity);
+        if (found == nullptr) break;
+        return HistoryWatch(problem_.model, requests, i).compute(*found, analysis().snapshot(false));
     }
     throw std::runtime_error(fmt::format("{}: no {} of a history {}", name_, quantity, history));
 }

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "deck/problem.hpp"
-#include "results/histories/history_point.hpp"
 #include "run/stage_sequence.hpp"
+#include "watch/history_watch.hpp"
 
 namespace gxrod {
 
@@ -33,7 +33,7 @@ class DeckRun {
 
     // Returns the present value of a quantity of one of the deck's histories. Throws std::runtime_error if
     // there is none.
-    HistoryPoint::Row value(const std::string& history, const std::string& quantity);
+    HistoryRow value(const std::string& history, const std::string& quantity);
 
     // Returns the records of stages that follow paths, in order: each begins with the main path, which has
     // the stage's name.

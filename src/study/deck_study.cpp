@@ -11,6 +11,7 @@
 #include "study/resumed_run.hpp"
 #include "study/series_differences.hpp"
 #include "study/series_reports.hpp"
+#include "study/turned_problem.hpp"
 
 namespace gxrod {
 
@@ -201,8 +202,8 @@ class DeckExaminer {
                                                       const Quat& rotation) const {
         std::vector<std::vector<double>> differences;
         for (std::size_t k = 0; k < series_.size(); ++k) {
-            std::vector<HistoryPoint::Row> turned = one.rows[k];
-            for (HistoryPoint::Row& row : turned) row = turn_row(series_[k].turning, rotation, row);
+            std::vector<HistoryRow> turned = one.rows[k];
+            for (HistoryRow& row : turned) row = turn_row(series_[k].turning, rotation, row);
             differences.push_back(compute_differences(series_[k], turned, other.rows[k]));
         }
         return differences;

@@ -87,8 +87,8 @@ struct DeckStudy {
     std::vector<DeckVariant> variants;  // planned
     std::vector<VariantRun> runs;
     std::vector<SeriesReport> series;
-    std::vector<double> times;                              // times of samples
-    std::vector<std::vector<HistoryPoint::Row>> base_rows;  // rows of each series, for the unchanged deck
+    std::vector<double> times;                       // times of samples
+    std::vector<std::vector<HistoryRow>> base_rows;  // rows of each series, for the unchanged deck
     bool is_interrupted = false;
 
     const VariantRun* find(VariantKind kind, int level = 0) const;

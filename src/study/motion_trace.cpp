@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "analyses/static.hpp"
-#include "deck/schema/choices.hpp"
 #include "machine/phase_timer.hpp"
 #include "model/energy_round_off.hpp"
 #include "model/evaluation_error.hpp"
@@ -14,13 +13,6 @@
 namespace gxrod {
 
 namespace {
-
-std::string word_of(Quantity quantity) {
-    for (const Choice<Quantity>& choice : quantity_choices) {
-        if (choice.value == quantity) return std::string(choice.word);
-    }
-    return "";
-}
 
 double total_mass(const Model& model) {
     double mass = 0.0;
@@ -168,14 +160,17 @@ class Tracer {
     double reached_ = 0.0;  // the time of the last step that was accepted
 };
 
+// The quantities of points that a deck without histories is judged by.
+const std::vector<std::string> words_of_places{"position", "orientation"};
+
 HistoryRequest make_end(const Model& model, int index, bool at_end) {
     const Rod& rod = model.rods[static_cast<std::size_t>(index)];
     HistoryRequest request;
     request.name = rod.name + (at_end ? ".end" : ".start");
     request.at = request.name;
-    request.node = at_end ? rod.element_nodes.back() : rod.element_nodes.front();
-    request.place = RodPlace{index, at_end ? rod.element_count() - 1 : 0, at_end ? 1.0 : -1.0};
-    request.quantities = {Quantity::position, Quantity::orientation};
+    request.target = WatchedPoint{{index, at_end ? rod.element_count() - 1 : 0, at_end ? 1.0 : -1.0},
+                                  at_end ? rod.element_nodes.back() : rod.element_nodes.front()};
+    request.quantities = words_of_places;
     return request;
 }
 
@@ -185,16 +180,16 @@ std::vector<Series> list_series(const OutputSettings& output) {
     std::vector<Series> series;
     for (std::size_t i = 0; i < output.histories.size(); ++i) {
         const HistoryRequest& request = output.histories[i];
-        const auto asks = [&](Quantity quantity) {
-            return std::find(request.quantities.begin(), request.quantities.end(), quantity) !=
-                   request.quantities.end();
+        const auto asks = [&](const char* word) {
+            return std::ranges::find(request.quantities, word) != request.quantities.end();
         };
-        for (const Quantity quantity : request.quantities) {
-            const bool is_vector = quantity == Quantity::rotation_vector && request.bushing < 0;
-            if (is_vector && asks(Quantity::quaternion)) continue;
-            const Quantity followed = is_vector ? Quantity::quaternion : quantity;
-            const std::string name = is_vector ? "rotation" : word_of(quantity);
-            series.push_back({request.name, name, i, followed, turning_of(followed, request)});
+        for (const Quantity* quantity : quantities_of(request)) {
+            const char* continuous = quantity->continuous;
+            if (continuous != nullptr && asks(continuous)) continue;
+            if (continuous != nullptr) quantity = &quantity_of(request.target, continuous);
+            const Turning turning = request.relative_node >= 0 ? Turning::none : quantity->turning;
+            const std::string name = continuous != nullptr ? "rotation" : quantity->word;
+            series.push_back({request.name, name, i, quantity, turning});
         }
     }
     return series;
@@ -211,9 +206,8 @@ std::vector<HistoryRequest> make_end_histories(const Model& model) {
         HistoryRequest request;
         request.name = body.name;
         request.at = body.name;
-        request.node = body.node;
-        request.body = i;
-        request.quantities = {Quantity::position, Quantity::orientation};
+        request.target = WatchedBody{.index = i, .node = body.node};
+        request.quantities = words_of_places;
         requests.push_back(request);
     }
     return requests;
@@ -221,15 +215,15 @@ std::vector<HistoryRequest> make_end_histories(const Model& model) {
 
 SeriesReader::SeriesReader(const Problem& problem, const std::vector<Series>& series) : series_(&series) {
     for (std::size_t i = 0; i < problem.output.histories.size(); ++i) {
-        points_.emplace_back(problem.model, problem.output.histories, i);
+        watches_.emplace_back(problem.model, problem.output.histories, i);
     }
 }
 
-std::vector<HistoryPoint::Row> SeriesReader::read(const Snapshot& snapshot) {
-    std::vector<HistoryPoint::Row> rows;
+std::vector<HistoryRow> SeriesReader::read(const Snapshot& snapshot) {
+    std::vector<HistoryRow> rows;
     rows.reserve(series_->size());
     for (const Series& series : *series_) {
-        rows.push_back(points_[series.history].compute(series.quantity, snapshot));
+        rows.push_back(watches_[series.history].compute(*series.quantity, snapshot));
     }
     return rows;
 }

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "deck/problem.hpp"
-#include "results/histories/history_point.hpp"
-#include "study/turned_problem.hpp"
+#include "watch/history_watch.hpp"
 
 namespace gxrod {
 
@@ -16,15 +15,12 @@ struct Series {
     std::string point;    // the history's name
     std::string name;     // the quantity; "rotation" for a rotation_vector, which is followed as a quaternion
     std::size_t history;  // in OutputSettings::histories
-    Quantity quantity;
+    const Quantity* quantity;
     Turning turning;
 
     // Rows of rotations are unit quaternions (w x y z), and their differences are angles.
-    bool is_rotation() const { return quantity == Quantity::quaternion || quantity == Quantity::orientation; }
-    bool is_length() const {
-        return quantity == Quantity::position || quantity == Quantity::displacement ||
-               quantity == Quantity::centre_of_mass || quantity == Quantity::elongation;
-    }
+    bool is_rotation() const { return quantity->is_rotation(); }
+    bool is_length() const { return quantity->size == Size::place || quantity->size == Size::change; }
     std::string title() const { return point + " " + name; }
 };
 
@@ -40,11 +36,11 @@ class SeriesReader {
     // Takes a problem with the histories of these series; all must outlive the reader.
     SeriesReader(const Problem& problem, const std::vector<Series>& series);
 
-    std::vector<HistoryPoint::Row> read(const Snapshot& snapshot);
+    std::vector<HistoryRow> read(const Snapshot& snapshot);
 
   private:
     const std::vector<Series>* series_;
-    std::vector<HistoryPoint> points_;
+    std::vector<HistoryWatch> watches_;
 };
 
 // Errors of the balances of a run over all its steps.
@@ -61,8 +57,8 @@ struct TraceBooks {
 
 // The results of one run of a model.
 struct MotionTrace {
-    std::vector<std::vector<HistoryPoint::Row>> rows;  // rows of each series, at the sample times
-    std::size_t samples = 0;                           // samples that were reached
+    std::vector<std::vector<HistoryRow>> rows;  // rows of each series, at the sample times
+    std::size_t samples = 0;                    // samples that were reached
     TraceBooks books;
     double length = 0.0;  // length of the model, as in System
     double mass = 0.0;

@@ -7,8 +7,8 @@ namespace gxrod {
 // The outcome of stopping a run midway and resuming it.
 struct ResumedRun {
     double stopped_at = 0.0;
-    std::vector<double> times;                         // times of accepted steps after the stop
-    std::vector<std::vector<HistoryPoint::Row>> rows;  // rows of all series, for each of these steps
+    std::vector<double> times;                  // times of accepted steps after the stop
+    std::vector<std::vector<HistoryRow>> rows;  // rows of all series, for each of these steps
     long steps = 0;
     long rejected_steps = 0;
     long newton_iterations = 0;

@@ -14,38 +14,41 @@ constexpr double still_place = 1e-9;  // of the model's length
 constexpr double still_strain = 1e-12;
 constexpr double still_by_round_off = 10.0;
 
-double length(const HistoryPoint::Row& row) {
+double length(const HistoryRow& row) {
     double sum = 0.0;
     for (const double component : row) sum += component * component;
     return std::sqrt(sum);
 }
 
-HistoryPoint::Row combine(const HistoryPoint::Row& one, double factor, const HistoryPoint::Row& other) {
-    HistoryPoint::Row sum = one;
+HistoryRow combine(const HistoryRow& one, double factor, const HistoryRow& other) {
+    HistoryRow sum = one;
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += factor * other[i];
     return sum;
 }
 
-double find_scale(const Series& series, const std::vector<HistoryPoint::Row>& rows) {
-    const bool is_place = series.is_length() && series.quantity != Quantity::displacement &&
-                          series.quantity != Quantity::elongation;
-    const bool counts_from_start = is_place || series.is_rotation();
+double find_scale(const Series& series, const std::vector<HistoryRow>& rows) {
+    const bool counts_from_start = series.quantity->size == Size::place || series.is_rotation();
     double scale = 0.0;
-    for (const HistoryPoint::Row& row : rows) {
+    for (const HistoryRow& row : rows) {
         scale = std::fmax(scale, counts_from_start ? distance(series, row, rows.front()) : length(row));
     }
     return series.is_rotation() ? std::fmin(scale, 1.0) : scale;
 }
 
+// Whether series are of one quantity, of whatever things.
+bool is_alike(const Series& one, const Series& other) {
+    return std::string_view(one.quantity->word) == other.quantity->word;
+}
+
 // Of what is large in the model.
 double still_part_of(const Series& series) {
-    if (series.quantity == Quantity::strain) return still_strain;
+    if (series.quantity->size == Size::strain) return still_strain;
     return series.is_length() ? still_place : still_by_nature;
 }
 
 }  // namespace
 
-double distance(const Series& series, const HistoryPoint::Row& one, const HistoryPoint::Row& other) {
+double distance(const Series& series, const HistoryRow& one, const HistoryRow& other) {
     const double apart = length(combine(one, -1.0, other));
     if (!series.is_rotation()) return apart;
     // Two unit quaternions of rotations that differ by α are 2 sin(α/4) apart, if their signs are the nearer.
@@ -54,71 +57,50 @@ double distance(const Series& series, const HistoryPoint::Row& one, const Histor
 }
 
 std::vector<double> compute_differences(const Series& series,
-                                        const std::vector<HistoryPoint::Row>& one,
-                                        const std::vector<HistoryPoint::Row>& other) {
+                                        const std::vector<HistoryRow>& one,
+                                        const std::vector<HistoryRow>& other) {
     std::vector<double> differences(std::min(one.size(), other.size()));
     for (std::size_t i = 0; i < differences.size(); ++i) differences[i] = distance(series, one[i], other[i]);
     return differences;
 }
 
-bool is_same(const Series& series, const HistoryPoint::Row& one, const HistoryPoint::Row& other) {
+bool is_same(const Series& series, const HistoryRow& one, const HistoryRow& other) {
     if (one == other) return true;
-    return series.is_rotation() && one == HistoryPoint::Row{-other[0], -other[1], -other[2], -other[3]};
+    return series.is_rotation() && one == HistoryRow{-other[0], -other[1], -other[2], -other[3]};
 }
 
-double NaturalScales::of(Quantity quantity) const {
+double NaturalScales::of(Size size) const {
     const auto by_length = [&](double value) { return length > 0.0 ? value / length : 0.0; };
-    switch (quantity) {
-        case Quantity::position:
-        case Quantity::displacement:
-        case Quantity::centre_of_mass:
-        case Quantity::elongation:
-        case Quantity::slide:
-        case Quantity::gap:
-        case Quantity::tendon_length:
-        case Quantity::least_gap:
-            return length;
-        case Quantity::velocity:
-        case Quantity::water_velocity:
-        case Quantity::slide_rate:
-            return speed;
-        case Quantity::angular_velocity:
-        case Quantity::angle_rate:
-        case Quantity::angular_velocity_material:
-            return by_length(speed);
-        case Quantity::acceleration:
-            return by_length(speed * speed);
-        case Quantity::force:
-        case Quantity::force_spatial:
-        case Quantity::reaction_force:
-        case Quantity::axial_force:
-        case Quantity::force_a:
-        case Quantity::effective_tension:
-        case Quantity::wall_tension:
-        case Quantity::contact_force:
-        case Quantity::contact_friction:
-            return by_length(energy);
-        case Quantity::fluid_force:
-        case Quantity::bed_force:  // of a body a force, which is larger
-            return by_length(by_length(energy));
-        case Quantity::moment:
-        case Quantity::moment_spatial:
-        case Quantity::reaction_moment:
-        case Quantity::moment_a:
-            return energy;
-        case Quantity::curvature:
-            return by_length(1.0);
-        case Quantity::strain:
-        case Quantity::angle:
-        case Quantity::wet_fraction:
-            return 1.0;
-        default:
+    switch (size) {
+        case Size::unknown:
             return 0.0;
+        case Size::place:
+        case Size::change:
+        case Size::length:
+            return length;
+        case Size::speed:
+            return speed;
+        case Size::spin:
+            return by_length(speed);
+        case Size::acceleration:
+            return by_length(speed * speed);
+        case Size::force:
+            return by_length(energy);
+        case Size::line_force:
+            return by_length(by_length(energy));
+        case Size::moment:
+            return energy;
+        case Size::curvature:
+            return by_length(1.0);
+        case Size::strain:
+        case Size::number:
+            break;
     }
+    return 1.0;
 }
 
 std::vector<SeriesScale> compute_scales(const std::vector<Series>& series,
-                                        const std::vector<std::vector<HistoryPoint::Row>>& rows,
+                                        const std::vector<std::vector<HistoryRow>>& rows,
                                         const NaturalScales& natural,
                                         const std::vector<double>& round_off) {
     std::vector<SeriesScale> scales(series.size());
@@ -127,9 +109,9 @@ std::vector<SeriesScale> compute_scales(const std::vector<Series>& series,
     for (std::size_t k = 0; k < series.size(); ++k) {
         double group = 0.0;
         for (std::size_t j = 0; j < series.size(); ++j) {
-            if (series[j].quantity == series[k].quantity) group = std::fmax(group, own[j].scale);
+            if (is_alike(series[j], series[k])) group = std::fmax(group, own[j].scale);
         }
-        const double nature = natural.of(series[k].quantity);
+        const double nature = natural.of(series[k].quantity->size);
         const double least =
             std::max({still * group, still_part_of(series[k]) * nature, still_by_round_off * round_off[k]});
         if (own[k].scale > least) continue;

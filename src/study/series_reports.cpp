@@ -35,7 +35,7 @@ class Reporter {
   private:
     double find_round_off(std::size_t k) const {
         const Series& series = (*series_)[k];
-        const bool is_number = series.is_rotation() || series.quantity == Quantity::strain;
+        const bool is_number = series.is_rotation() || series.quantity->size == Size::strain;
         const double unit = is_number ? 1.0 : series.is_length() ? found_->natural.length : 0.0;
         const double seen = found_->round_off.empty() ? 0.0 : largest_of(found_->round_off[k]);
         return std::fmax(least_round_off * unit, seen);
@@ -47,7 +47,7 @@ class Reporter {
                            double order,
                            double floor) const {
         std::vector<std::vector<double>> differences;
-        const std::vector<HistoryPoint::Row>* coarse = &found_->base[k];
+        const std::vector<HistoryRow>* coarse = &found_->base[k];
         for (const StudyRows::Rows& level : levels) {
             differences.push_back(compute_differences((*series_)[k], *coarse, level[k]));
             coarse = &level[k];

@@ -9,9 +9,9 @@ namespace gxrod {
 
 // Rows of the series of a study from its runs, at its samples.
 struct StudyRows {
-    using Rows = std::vector<std::vector<HistoryPoint::Row>>;  // rows of each series
-    Rows base;                                                 // the unchanged deck
-    std::vector<Rows> steps;                                   // for each level that reached its end
+    using Rows = std::vector<std::vector<HistoryRow>>;  // rows of each series
+    Rows base;                                          // the unchanged deck
+    std::vector<Rows> steps;                            // for each level that reached its end
     std::vector<Rows> meshes;
     NaturalScales natural;                       // scales of the unchanged deck
     std::vector<std::vector<double>> round_off;  // differences of each series; empty if not known

@@ -27,7 +27,7 @@ TraceSampler::TraceSampler(const std::vector<double>& times, double end_time)
 
 void TraceSampler::sample_between(double time) {
     const std::vector<double> weights = compute_weights(last_times_, time);
-    Rows sum(last_rows_.front().size(), HistoryPoint::Row{});
+    Rows sum(last_rows_.front().size(), HistoryRow{});
     for (std::size_t i = 0; i < weights.size(); ++i) {
         for (std::size_t k = 0; k < sum.size(); ++k) {
             for (std::size_t c = 0; c < sum[k].size(); ++c) sum[k][c] += weights[i] * last_rows_[i][k][c];

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "results/histories/history_point.hpp"
+#include "watch/quantity.hpp"
 
 namespace gxrod {
 
@@ -11,7 +11,7 @@ namespace gxrod {
 // else the cubic through the four steps around it, at the end the four before it.
 class TraceSampler {
   public:
-    using Rows = std::vector<HistoryPoint::Row>;  // a row for each series
+    using Rows = std::vector<HistoryRow>;  // a row for each series
 
     // The times ascend; `end_time` sets what is near.
     TraceSampler(const std::vector<double>& times, double end_time);

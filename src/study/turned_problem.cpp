@@ -212,48 +212,7 @@ void turn_problem(const Quat& rotation, Problem& problem) {
     }
 }
 
-Turning turning_of(Quantity quantity, const HistoryRequest& request) {
-    if (request.relative_node >= 0) return Turning::none;
-    const bool is_spatial = quantity == Quantity::force_spatial || quantity == Quantity::moment_spatial;
-    if (request.bushing >= 0) return is_spatial ? Turning::vector : Turning::none;
-    switch (quantity) {
-        case Quantity::angular_velocity_material:
-            return Turning::none;
-        case Quantity::force:
-        case Quantity::moment:
-            return request.joint >= 0 ? Turning::vector : Turning::none;
-        case Quantity::angle:
-        case Quantity::angle_rate:
-        case Quantity::slide:
-        case Quantity::slide_rate:
-        case Quantity::force_a:
-        case Quantity::moment_a:
-        case Quantity::drive:
-        case Quantity::friction:
-        case Quantity::gap:
-        case Quantity::strain:
-        case Quantity::curvature:
-        case Quantity::elongation:
-        case Quantity::axial_force:
-        case Quantity::effective_tension:
-        case Quantity::wall_tension:
-        case Quantity::wet_fraction:
-        case Quantity::tendon_length:
-        case Quantity::tendon_tension:
-        case Quantity::tendon_end_tension:
-        case Quantity::least_gap:
-            return Turning::none;
-        case Quantity::orientation:
-            return Turning::attitude;
-        case Quantity::rotation_vector:
-        case Quantity::quaternion:
-            return request.body >= 0 ? Turning::attitude : Turning::rotation_since_start;
-        default:
-            return Turning::vector;
-    }
-}
-
-HistoryPoint::Row turn_row(Turning turning, const Quat& rotation, const HistoryPoint::Row& row) {
+HistoryRow turn_row(Turning turning, const Quat& rotation, const HistoryRow& row) {
     if (turning == Turning::none) return row;
     if (turning == Turning::vector) {
         const Vec3 turned = rotation * Vec3(row[0], row[1], row[2]);

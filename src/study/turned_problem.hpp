@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "deck/problem.hpp"
-#include "results/histories/history_point.hpp"
+#include "watch/quantity.hpp"
 
 // A problem rotated as a whole, with loads, gravity and supports, about the origin: about z if it has
 // surroundings, in its plane if it has one. Its exact motion is the original motion, rotated likewise.
@@ -20,16 +20,7 @@ void turn_model(const Quat& rotation, Model& model);
 // Turns the model and the reference frames of histories.
 void turn_problem(const Quat& rotation, Problem& problem);
 
-// The effect of turning a problem on a quantity of a history.
-enum class Turning {
-    none,                 // components in axes that turn, too
-    vector,               // v → R v
-    attitude,             // q → R q
-    rotation_since_start  // q → R q Rᵀ
-};
-Turning turning_of(Quantity quantity, const HistoryRequest& request);
-
 // Turns a row of the original problem into the row that the turned problem has.
-HistoryPoint::Row turn_row(Turning turning, const Quat& rotation, const HistoryPoint::Row& row);
+HistoryRow turn_row(Turning turning, const Quat& rotation, const HistoryRow& row);
 
 }  // namespace gxrod

@@ -73,7 +73,7 @@ bool is_there(const PlaceOnPath& place, DeckRun& run) {
                std::abs(run.analysis().state().time - place.is) <=
                    same_place * std::max(1.0, std::abs(place.is));
     }
-    const HistoryPoint::Row row = run.value(place.history, "displacement");
+    const HistoryRow row = run.value(place.history, "displacement");
     const double value = row.at(static_cast<std::size_t>(place.component));
     return std::abs(value - place.is) <= same_place * std::max(1.0, std::abs(place.is));
 }
@@ -94,7 +94,7 @@ FoundValue find_value(const BenchmarkValue& value, DeckRun& run) {
     } else if (value.quantity == "limit_load_factor") {
         found.value = {run.limit_load_factor()};
     } else {
-        const HistoryPoint::Row row = run.value(value.source, value.quantity);
+        const HistoryRow row = run.value(value.source, value.quantity);
         found.value.assign(row.begin(), row.end());
     }
     found.value.resize(value.reference.size());

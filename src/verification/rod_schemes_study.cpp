@@ -95,8 +95,8 @@ SchemeRun run_case(const Case& it, const std::string& scheme, long steps) {
     }
     outcome.energy_error /= largest_energy;
     for (const std::string& point : it.points) {
-        const HistoryPoint::Row r = run.value(point, "position");
-        const HistoryPoint::Row q = run.value(point, "orientation");
+        const HistoryRow r = run.value(point, "position");
+        const HistoryRow q = run.value(point, "orientation");
         outcome.positions.emplace_back(r[0], r[1], r[2]);
         outcome.orientations.emplace_back(q[0], q[1], q[2], q[3]);
     }

@@ -11,7 +11,7 @@ namespace gxrod::test {
 namespace {
 
 Vec3 vector_of(DeckRun& run, const std::string& history, const std::string& quantity) {
-    const HistoryPoint::Row row = run.value(history, quantity);
+    const HistoryRow row = run.value(history, quantity);
     return {row[0], row[1], row[2]};
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("Section forces at the ends of a rod are those of supports and loads",
     CHECK((vector_of(run, "tip", "moment_spatial") - Vec3(0.5, 1, 0)).norm() < 1e-7);
     // Material components are those in the axes there.
     for (const char* point : {"root", "tip", "inside", "between"}) {
-        const HistoryPoint::Row q = run.value(point, "orientation");
+        const HistoryRow q = run.value(point, "orientation");
         const Quat axes(q[0], q[1], q[2], q[3]);
         CHECK((axes * vector_of(run, point, "force") - vector_of(run, point, "force_spatial")).norm() <
               1e-12);
@@ -184,16 +184,16 @@ TEST_CASE("A history places no node", "[analyses]") {
     const Problem problem = read(deck);
     CHECK(problem.model.nodes.size() == 9);
     const std::vector<HistoryRequest>& histories = problem.output.histories;
-    CHECK(histories[2].node == 4);
-    CHECK(histories[3].node == -1);
-    REQUIRE(histories[3].place);
-    CHECK(histories[3].place->element == 1);
-    CHECK(histories[3].place->xi == Approx(0.2).epsilon(1e-12));
+    CHECK(node_of(histories[2].target) == 4);
+    CHECK(node_of(histories[3].target) == -1);
+    const RodPlace& place = std::get<WatchedPoint>(histories[3].target).place;
+    CHECK(place.element == 1);
+    CHECK(place.xi == Approx(0.2).epsilon(1e-12));
     // What the history is relative to has axes, and so a node.
     const std::string relative =
         "[[history]]\nname = \"seen\"\nat = \"r@0.4\"\nrelative_to = \"r@0.6\"\nquantities = \"position\"\n";
     const Problem placed = read(deck + relative);
-    CHECK(placed.output.histories[4].node == -1);
+    CHECK(node_of(placed.output.histories[4].target) == -1);
     CHECK(placed.model.nodes[static_cast<std::size_t>(placed.output.histories[4].relative_node)].name ==
           "r@0.6");
 }

@@ -3,7 +3,7 @@
 
 #include "deck/decks.hpp"
 #include "integrators/scheme_samples.hpp"
-#include "results/histories/history_point.hpp"
+#include "watch/history_watch.hpp"
 #include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/run.hpp"

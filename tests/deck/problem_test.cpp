@@ -212,9 +212,11 @@ TEST_CASE("The free-flight deck becomes its analysis and output", "[deck]") {
     CHECK(problem.output.every == 10);
     const HistoryRequest& tip = problem.output.histories[0];
     CHECK(tip.at == "flyer.end");
-    CHECK((tip.node == 10 && tip.place->rod == 0 && tip.place->element == 9 && tip.body == -1));
+    const auto& end = std::get<WatchedPoint>(tip.target);
+    CHECK((end.node == 10 && end.place.rod == 0 && end.place.element == 9));
     const HistoryRequest& gyroscope = problem.output.histories[1];
-    CHECK((gyroscope.node == 10 && !gyroscope.place && gyroscope.body == 0));
+    const auto& body = std::get<WatchedBody>(gyroscope.target);
+    CHECK((body.node == 10 && body.index == 0));
 }
 
 TEST_CASE("The heavy top becomes a body with a pivot", "[deck]") {

@@ -46,7 +46,7 @@ std::string make_shaft(const std::string& axes, const std::string& spin) {
     return replaced(replaced(shaft, "AXES", axes), "SPIN", spin);
 }
 
-Vec3 vector_of(const HistoryPoint::Row& row) { return {row[0], row[1], row[2]}; }
+Vec3 vector_of(const HistoryRow& row) { return {row[0], row[1], row[2]}; }
 
 std::vector<std::string> list_warnings(const std::string& deck) {
     const Problem problem = read(deck);

@@ -40,7 +40,7 @@ OutputSettings make_output(Compression compression = Compression::none) {
     OutputSettings output;
     output.compression = compression;
     output.histories = {sample::make_output().histories[0]};
-    output.histories[0].quantities = {Quantity::position, Quantity::quaternion};
+    output.histories[0].quantities = {"position", "quaternion"};
     return output;
 }
 

@@ -73,17 +73,14 @@ Model make_model() {
 }
 
 OutputSettings make_output() {
-    using enum Quantity;
     HistoryRequest tip{.name = "tip",
                        .at = "spring.end",
-                       .node = elements,
-                       .place = RodPlace{0, elements - 1, 1.0},
-                       .quantities = {displacement, velocity, moment}};
+                       .target = WatchedPoint{{0, elements - 1, 1.0}, elements},
+                       .quantities = {"displacement", "velocity", "moment"}};
     HistoryRequest top{.name = "top",
                        .at = "top",
-                       .node = elements + 1,
-                       .body = 0,
-                       .quantities = {centre_of_mass, angular_velocity_material, quaternion}};
+                       .target = WatchedBody{.index = 0, .node = elements + 1},
+                       .quantities = {"centre_of_mass", "angular_velocity_material", "quaternion"}};
     OutputSettings output;
     output.histories = {tip, top};
     return output;

@@ -151,18 +151,15 @@ TEST_CASE("Every dataset of a results file is described", "[results]") {
 TEST_CASE("A history that is relative to a point says so", "[results]") {
     const sample::ScratchFolder folder;
     const Model model = sample::make_model();
-    using enum Quantity;
     OutputSettings output;
     output.histories = {{.name = "seen",
                          .at = "gyro",
-                         .node = 3,
-                         .body = 1,
-                         .quantities = {position, orientation, quaternion}},
+                         .target = WatchedBody{.index = 1, .node = 3},
+                         .quantities = {"position", "orientation", "quaternion"}},
                         {.name = "seen_middle",
                          .at = "beam@0.5",
-                         .node = 1,
-                         .place = RodPlace{0, 0, 1.0},
-                         .quantities = {quaternion}}};
+                         .target = WatchedPoint{{0, 0, 1.0}, 1},
+                         .quantities = {"quaternion"}}};
     for (HistoryRequest& history : output.histories) {
         history.relative_to = "beam.start";
         history.relative_node = 0;

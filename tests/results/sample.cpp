@@ -46,29 +46,36 @@ Model make_model() {
 }
 
 OutputSettings make_output() {
-    using enum Quantity;
-    const std::vector<Quantity> of_node{position,
-                                        displacement,
-                                        rotation_vector,
-                                        quaternion,
-                                        orientation,
-                                        velocity,
-                                        angular_velocity,
-                                        angular_velocity_material,
-                                        acceleration};
-    std::vector<Quantity> of_rod = of_node;
-    of_rod.insert(
-        of_rod.end(),
-        {force, moment, force_spatial, moment_spatial, strain, curvature, reaction_force, reaction_moment});
-    std::vector<Quantity> of_body = of_node;
-    of_body.push_back(centre_of_mass);
+    const std::vector<std::string> of_node{"position",
+                                           "displacement",
+                                           "rotation_vector",
+                                           "quaternion",
+                                           "orientation",
+                                           "velocity",
+                                           "angular_velocity",
+                                           "angular_velocity_material",
+                                           "acceleration"};
+    std::vector<std::string> of_rod = of_node;
+    of_rod.insert(of_rod.end(),
+                  {"force",
+                   "moment",
+                   "force_spatial",
+                   "moment_spatial",
+                   "strain",
+                   "curvature",
+                   "reaction_force",
+                   "reaction_moment"});
+    std::vector<std::string> of_body = of_node;
+    of_body.push_back("centre_of_mass");
 
     HistoryRequest middle{
-        .name = "middle", .at = "beam@0.5", .node = 1, .place = RodPlace{0, 0, 1.0}, .quantities = of_rod};
+        .name = "middle", .at = "beam@0.5", .target = WatchedPoint{{0, 0, 1.0}, 1}, .quantities = of_rod};
     HistoryRequest root{
-        .name = "root", .at = "beam.start", .node = 0, .place = RodPlace{0, 0, -1.0}, .quantities = of_rod};
-    HistoryRequest tip{.name = "tip", .at = "tip", .node = 2, .body = 0, .quantities = of_body};
-    HistoryRequest gyro{.name = "gyro", .at = "gyro", .node = 3, .body = 1, .quantities = of_body};
+        .name = "root", .at = "beam.start", .target = WatchedPoint{{0, 0, -1.0}, 0}, .quantities = of_rod};
+    HistoryRequest tip{
+        .name = "tip", .at = "tip", .target = WatchedBody{.index = 0, .node = 2}, .quantities = of_body};
+    HistoryRequest gyro{
+        .name = "gyro", .at = "gyro", .target = WatchedBody{.index = 1, .node = 3}, .quantities = of_body};
     OutputSettings output;
     output.histories = {middle, root, tip, gyro};
     return output;

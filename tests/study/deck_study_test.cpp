@@ -26,7 +26,7 @@ TEST_CASE("errors of step and mesh are estimated, and are those that are there",
         "rod.beam.elements=16", "rod.beam.order=3", "analysis.time_step=0.002"};
     const DeckStudy fine = study(swing, {}, finest);
     const auto last = [](const DeckStudy& study) {
-        const HistoryPoint::Row& row = study.base_rows[2].back();
+        const HistoryRow& row = study.base_rows[2].back();
         return Vec3(row[0], row[1], row[2]);
     };
     REQUIRE(fine.series[2].series.title() == "beam.end position");
@@ -49,7 +49,7 @@ TEST_CASE("without histories, the ends of rods and the bodies are followed", "[s
     CHECK(find(bodies, "top position").relative(find(bodies, "top position").turned_difference) < 1e-12);
     CHECK(*find(bodies, "top orientation").steps.order == Approx(2.0).margin(0.1));
     // Half a metre a second along x.
-    const HistoryPoint::Row& place = bodies.base_rows[0].back();
+    const HistoryRow& place = bodies.base_rows[0].back();
     CHECK(place[0] == Approx(1.5).epsilon(1e-13));
     CHECK(bodies.is_sound());
 }

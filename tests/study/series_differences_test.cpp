@@ -3,16 +3,17 @@
 #include <cmath>
 
 #include "tools/catch.hpp"
+#include "watch/quantities.hpp"
 
 using namespace gxrod;
 
 namespace {
 
-using Row = HistoryPoint::Row;
+using Row = HistoryRow;
 
-const Series place{"tip", "position", 0, Quantity::position, Turning::vector};
-const Series attitude{"tip", "orientation", 0, Quantity::orientation, Turning::attitude};
-const Series force{"tip", "force", 0, Quantity::force, Turning::none};
+const Series place{"tip", "position", 0, find_quantity("position"), Turning::vector};
+const Series attitude{"tip", "orientation", 0, find_quantity("orientation"), Turning::attitude};
+const Series force{"tip", "force", 0, find_quantity("force"), Turning::none};
 
 // About x by an angle.
 Row turned(double angle) { return {std::cos(0.5 * angle), std::sin(0.5 * angle), 0.0, 0.0}; }
@@ -80,12 +81,12 @@ TEST_CASE("what solvers leave is judged by what is large in the model", "[study]
     CHECK(scales[0].is_still);
     CHECK(scales[0].scale == 2.0);
     CHECK_FALSE(compute_scales({force}, {{{0, 0, 0, 0}, {1e-5, 0, 0, 0}}}, natural, {0.0})[0].is_still);
-    CHECK(natural.of(Quantity::position) == 4.0);
-    CHECK(natural.of(Quantity::velocity) == 2.0);
-    CHECK(natural.of(Quantity::angular_velocity) == 0.5);
-    CHECK(natural.of(Quantity::acceleration) == 1.0);
-    CHECK(natural.of(Quantity::moment) == 8.0);
-    CHECK(natural.of(Quantity::curvature) == 0.25);
-    CHECK(natural.of(Quantity::strain) == 1.0);
-    CHECK(natural.of(Quantity::orientation) == 0.0);
+    CHECK(natural.of(find_quantity("position")->size) == 4.0);
+    CHECK(natural.of(find_quantity("velocity")->size) == 2.0);
+    CHECK(natural.of(find_quantity("angular_velocity")->size) == 0.5);
+    CHECK(natural.of(find_quantity("acceleration")->size) == 1.0);
+    CHECK(natural.of(find_quantity("moment")->size) == 8.0);
+    CHECK(natural.of(find_quantity("curvature")->size) == 0.25);
+    CHECK(natural.of(find_quantity("strain")->size) == 1.0);
+    CHECK(natural.of(find_quantity("orientation")->size) == 0.0);
 }

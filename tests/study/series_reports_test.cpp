@@ -3,16 +3,17 @@
 #include <cmath>
 
 #include "tools/catch.hpp"
+#include "watch/quantities.hpp"
 
 using namespace gxrod;
 
 namespace {
 
-const std::vector<Series> tip{{"tip", "position", 0, Quantity::position, Turning::vector}};
+const std::vector<Series> tip{{"tip", "position", 0, find_quantity("position"), Turning::vector}};
 
 // At times 0, 1, 2: the way 0, 1, 2 and what is added to it, times the time.
 StudyRows::Rows make_rows(double more) {
-    std::vector<HistoryPoint::Row> rows;
+    std::vector<HistoryRow> rows;
     for (const double t : {0.0, 1.0, 2.0}) rows.push_back({t + more * t, 0, 0, 0});
     return {rows};
 }

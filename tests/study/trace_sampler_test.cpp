@@ -17,8 +17,8 @@ TEST_CASE("where a step ends at a sample, the row itself is taken", "[study]") {
     sampler.add(0.25, {{9.0, 9.0, 9.0, 9.0}});
     sampler.add(0.5 + 1e-13, {{5.0, 6.0, 7.0, 8.0}});
     REQUIRE(sampler.samples().size() == 2);
-    CHECK(sampler.samples()[0][0] == HistoryPoint::Row{1.0, 2.0, 3.0, 4.0});
-    CHECK(sampler.samples()[1][0] == HistoryPoint::Row{5.0, 6.0, 7.0, 8.0});
+    CHECK(sampler.samples()[0][0] == HistoryRow{1.0, 2.0, 3.0, 4.0});
+    CHECK(sampler.samples()[1][0] == HistoryRow{5.0, 6.0, 7.0, 8.0});
 }
 
 TEST_CASE("between steps a cubic is met exactly", "[study]") {

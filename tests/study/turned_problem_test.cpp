@@ -1,8 +1,10 @@
 #include <cmath>
+#include <set>
 
 #include "study/deck_study_text.hpp"
 #include "tools/catch.hpp"
 #include "verification/studied_decks.hpp"
+#include "watch/quantities.hpp"
 
 using namespace gxrod;
 using namespace gxrod::test;
@@ -96,6 +98,201 @@ relative_to = "arm.end"
 quantities = ["position", "displacement", "velocity", "acceleration", "rotation_vector", "quaternion", "orientation"]
 )deck";
 
+// Springs, bushings, joints, gears and tendons, with every quantity that they have.
+const std::string ties = R"deck(title = "Ties"
+gravity = [0.3, -9.81, 0.1]
+[section.s]
+stiffness = { EA = 1e4, GAy = 6e3, GAz = 5e3, GJ = 80, EIy = 100, EIz = 140 }
+inertia = { rhoA = 1, rhoIy = 0.01, rhoIz = 0.02 }
+[rod.arm]
+section = "s"
+line = { from = [0, 0, 0], to = [2, 0, 0] }
+elements = 4
+[tendon.cable]
+on = "arm"
+offset = [0, 0.05]
+tension = "20*t"
+friction = 0.2
+[[support]]
+at = "arm.start"
+fix = "all"
+[body.wheel]
+mass = 2
+inertia = [0.2, 0.1, 0.1]
+at = [0, 2, 0]
+centre_of_mass = [0.1, 0.05, 0]
+angular_velocity = [3, 0, 0]
+[body.shaft]
+mass = 1
+inertia = [0.1, 0.2, 0.2]
+at = [0, 3, 0]
+angular_velocity = [9, 0, 0]
+[body.cart]
+mass = 1.5
+inertia = [0.3, 0.2, 0.25]
+at = [3, 3, 1]
+velocity = [0, 0.192, 0.256]
+[body.bead]
+mass = 0.3
+inertia = [0.01, 0.01, 0.01]
+at = [1, 0, 0]
+velocity = [0.2, 0, 0]
+[joint.driven]
+type = "hinge"
+between = ["ground", "shaft"]
+axis = [1, 0, 0]
+drive = "2*t"
+[joint.pin]
+type = "hinge"
+between = ["ground", "wheel"]
+axis = [1, 0, 0]
+[joint.guide]
+type = "cylinder"
+between = ["ground", "cart"]
+axis = [0, 0.6, 0.8]
+friction = { slide = { force = 0.3 } }
+[joint.sleeve]
+type = "sleeve"
+between = ["arm", "bead"]
+[gear.reduction]
+joints = ["pin", "driven"]
+ratio = -3
+[spring.strut]
+between = ["arm.end", "cart"]
+stiffness = 20
+damping = 1
+length = 2
+[bushing.mount]
+between = ["ground", "arm.end"]
+axes = "b"
+stiffness = { x = 100, y = 200, z = 300, rx = 10, ry = 20, rz = 30 }
+damping = { x = 1, y = 2, rz = 1 }
+[analysis]
+kind = "dynamic"
+end_time = 0.1
+steps = 20
+newton = { tolerance = 1e-12 }
+[[history]]
+name = "strut"
+at = "strut"
+quantities = ["elongation", "axial_force"]
+[[history]]
+name = "mount"
+at = "mount"
+quantities = ["displacement", "rotation_vector", "force", "moment", "force_spatial", "moment_spatial"]
+[[history]]
+name = "pin"
+at = "pin"
+quantities = ["angle", "angle_rate", "force", "moment", "force_a", "moment_a", "gap"]
+[[history]]
+name = "driven"
+at = "driven"
+quantities = ["drive"]
+[[history]]
+name = "guide"
+at = "guide"
+quantities = ["angle", "slide", "slide_rate", "force", "friction", "drive"]
+[[history]]
+name = "sleeve"
+at = "sleeve"
+quantities = ["slide", "slide_rate", "force"]
+[[history]]
+name = "gear"
+at = "reduction"
+quantities = ["drive", "gap"]
+[[history]]
+name = "cable"
+at = "cable"
+quantities = ["tendon_length", "tendon_tension", "tendon_end_tension"]
+[[history]]
+name = "clamp"
+at = "arm.start"
+about = [1, 2, 3]
+quantities = ["reaction_force", "reaction_moment"]
+)deck";
+
+// Water, ground and contact, which know up from down, with every quantity of theirs.
+const std::string surroundings = R"deck(title = "Around"
+gravity = [0, 0, -9.81]
+[section.s]
+shape = { tube = { outer_radius = 0.05, inner_radius = 0.04 } }
+material = { E = 2e9, nu = 0.3, density = 1500 }
+fluid = { contents = { density = 900 } }
+[rod.riser]
+section = "s"
+line = { from = [0, 0, -4.855], to = [4, 1, -5.455] }
+elements = 4
+[[support]]
+at = "riser.end"
+move = { z = "0.1*t" }
+[body.float]
+mass = 20
+inertia = [1, 1, 1]
+at = [0, 5, -0.1]
+fluid = { volume = 0.03, drag_area = [0.1, 0.1, 0.1] }
+[body.ball]
+mass = 0.5
+inertia = [5e-4, 5e-4, 5e-4]
+at = [0, 0, 1.0503]
+velocity = [2, 0.5, 0]
+angular_velocity = [0, 1, 2]
+sphere = { radius = 0.05 }
+[rod.wire]
+section = "s"
+line = { from = [2, 0, 1.0503], to = [2.5, 0.3, 1.0503] }
+elements = 2
+[[initial]]
+on = "wire"
+velocity = [0.3, 0.4, 0]
+[obstacle.floor]
+plane = { point = [0, 0, 1], normal = [0, 0, 1] }
+friction = 0.3
+[contact]
+rods = ["wire"]
+self = false
+skin = 1e-3
+[fluid]
+density = 1000
+surface = 0
+depth = 4.9
+current = { table = [[-10, 1], [0, 3]], direction = [3, 4, 0] }
+[[wave]]
+airy = { height = 1, period = 4 }
+direction = [1, 2, 0]
+[air]
+density = 1.2
+wind = { velocity = [3, 1, 0] }
+[seabed]
+stiffness = 1e4
+plane = { point = [0, 0, -4.9], normal = [0.1, 0.2, 1] }
+[analysis]
+kind = "dynamic"
+end_time = 0.04
+steps = 20
+newton = { tolerance = 1e-12 }
+[[history]]
+name = "riser"
+at = "riser@0.4"
+quantities = ["effective_tension", "wall_tension", "water_velocity", "wet_fraction", "fluid_force", "bed_force"]
+[[history]]
+name = "float"
+at = "float"
+quantities = ["wet_fraction", "fluid_force"]
+[[history]]
+name = "floor"
+at = "floor"
+quantities = ["contact_force", "contact_friction", "least_gap"]
+[[history]]
+name = "wire"
+at = "wire"
+quantities = ["contact_force", "contact_friction", "least_gap"]
+[[history]]
+name = "ball"
+at = "ball"
+with = "floor"
+quantities = ["position", "angular_velocity_material", "contact_force", "contact_friction", "least_gap"]
+)deck";
+
 }  // namespace
 
 TEST_CASE("a turned model has the turned motion", "[study]") {
@@ -135,5 +332,27 @@ TEST_CASE("statics turn as dynamics do", "[study]") {
     for (const SeriesReport& report : turned.series) {
         INFO(report.series.title());
         CHECK(report.relative(report.turned_difference) < 1e-9);
+    }
+}
+
+TEST_CASE("every quantity turns with the model as its line says", "[study]") {
+    std::set<const Quantity*> seen;
+    for (const std::string& deck : {everything, ties, surroundings}) {
+        const DeckStudy turned = study(deck, {VariantKind::turned}, {"analysis.newton.tolerance=1e-12"});
+        INFO(turned.title);
+        REQUIRE(turned.runs.size() == 2);
+        REQUIRE(turned.runs[1].is_whole());
+        CHECK(turned.rotation.norm() > 0.5);
+        for (const SeriesReport& report : turned.series) {
+            INFO(report.series.title());
+            CHECK(report.relative(report.turned_difference) < 1e-7);
+            seen.insert(report.series.quantity);
+        }
+    }
+    for (const QuantityTable* table : list_quantity_tables()) {
+        for (const Quantity& line : table->lines) {
+            INFO(table->owners << " " << line.word << ": " << line.meaning);
+            CHECK((line.continuous != nullptr || seen.contains(&line)));
+        }
     }
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "study/deck_study_text.hpp"
+#include "watch/quantities.hpp"
 
 // Studies that were made up, to be judged.
 namespace gxrod::test {
@@ -16,7 +17,7 @@ inline ErrorEstimate make_estimate(double size, double order, double expected = 
 
 inline SeriesReport make_report(const std::string& point, double step, double mesh) {
     SeriesReport report;
-    report.series = {point, "position", 0, Quantity::position, Turning::vector};
+    report.series = {point, "position", 0, find_quantity("position"), Turning::vector};
     report.scale = 2.0;
     report.steps = make_estimate(2.0 * step, 2.0);
     report.mesh = make_estimate(2.0 * mesh, 2.0);

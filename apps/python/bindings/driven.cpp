@@ -4,9 +4,7 @@
 #include <limits>
 
 #include "check/model_examination.hpp"
-#include "deck/schema/choices.hpp"
 #include "elements/tie_values.hpp"
-#include "results/histories/quantity.hpp"
 #include "sensitivity/equilibrium_adjoint.hpp"
 
 namespace gxrod::python {
@@ -40,10 +38,8 @@ Driven::Driven(const BuiltModel& model,
     simulation_ = std::make_unique<SteppedRun>(request);
     const std::vector<HistoryRequest>& requests = problem_.output.histories;
     for (std::size_t i = 0; i < requests.size(); ++i) {
-        Recorded recorded{HistoryPoint(problem_.model, requests, i), {}, {}};
-        for (const Quantity quantity : requests[i].quantities)
-            recorded.widths.push_back(quantity_form(quantity, recorded.point.kind()).shape.columns);
-        recorded.records.resize(recorded.widths.size());
+        Recorded recorded{HistoryWatch(problem_.model, requests, i), quantities_of(requests[i]), {}};
+        recorded.records.resize(recorded.quantities.size());
         histories_.push_back(std::move(recorded));
     }
     if (varied.empty()) return;
@@ -80,9 +76,9 @@ std::vector<double> Driven::compute_at(const Problem& problem,
     const std::vector<PointValues> points =
         system.compute_point_values(state, load_factor, list_rod_places(requests));
     const std::vector<JointValues> joints = system.joints().compute_joint_values(state, load_factor);
-    const Quantity asked = requests.at(history).quantities.at(quantity);
+    const Quantity& asked = *histories_.at(history).quantities.at(quantity);
     std::vector<Vec6> reactions;
-    if (asked == Quantity::reaction_force || asked == Quantity::reaction_moment) {
+    if (part_of(asked) == Part::reactions) {
         Residual residual;
         system.compute_residual(state, load_factor, residual);
         reactions = system.compute_reactions(residual);
@@ -97,11 +93,11 @@ std::vector<double> Driven::compute_at(const Problem& problem,
     const std::vector<PointSurroundings> bodies = system.compute_body_surroundings(state, load_factor);
     snapshot.bodies = bodies;
     std::vector<TendonValues> tendons;
-    if (requests.at(history).tendon >= 0) tendons = system.compute_tendon_values(state, load_factor);
+    if (std::holds_alternative<WatchedTendon>(requests.at(history).target))
+        tendons = system.compute_tendon_values(state, load_factor);
     snapshot.tendons = tendons;
-    HistoryPoint point(problem.model, problem.output.histories, history);
-    const HistoryPoint::Row row = point.compute(asked, snapshot);
-    return {row.begin(), row.begin() + histories_[history].widths[quantity]};
+    const HistoryRow row = HistoryWatch(problem.model, requests, history).compute(asked, snapshot);
+    return {row.begin(), row.begin() + asked.columns};
 }
 
 std::vector<int> Driven::list_nodes(std::size_t history) const {
@@ -110,19 +106,20 @@ std::vector<int> Driven::list_nodes(std::size_t history) const {
     const auto add = [&](int node) {
         if (node >= 0 && std::ranges::find(nodes, node) == nodes.end()) nodes.push_back(node);
     };
-    add(request.node);
+    add(node_of(request.target));
     add(request.relative_node);
-    if (request.place) {
-        const Rod& rod = problem_.model.rods[static_cast<std::size_t>(request.place->rod)];
-        const std::ptrdiff_t first = std::ptrdiff_t{request.place->element} * (rod.order + 1);
+    if (const auto* point = std::get_if<WatchedPoint>(&request.target)) {
+        const Rod& rod = problem_.model.rods[static_cast<std::size_t>(point->place.rod)];
+        const std::ptrdiff_t first = std::ptrdiff_t{point->place.element} * (rod.order + 1);
         for (int i = 0; i <= rod.order; ++i) add(rod.element_nodes[static_cast<std::size_t>(first + i)]);
     }
     const auto add_ends = [&](const std::array<Anchor, 2>& ends) {
         for (const Anchor& end : ends) add(end.node);
     };
-    if (request.spring >= 0) add_ends(problem_.model.springs[static_cast<std::size_t>(request.spring)].ends);
-    if (request.bushing >= 0)
-        add_ends(problem_.model.bushings[static_cast<std::size_t>(request.bushing)].ends);
+    if (const auto* spring = std::get_if<WatchedSpring>(&request.target))
+        add_ends(problem_.model.springs[static_cast<std::size_t>(spring->index)].ends);
+    if (const auto* bushing = std::get_if<WatchedBushing>(&request.target))
+        add_ends(problem_.model.bushings[static_cast<std::size_t>(bushing->index)].ends);
     return nodes;
 }
 
@@ -134,12 +131,13 @@ std::vector<double> Driven::find_gradient(const std::vector<Weighted>& sum,
     std::vector<int> nodes;
     for (const Weighted& one : sum) {
         const HistoryRequest& request = problem_.output.histories.at(one.history);
-        if (request.joint >= 0 || request.gear >= 0)
+        if (std::holds_alternative<WatchedJoint>(request.target) ||
+            std::holds_alternative<WatchedSleeve>(request.target) ||
+            std::holds_alternative<WatchedGear>(request.target))
             throw std::invalid_argument(
                 "history " + request.name +
                 " is of a joint; there are gradients of points, springs and bushings");
-        const Quantity quantity = request.quantities.at(one.quantity);
-        if (quantity == Quantity::reaction_force || quantity == Quantity::reaction_moment)
+        if (part_of(*histories_.at(one.history).quantities.at(one.quantity)) == Part::reactions)
             throw std::invalid_argument(
                 "there are no gradients of reactions; carry derivatives along instead");
         const std::vector<int> own = list_nodes(one.history);
@@ -204,7 +202,7 @@ void Driven::note(const Snapshot& snapshot, const LedgerRow& ledger) {
     times_.push_back(snapshot.time);
     if (kept_.ledger) ledgers_.push_back(ledger);
     for (const std::size_t history : kept_.histories) {
-        for (std::size_t quantity = 0; quantity < histories_.at(history).widths.size(); ++quantity)
+        for (std::size_t quantity = 0; quantity < histories_.at(history).quantities.size(); ++quantity)
             compute(history, quantity, snapshot, histories_[history].records[quantity]);
     }
 }
@@ -232,8 +230,8 @@ void Driven::restore(const SavedState& checkpoint) {
     cut(times_, 1);
     ledgers_.resize(std::min(ledgers_.size(), rows));
     for (Recorded& recorded : histories_) {
-        for (std::size_t i = 0; i < recorded.widths.size(); ++i)
-            cut(recorded.records[i], static_cast<std::size_t>(recorded.widths[i]));
+        for (std::size_t i = 0; i < recorded.quantities.size(); ++i)
+            cut(recorded.records[i], static_cast<std::size_t>(recorded.quantities[i]->columns));
     }
     views_.follow(nodes());
 }
@@ -243,9 +241,9 @@ void Driven::compute(std::size_t history,
                      const Snapshot& snapshot,
                      std::vector<double>& to) {
     Recorded& recorded = histories_.at(history);
-    const HistoryPoint::Row row =
-        recorded.point.compute(problem_.output.histories[history].quantities.at(quantity), snapshot);
-    to.insert(to.end(), row.begin(), row.begin() + recorded.widths[quantity]);
+    const Quantity& asked = *recorded.quantities.at(quantity);
+    const HistoryRow row = recorded.watch.compute(asked, snapshot);
+    to.insert(to.end(), row.begin(), row.begin() + asked.columns);
 }
 
 std::vector<double> Driven::compute_history(std::size_t history, std::size_t quantity) {
@@ -255,13 +253,7 @@ std::vector<double> Driven::compute_history(std::size_t history, std::size_t qua
 }
 
 std::vector<std::string> Driven::list_quantities(std::size_t history) const {
-    std::vector<std::string> names;
-    for (const Quantity quantity : problem_.output.histories.at(history).quantities) {
-        for (const auto& choice : quantity_choices) {
-            if (choice.value == quantity) names.emplace_back(choice.word);
-        }
-    }
-    return names;
+    return problem_.output.histories.at(history).quantities;
 }
 
 }  // namespace gxrod::python

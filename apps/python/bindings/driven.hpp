@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "model.hpp"
-#include "results/histories/history_point.hpp"
 #include "run/stepped_run.hpp"
 #include "sensitivity/sensitivities.hpp"
 #include "state_views.hpp"
+#include "watch/history_watch.hpp"
 
 namespace gxrod::python {
 
@@ -81,14 +81,14 @@ class Driven {
         return histories_.at(history).records.at(quantity);
     }
     int width(std::size_t history, std::size_t quantity) const {
-        return histories_.at(history).widths.at(quantity);
+        return histories_.at(history).quantities.at(quantity)->columns;
     }
     const std::vector<LedgerRow>& ledgers() const { return ledgers_; }
 
   private:
     struct Recorded {
-        HistoryPoint point;
-        std::vector<int> widths;                   // of its quantities
+        HistoryWatch watch;
+        std::vector<const Quantity*> quantities;
         std::vector<std::vector<double>> records;  // of its quantities
     };
 

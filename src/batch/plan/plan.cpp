@@ -69,7 +69,7 @@ std::optional<Collection> read_collection(const CheckedTable& table, FaultList& 
     if (table.gives("history")) {
         is_right = is_right && table.gives("quantity");
         take_word("quantity",
-                  [&](const std::string& word) { collection.quantity = value_of(quantity_choices, word); });
+                  [&](const std::string& word) { collection.quantity = word; });
     }
     take_word("ledger", [&](const std::string& word) {
         collection.ledger = std::find_if(ledger_columns.begin(),

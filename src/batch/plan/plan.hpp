@@ -54,7 +54,7 @@ struct Collection {
     std::string found = {};
     long number = 1;
     std::string history;
-    Quantity quantity = Quantity::position;
+    std::string quantity;
     const LedgerColumn* ledger = nullptr;
     std::optional<Component> component;
     Take take = Take::last;

@@ -5,6 +5,7 @@
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "results/tables/step_columns.hpp"
+#include "watch/quantities.hpp"
 
 namespace gxrod {
 namespace {
@@ -138,7 +139,7 @@ const TableSpec& collect_table() {
                   .type = ValueType::choice,
                   .presence = Presence::required,
                   .sentence = "One of the quantities that the history records.",
-                  .choices = words_of(quantity_choices),
+                  .choices = list_quantity_words(),
                   .only_with = "history"},
                  {.name = "ledger",
                   .type = ValueType::choice,

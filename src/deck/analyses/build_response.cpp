@@ -62,7 +62,8 @@ void name_response_points(const std::vector<HistoryRequest>& histories, BuildCon
         auto* response = std::get_if<ResponseSettings>(&context.stages[i].analysis);
         if (response == nullptr) continue;
         for (const HistoryRequest& history : histories) {
-            if (history.node >= 0) response->points.push_back({history.name, history.node});
+            const int node = node_of(history.target);
+            if (node >= 0) response->points.push_back({history.name, node});
         }
         if (!response->points.empty()) continue;
         context.add_fault(

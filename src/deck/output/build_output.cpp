@@ -10,11 +10,12 @@
 #include "deck/contact/build_contact_exceptions.hpp"
 #include "deck/output/build_output_times.hpp"
 #include "deck/output/history_place.hpp"
-#include "deck/output/history_quantities.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/schema/suggestion.hpp"
+#include "deck/schema/synonyms.hpp"
 #include "deck/sections/section_axes.hpp"
 #include "model/settings/frame_interval.hpp"
+#include "watch/quantities.hpp"
 
 namespace gxrod {
 namespace {
@@ -58,10 +59,18 @@ void set_reference(const CheckedTable& table, HistoryRequest& request, const Bui
     request.relative_axes = twisted(request.relative_axes, -context.twist_at(*point));
 }
 
+template <class Predicate>
+bool asks_for(const HistoryRequest& request, Predicate&& is_meant) {
+    return std::ranges::any_of(request.quantities, [&](const std::string& word) {
+        const Quantity* quantity = find_quantity(request.target, word);
+        return is_meant(quantity != nullptr ? *quantity : *find_quantity(word));
+    });
+}
+
 void set_about(const CheckedTable& table, HistoryRequest& request, const BuildContext& context) {
     if (!table.gives("about")) return;
     request.about = table.get<Vec3>("about");
-    if (std::ranges::find(request.quantities, Quantity::reaction_moment) == request.quantities.end())
+    if (!asks_for(request, [](const Quantity& one) { return one.is_about; }))
         context.add_fault(table, "about", "goes with reaction_moment, which is not among the quantities");
 }
 
@@ -74,13 +83,15 @@ std::optional<int> find_touching(const std::string& name, const Model& model) {
     return static_cast<int>(model.rods.size()) + *body;
 }
 
-void set_contact(const CheckedTable& table,
-                 const HistoryPlace& point,
-                 HistoryRequest& request,
-                 const BuildContext& context) {
+void set_contact(const CheckedTable& table, HistoryRequest& request, const BuildContext& context) {
     const Model& model = context.model;
-    const bool is_body = touches(point, model) && std::ranges::any_of(request.quantities, is_of_obstacles);
-    if (point.touching_rod < 0 && !is_body) {
+    auto* body = std::get_if<WatchedBody>(&request.target);
+    auto* rod = std::get_if<WatchedContacts>(&request.target);
+    const bool is_body = body != nullptr && asks_for(request, [&](const Quantity& one) {
+                             return part_of(one) == Part::contact &&
+                                    explain_missing(one.word, request.target, model).empty();
+                         });
+    if (rod == nullptr && !is_body) {
         if (table.gives("with"))
             context.add_fault(table,
                               "with",
@@ -88,8 +99,8 @@ void set_contact(const CheckedTable& table,
                               "deck with contact");
         return;
     }
-    const int index = is_body ? static_cast<int>(model.rods.size()) + point.body : point.touching_rod;
-    const std::string& name = is_body ? model.bodies[static_cast<std::size_t>(point.body)].name
+    const int index = is_body ? static_cast<int>(model.rods.size()) + body->index : rod->contact.rod;
+    const std::string& name = is_body ? model.bodies[static_cast<std::size_t>(body->index)].name
                                       : model.rods[static_cast<std::size_t>(index)].name;
     if (!is_body && model.contact.radii[static_cast<std::size_t>(index)] == 0.0) {
         context.add_fault(table,
@@ -100,13 +111,13 @@ void set_contact(const CheckedTable& table,
                                       name));
         return;
     }
-    request.contact = ContactWatch{.rod = index};
-    request.contact->wants_gap =
-        std::ranges::find(request.quantities, Quantity::least_gap) != request.quantities.end();
+    ContactWatch& contact = is_body ? body->contact.emplace() : rod->contact;
+    contact.rod = index;
+    contact.wants_gap = asks_for(request, [](const Quantity& one) { return one.is_searched; });
     if (!table.gives("with")) return;
     request.with = table.get<std::string>("with");
     if (const std::optional<int> obstacle = find_tie(model.contact.obstacles, request.with)) {
-        request.contact->other = -1 - *obstacle;
+        contact.other = -1 - *obstacle;
         if (is_left_out(model.contact, index, -1 - *obstacle))
             context.add_fault(
                 table,
@@ -114,7 +125,7 @@ void set_contact(const CheckedTable& table,
                 fmt::format(
                     "\"{}\" does not touch \"{}\": [[contact.pair]] leaves it out", name, request.with));
     } else if (const std::optional<int> other = find_touching(request.with, model)) {
-        request.contact->other = *other;
+        contact.other = *other;
         const bool is_itself = *other == index;
         const bool is_off = is_left_out(model.contact, index, *other);
         if (is_itself && is_body)
@@ -141,46 +152,40 @@ void set_contact(const CheckedTable& table,
     }
 }
 
-HistoryRequest build_history(const CheckedTable& table,
-                             const HistoryPlace& point,
-                             const BuildContext& context) {
-    HistoryRequest request{.name = table.get<std::string>("name"),
-                           .at = table.get<std::string>("at"),
-                           .node = point.node,
-                           .body = point.body,
-                           .spring = point.spring,
-                           .bushing = point.bushing,
-                           .place = point.place,
-                           .joint = point.joint,
-                           .gear = point.gear,
-                           .tendon = point.tendon,
-                           .obstacle = point.obstacle};
-    // Values of sleeves come behind those of joints and gears.
-    if (point.sleeve >= 0) {
-        const std::size_t before = context.model.joints.size() + context.model.gears.size();
-        request.joint = static_cast<int>(before) + point.sleeve;
-    }
-    set_reference(table, request, context);
+// '; did you mean "axial_force"?', of what the thing has instead of a word that means something else
+// elsewhere; "" if nothing is meant.
+std::string suggest_quantity(const std::string& word, const Watched& target, const Model& model) {
+    std::vector<std::string> there = list_quantity_words();
+    std::erase_if(there, [&](const std::string& one) { return !explain_missing(one, target, model).empty(); });
+    const std::string meant = find_choice(word, there);
+    return meant.empty() ? "" : fmt::format("; did you mean \"{}\"?", meant);
+}
+
+void add_quantities(const CheckedTable& table, HistoryRequest& request, const BuildContext& context) {
     for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("quantities")) {
-        const Quantity quantity = value_of(quantity_choices, word.word);
-        const auto& listed = request.quantities;
-        if (std::find(listed.begin(), listed.end(), quantity) != listed.end()) {
+        auto& listed = request.quantities;
+        if (std::find(listed.begin(), listed.end(), word.word) != listed.end()) {
             context.faults.add(word.place, word.path, fmt::format("\"{}\" is listed twice", word.word));
             continue;
         }
-        std::string reason = explain_missing(quantity, point, context.model);
-        if (!reason.empty()) reason += suggest_quantity(word.word, point, context.model);
-        if (table.gives("relative_to") && (point.bushing >= 0 || point.tendon >= 0 || point.obstacle >= 0 ||
-                                           point.touching_rod >= 0 || !can_be_relative(quantity))) {
+        std::string reason = explain_missing(word.word, request.target, context.model);
+        if (!reason.empty()) reason += suggest_quantity(word.word, request.target, context.model);
+        if (table.gives("relative_to") && !can_be_relative(word.word, request.target))
             reason = "cannot be relative to a point; write another history for it";
-        }
-        if (!reason.empty()) {
+        if (!reason.empty())
             context.faults.add(word.place, word.path, fmt::format("\"{}\": {}", word.word, reason));
-        }
-        request.quantities.push_back(quantity);
+        listed.push_back(word.word);
     }
+}
+
+HistoryRequest build_history(const CheckedTable& table, const Watched& target, const BuildContext& context) {
+    HistoryRequest request{.name = table.get<std::string>("name"),
+                           .at = table.get<std::string>("at"),
+                           .target = target};
+    set_reference(table, request, context);
+    add_quantities(table, request, context);
     set_about(table, request, context);
-    set_contact(table, point, request, context);
+    set_contact(table, request, context);
     return request;
 }
 
@@ -198,8 +203,8 @@ OutputSettings build_output(const BuildContext& context) {
     std::set<std::string> taken;
     for (const CheckedTable& table : context.deck.tables("history")) {
         check_name(table, taken, context);
-        const std::optional<HistoryPlace> point = find_history_place(table.get<std::string>("at"), context);
-        if (point) output.histories.push_back(build_history(table, *point, context));
+        const std::optional<Watched> target = find_watched(table.get<std::string>("at"), context);
+        if (target) output.histories.push_back(build_history(table, *target, context));
     }
     return output;
 }

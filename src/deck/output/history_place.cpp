@@ -56,63 +56,38 @@ RodPlace place_between_nodes(const RodPoint& point, const Rod& rod) {
     return {point.rod, element, low + high - 1.0};
 }
 
+// The thing of that name as the model is built; nullopt without it.
+template <class Thing, class Tie>
+std::optional<Watched> find_thing(const std::vector<Tie>& ties, const std::string& name) {
+    const std::optional<int> index = find_tie(ties, name);
+    if (!index) return std::nullopt;
+    return Thing{*index};
+}
+
 }  // namespace
 
-std::optional<HistoryPlace> find_history_place(const std::string& text, const BuildContext& context) {
-    if (find_index(context.deck.tables("spring"), text)) {
-        const std::optional<int> spring = find_tie(context.model.springs, text);
-        if (!spring) return std::nullopt;
-        return HistoryPlace{-1, -1, std::nullopt, *spring};
+std::optional<Watched> find_watched(const std::string& text, const BuildContext& context) {
+    const Model& model = context.model;
+    const auto names = [&](const char* table) {
+        return find_index(context.deck.tables(table), text).has_value();
+    };
+    if (names("spring")) return find_thing<WatchedSpring>(model.springs, text);
+    if (names("bushing")) return find_thing<WatchedBushing>(model.bushings, text);
+    if (names("joint")) {
+        const std::optional<Watched> joint = find_thing<WatchedJoint>(model.joints, text);
+        return joint ? joint : find_thing<WatchedSleeve>(model.sleeves, text);
     }
-    if (find_index(context.deck.tables("bushing"), text)) {
-        const std::optional<int> bushing = find_tie(context.model.bushings, text);
-        if (!bushing) return std::nullopt;
-        return HistoryPlace{-1, -1, std::nullopt, -1, *bushing};
-    }
-    if (find_index(context.deck.tables("joint"), text)) {
-        HistoryPlace place{-1, -1, std::nullopt};
-        if (const std::optional<int> joint = find_tie(context.model.joints, text)) {
-            place.joint = *joint;
-        } else if (const std::optional<int> sleeve = find_tie(context.model.sleeves, text)) {
-            place.sleeve = *sleeve;
-        } else {
-            return std::nullopt;
-        }
-        return place;
-    }
-    if (find_index(context.deck.tables("gear"), text)) {
-        const std::optional<int> gear = find_tie(context.model.gears, text);
-        if (!gear) return std::nullopt;
-        HistoryPlace place{-1, -1, std::nullopt};
-        place.gear = *gear;
-        return place;
-    }
-    if (find_index(context.deck.tables("tendon"), text)) {
-        const std::optional<int> tendon = find_tie(context.model.tendons, text);
-        if (!tendon) return std::nullopt;
-        HistoryPlace place{-1, -1, std::nullopt};
-        place.tendon = *tendon;
-        return place;
-    }
-    if (find_index(context.deck.tables("obstacle"), text)) {
-        const std::optional<int> obstacle = find_tie(context.model.contact.obstacles, text);
-        if (!obstacle) return std::nullopt;
-        HistoryPlace place{-1, -1, std::nullopt};
-        place.obstacle = *obstacle;
-        return place;
-    }
-    const std::optional<int> whole = find_tie(context.model.rods, text);
-    if (whole && !context.model.contact.is_empty()) {
-        HistoryPlace place{-1, -1, std::nullopt};
-        place.touching_rod = *whole;
-        return place;
-    }
+    if (names("gear")) return find_thing<WatchedGear>(model.gears, text);
+    if (names("tendon")) return find_thing<WatchedTendon>(model.tendons, text);
+    if (names("obstacle")) return find_thing<WatchedObstacle>(model.contact.obstacles, text);
+    const std::optional<int> whole = find_tie(model.rods, text);
+    if (whole && !model.contact.is_empty()) return WatchedContacts{{.rod = *whole}};
     const std::optional<PlacedPoint> placed = context.place(text);
     if (!placed) return std::nullopt;
-    if (placed->body >= 0) return HistoryPlace{placed->node, placed->body, std::nullopt};
-    const Rod& rod = context.model.rods[static_cast<std::size_t>(placed->rod)];
-    if (!placed->between) return HistoryPlace{placed->node, -1, place_in_rod(*placed, rod)};
-    return HistoryPlace{-1, -1, place_between_nodes(*placed->between, rod)};
+    if (placed->body >= 0) return WatchedBody{.index = placed->body, .node = placed->node};
+    const Rod& rod = model.rods[static_cast<std::size_t>(placed->rod)];
+    if (placed->between) return WatchedPoint{place_between_nodes(*placed->between, rod)};
+    return WatchedPoint{place_in_rod(*placed, rod), placed->node};
 }
 
 }  // namespace gxrod

@@ -11,11 +11,11 @@
 #include "deck/expressions/symbol_reading.hpp"
 #include "deck/reading/value_reading.hpp"
 #include "deck/schema/choices.hpp"
-#include "deck/schema/history_words.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "deck/schema/synonyms.hpp"
 #include "model/joint.hpp"
+#include "watch/quantities.hpp"
 
 namespace gxrod {
 namespace {
@@ -122,24 +122,15 @@ class Validator {
             const DeckEntry* tables = deck_->find(kind);
             return tables != nullptr && tables->node.table() != nullptr && tables->node.find(name) != nullptr;
         };
-        static constexpr std::array<std::pair<const char*, HistoryKind>, 7> kinds{
-            {{"spring", HistoryKind::spring},
-             {"bushing", HistoryKind::bushing},
-             {"joint", HistoryKind::joint},
-             {"gear", HistoryKind::gear},
-             {"tendon", HistoryKind::tendon},
-             {"obstacle", HistoryKind::touching},
-             {"body", HistoryKind::body}}};
-        for (const auto& [kind, quantities] : kinds) {
+        for (const char* kind : {"spring", "bushing", "joint", "gear", "tendon", "obstacle", "body"}) {
             if (!names(kind, text)) continue;
-            std::vector<std::string> words = quantity_words_of(quantities);
-            if (quantities == HistoryKind::joint)
+            std::vector<std::string> words = list_quantity_words(kind);
+            if (kind == std::string_view("joint"))
                 leave_out_coordinates(deck_->find(kind)->node.find(text)->node, words);
             return words;
         }
-        if (names("rod", text) && deck_->find("contact") != nullptr)
-            return quantity_words_of(HistoryKind::touching);
-        return names("rod", text.substr(0, text.find_first_of(".@"))) ? quantity_words_of(HistoryKind::rod)
+        if (names("rod", text) && deck_->find("contact") != nullptr) return list_quantity_words("contact");
+        return names("rod", text.substr(0, text.find_first_of(".@"))) ? list_quantity_words("rod")
                                                                       : std::vector<std::string>{};
     }
 

@@ -128,49 +128,6 @@ inline constexpr std::array<Choice<int>, 3> direction_choices{{{"x", 0}, {"y", 1
 inline constexpr std::array<Choice<Compression>, 2> compression_choices{
     {{"none", Compression::none}, {"deflate", Compression::deflate}}};
 
-inline constexpr std::array<Choice<Quantity>, 41> quantity_choices{
-    {{"position", Quantity::position},
-     {"displacement", Quantity::displacement},
-     {"rotation_vector", Quantity::rotation_vector},
-     {"quaternion", Quantity::quaternion},
-     {"orientation", Quantity::orientation},
-     {"velocity", Quantity::velocity},
-     {"angular_velocity", Quantity::angular_velocity},
-     {"angular_velocity_material", Quantity::angular_velocity_material},
-     {"acceleration", Quantity::acceleration},
-     {"centre_of_mass", Quantity::centre_of_mass},
-     {"force", Quantity::force},
-     {"moment", Quantity::moment},
-     {"force_spatial", Quantity::force_spatial},
-     {"moment_spatial", Quantity::moment_spatial},
-     {"strain", Quantity::strain},
-     {"curvature", Quantity::curvature},
-     {"reaction_force", Quantity::reaction_force},
-     {"reaction_moment", Quantity::reaction_moment},
-     {"elongation", Quantity::elongation},
-     {"axial_force", Quantity::axial_force},
-     {"angle", Quantity::angle},
-     {"angle_rate", Quantity::angle_rate},
-     {"slide", Quantity::slide},
-     {"slide_rate", Quantity::slide_rate},
-     {"force_a", Quantity::force_a},
-     {"moment_a", Quantity::moment_a},
-     {"drive", Quantity::drive},
-     {"friction", Quantity::friction},
-     {"gap", Quantity::gap},
-     {"effective_tension", Quantity::effective_tension},
-     {"wall_tension", Quantity::wall_tension},
-     {"water_velocity", Quantity::water_velocity},
-     {"wet_fraction", Quantity::wet_fraction},
-     {"fluid_force", Quantity::fluid_force},
-     {"bed_force", Quantity::bed_force},
-     {"tendon_length", Quantity::tendon_length},
-     {"tendon_tension", Quantity::tendon_tension},
-     {"tendon_end_tension", Quantity::tendon_end_tension},
-     {"contact_force", Quantity::contact_force},
-     {"contact_friction", Quantity::contact_friction},
-     {"least_gap", Quantity::least_gap}}};
-
 template <class Value, std::size_t count>
 std::vector<std::string> words_of(const std::array<Choice<Value>, count>& choices) {
     std::vector<std::string> words;

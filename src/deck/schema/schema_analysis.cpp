@@ -2,6 +2,7 @@
 
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
+#include "watch/quantities.hpp"
 
 // [analysis], [output] and [[history]].
 namespace gxrod {
@@ -428,7 +429,7 @@ const TableSpec& history_table() {
                   "wall_tension, water_velocity and bed_force are a rod's; wet_fraction and fluid_force are "
                   "those of what "
                   "has a key fluid, forces per length of a rod and whole of a body.",
-              .choices = words_of(quantity_choices)}},
+              .choices = list_quantity_words()}},
         .example =
             "[[history]]\n"
             "name = \"tip\"\n"

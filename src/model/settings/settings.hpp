@@ -9,6 +9,7 @@
 
 #include "model/model.hpp"
 #include "model/settings/eigenvalue_settings.hpp"
+#include "model/settings/history_request.hpp"
 #include "model/settings/response_settings.hpp"
 #include "rotation/types.hpp"
 
@@ -158,77 +159,6 @@ using AnalysisSettings = std::variant<DynamicSettings,
                                       BucklingSettings,
                                       EigenvalueSettings,
                                       ResponseSettings>;
-
-// A quantity that a history can record.
-enum class Quantity {
-    position,
-    displacement,
-    rotation_vector,
-    quaternion,
-    orientation,
-    velocity,
-    angular_velocity,
-    angular_velocity_material,
-    acceleration,
-    centre_of_mass,
-    force,
-    moment,
-    force_spatial,
-    moment_spatial,
-    strain,
-    curvature,
-    reaction_force,
-    reaction_moment,
-    elongation,
-    axial_force,
-    angle,
-    angle_rate,
-    slide,
-    slide_rate,
-    force_a,
-    moment_a,
-    drive,
-    friction,
-    gap,
-    effective_tension,
-    wall_tension,
-    water_velocity,
-    wet_fraction,
-    fluid_force,
-    bed_force,
-    tendon_length,
-    tendon_tension,
-    tendon_end_tension,
-    contact_force,
-    contact_friction,
-    least_gap
-};
-
-// Names a point and what to record there at every accepted step.
-struct HistoryRequest {
-    std::string name;
-    std::string at;    // as the deck has it
-    int node = 0;      // -1: between nodes, a spring, a bushing, a joint, a gear or a tendon
-    int body = -1;     // index in Model::bodies if the point is a body's
-    int spring = -1;   // index in Model::springs if it is of a spring, which has no node
-    int bushing = -1;  // index in Model::bushings if it is of a bushing, likewise
-    // If the point is a rod's; where elements meet, in the first of them.
-    std::optional<RodPlace> place = {};
-    std::vector<Quantity> quantities = {};
-    // Where the deck says relative_to: components are in the axes of this node, positions from its place.
-    std::string relative_to = {};  // as the deck has it
-    int relative_node = -1;
-    Quat relative_axes = Quat::Identity();  // of section or body there at t = 0
-    int joint = -1;                         // index in Model::joints if it is of a joint, which has no node
-    int gear = -1;                          // index in Model::gears if it is of a gear, likewise
-    // Where moments of reactions are about a point, fixed in space, and not about the support's.
-    std::optional<Vec3> about = {};
-    int tendon = -1;    // index in Model::tendons if it is of a tendon, which has no node
-    int obstacle = -1;  // index in Contact::obstacles if it is of an obstacle, likewise
-    // If it is of what a rod touches, likewise; and with what, as the deck has it.
-    std::optional<ContactWatch> contact = {};
-    std::string with = {};
-};
 
 // The compression of frames in the file; lossless.
 enum class Compression { none, deflate };

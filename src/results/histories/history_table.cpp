@@ -1,6 +1,5 @@
 #include "results/histories/history_table.hpp"
 
-#include "results/histories/quantity.hpp"
 #include "results/tables/stage_table.hpp"
 
 #include <fmt/format.h>
@@ -21,12 +20,32 @@ std::string describe_about(const HistoryRequest& request) {
     return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", point[0], point[1], point[2]);
 }
 
-QuantityForm form_of(Quantity quantity, PointKind kind, const HistoryRequest& request) {
-    if (!request.relative_to.empty()) return relative_quantity_form(quantity, kind, request.relative_to);
-    QuantityForm form = quantity_form(quantity, kind);
-    if (quantity == Quantity::reaction_moment && request.about)
-        form.label.description += ", about " + describe_about(request);
-    return form;
+// The attribute `frame` of datasets.
+std::string frame_of(Axes axes, const std::string& relative_to) {
+    switch (axes) {
+        case Axes::none:
+            return "none";
+        case Axes::global:
+            return "spatial";
+        case Axes::observer:
+            return relative_to.empty() ? "spatial" : "axes of " + relative_to;
+        case Axes::material:
+            return "material";
+        case Axes::joint:
+            return "joint axes of A";
+        case Axes::bushing:
+            break;
+    }
+    return "bushing";
+}
+
+std::string describe(const Quantity& quantity, const HistoryRequest& request) {
+    const std::string meaning = quantity.meaning;
+    if (quantity.is_about && request.about) return meaning + ", about " + describe_about(request);
+    if (request.relative_to.empty()) return meaning;
+    return quantity.relative_meaning != nullptr
+               ? fmt::format(fmt::runtime(quantity.relative_meaning), request.relative_to)
+               : fmt::format("{}, as seen from {} and its axes", meaning, request.relative_to);
 }
 
 // What an attribute of a group says, "" without it.
@@ -72,30 +91,31 @@ HistoryTable::HistoryTable(const Hdf5Handle& histories,
     for (std::size_t i = 0; i < requests.size(); ++i) {
         std::erase(ended, requests[i].name);
         add_history(
-            require_group(histories, requests[i].name), HistoryPoint(model, requests, i), requests[i], rows);
+            require_group(histories, requests[i].name), model, HistoryWatch(model, requests, i), requests[i], rows);
     }
     for (const std::string& name : ended) add_ended(require_group(histories, name), {}, rows);
 }
 
 void HistoryTable::add_history(const Hdf5Handle& group,
-                               const HistoryPoint& point,
+                               const Model& model,
+                               const HistoryWatch& watch,
                                const HistoryRequest& request,
                                hsize_t rows) {
     label_group(group, request);
-    History history{point, {}};
-    std::vector<std::string> recorded;
-    for (const Quantity quantity : request.quantities) {
-        QuantityForm form = form_of(quantity, history.point.kind(), request);
-        if (point.is_force_of_slide(quantity)) form.label.dimension = "force";
-        const bool goes_on = has_link(group, form.label.name);
-        history.columns.push_back(
-            {quantity, form.shape.columns, AppendDataset<double>(group, form.label, form.shape, rows)});
-        recorded.push_back(form.label.name);
+    History history{watch, {}};
+    for (const Quantity* quantity : quantities_of(request)) {
+        const DatasetLabel label{quantity->word,
+                                 describe(*quantity, request),
+                                 frame_of(quantity->axes, request.relative_to),
+                                 dimension_of(*quantity, request.target, model)};
+        const RowShape shape{quantity->columns, quantity->columns > 1};
+        const bool is_resumed = has_link(group, label.name);
+        history.columns.push_back({*quantity, AppendDataset<double>(group, label, shape, rows)});
         const std::vector<double> last = history.columns.back().values.last_row();
-        if (goes_on && !last.empty()) history.point.go_on_from(quantity, last);
+        if (is_resumed && !last.empty()) history.watch.resume(*quantity, last);
     }
     histories_.push_back(std::move(history));
-    add_ended(group, recorded, rows);
+    add_ended(group, request.quantities, rows);
 }
 
 void HistoryTable::add_ended(const Hdf5Handle& group,
@@ -111,8 +131,8 @@ void HistoryTable::add_ended(const Hdf5Handle& group,
 void HistoryTable::append(const Snapshot& snapshot) {
     for (History& history : histories_) {
         for (Column& column : history.columns) {
-            const HistoryPoint::Row row = history.point.compute(column.quantity, snapshot);
-            column.values.append(std::span(row).first(static_cast<std::size_t>(column.width)));
+            const HistoryRow row = history.watch.compute(column.quantity, snapshot);
+            column.values.append(std::span(row).first(static_cast<std::size_t>(column.quantity.columns)));
         }
     }
     std::array<double, most_columns> missing;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "results/file/append_dataset.hpp"
-#include "results/histories/history_point.hpp"
+#include "watch/history_watch.hpp"
 
 namespace gxrod {
 
@@ -26,8 +26,7 @@ class HistoryTable {
 
   private:
     struct Column {
-        Quantity quantity;
-        int width;
+        const Quantity& quantity;
         AppendDataset<double> values;
     };
     // A dataset that is no longer requested.
@@ -36,12 +35,13 @@ class HistoryTable {
         AppendDataset<double> values;
     };
     struct History {
-        HistoryPoint point;
+        HistoryWatch watch;
         std::vector<Column> columns;
     };
 
     void add_history(const Hdf5Handle& group,
-                     const HistoryPoint& point,
+                     const Model& model,
+                     const HistoryWatch& watch,
                      const HistoryRequest& request,
                      hsize_t rows);
     void add_ended(const Hdf5Handle& group, const std::vector<std::string>& recorded, hsize_t rows);

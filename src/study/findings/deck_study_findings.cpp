@@ -73,19 +73,7 @@ std::optional<UnrefinedPart> DeckStudy::find_unrefined_part() const {
 }
 
 double DeckStudy::mesh_order_of(const Series& of) const {
-    switch (of.quantity) {
-        case Quantity::force:
-        case Quantity::moment:
-        case Quantity::force_spatial:
-        case Quantity::moment_spatial:
-        case Quantity::strain:
-        case Quantity::curvature:
-        case Quantity::effective_tension:
-        case Quantity::wall_tension:
-            return element_order;
-        default:
-            return 2.0 * element_order;
-    }
+    return of.quantity->has_strain_order ? element_order : 2.0 * element_order;
 }
 
 bool DeckStudy::lacks(VariantKind kind) const {

@@ -70,7 +70,7 @@ results = "failed"
     REQUIRE(plan.collections.size() == 3);
     CHECK(plan.collections[0].name == "height");
     CHECK(plan.collections[0].history == "tip");
-    CHECK(plan.collections[0].quantity == Quantity::position);
+    CHECK(plan.collections[0].quantity == "position");
     CHECK(plan.collections[0].component == Component::z);
     CHECK(plan.collections[0].take == Take::largest);
     CHECK_FALSE(plan.collections[0].at);

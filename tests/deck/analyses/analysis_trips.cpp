@@ -215,7 +215,7 @@ std::vector<RoundTrip> analysis_trips() {
         {"history.at",
          with_history("at = \"r@0.3\""),
          [](const Problem& p) {
-             return p.output.histories[0].at == "r@0.3" && p.output.histories[0].node == 3;
+             return p.output.histories[0].at == "r@0.3" && node_of(p.output.histories[0].target) == 3;
          }},
         {"history.relative_to",
          with_history("relative_to = \"r.start\""),
@@ -224,7 +224,7 @@ std::vector<RoundTrip> analysis_trips() {
                     p.output.histories[0].relative_node == 0;
          }},
         {"history.quantities", with_history("quantities = [\"strain\", \"velocity\"]"), [](const Problem& p) {
-             return p.output.histories[0].quantities == std::vector{Quantity::strain, Quantity::velocity};
+             return p.output.histories[0].quantities == std::vector<std::string>{"strain", "velocity"};
          }}};
 }
 

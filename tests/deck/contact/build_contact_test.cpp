@@ -206,7 +206,7 @@ TEST_CASE("Histories of obstacles have quantities of their own", "[deck][touch]"
                Contains("an obstacle has contact_force, contact_friction and least_gap only"));
     CHECK_THAT(faults(floor + history("a.end", "least_gap")), Contains("only obstacles have it"));
     const Problem problem = read(deck(floor + history("floor", "contact_force")));
-    CHECK(problem.output.histories.at(0).obstacle == 0);
+    CHECK(std::get<WatchedObstacle>(problem.output.histories.at(0).target).index == 0);
 }
 
 TEST_CASE("An obstacle goes on in later stages from where it is", "[deck][touch]") {
@@ -229,13 +229,12 @@ TEST_CASE("Histories of what touches a rod", "[deck][touch]") {
     };
     const Problem problem = read(deck(
         history("at = \"a\"\nwith = \"floor\"\nquantities = [\"contact_force\", \"contact_friction\"]\n")));
-    const HistoryRequest& request = problem.output.histories.at(0);
-    REQUIRE(request.contact);
-    CHECK(request.contact->other == -1);
-    CHECK_FALSE(request.contact->wants_gap);
-    CHECK(request.node == -1);
-    CHECK_FALSE(
-        read(deck(history("at = \"a\"\nquantities = \"least_gap\"\n"))).output.histories[0].contact->other);
+    const ContactWatch& contact = std::get<WatchedContacts>(problem.output.histories.at(0).target).contact;
+    CHECK(contact.other == -1);
+    CHECK_FALSE(contact.wants_gap);
+    const HistoryRequest request =
+        read(deck(history("at = \"a\"\nquantities = \"least_gap\"\n"))).output.histories[0];
+    CHECK_FALSE(contact_of(request.target)->other);
 
     CHECK_THAT(faults(history("at = \"a\"\nwith = \"flor\"\nquantities = \"least_gap\"\n")),
                Contains("history[0].with: no obstacle and no rod \"flor\"; did you mean \"floor\"?"));
@@ -306,12 +305,14 @@ TEST_CASE("Bodies touch by a sphere or a capsule", "[deck][touch][bodies]") {
         const HistoryRequest request =
             read(history("quantities = [\"position\", \"least_gap\"]\nwith = \"floor\"\n"))
                 .output.histories[0];
-        REQUIRE(request.contact);
-        CHECK(request.contact->rod == 0);
-        CHECK(request.contact->other == -1);
-        CHECK(request.contact->wants_gap);
-        CHECK(request.body == 0);
-        CHECK_FALSE(read(history("quantities = \"position\"\n")).output.histories[0].contact);
+        const ContactWatch* contact = contact_of(request.target);
+        REQUIRE(contact != nullptr);
+        CHECK(contact->rod == 0);
+        CHECK(contact->other == -1);
+        CHECK(contact->wants_gap);
+        CHECK(std::get<WatchedBody>(request.target).index == 0);
+        const HistoryRequest other = read(history("quantities = \"position\"\n")).output.histories[0];
+        CHECK(contact_of(other.target) == nullptr);
         CHECK_THAT(
             faults_of("gravity = [0, 0, -10]\n" + body("") +
                       "[[history]]\nname = \"h\"\nat = \"b\"\nquantities = \"contact_force\"\n" + dynamic),

@@ -238,8 +238,9 @@ std::vector<RoundTrip> contact_trips() {
              "[contact]\n[[history]]\nname = \"h\"\nat = \"a\"\nwith = \"b\"\nquantities = \"least_gap\"\n"),
          [](const Problem& p) {
              const HistoryRequest& request = p.output.histories[0];
-             return request.with == "b" && request.contact && request.contact->rod == 0 &&
-                    request.contact->other == 1 && request.contact->wants_gap;
+             const ContactWatch* contact = contact_of(request.target);
+             return request.with == "b" && contact != nullptr && contact->rod == 0 && contact->other == 1 &&
+                    contact->wants_gap;
          }},
         trip("friction",
              floor_keys + "friction = 0.7",

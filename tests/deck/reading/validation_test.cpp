@@ -3,6 +3,7 @@
 #include "deck/schema/choices.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "tools/catch.hpp"
+#include "watch/quantities.hpp"
 
 namespace gxrod::test {
 
@@ -80,7 +81,7 @@ on = "r")") == "x.toml:13:1: load[0]: missing; expected force_per_length or mome
           R"(x.toml:8:1: history[0].name: missing; expected text
 x.toml:8:1: history[0].at: missing; expected a point, such as "rod.end", "rod@0.25" or "body"
 x.toml:8:1: history[0].quantities: missing; expected one or a list of )" +
-              quoted_list(words_of(quantity_choices)));
+              quoted_list(list_quantity_words()));
     CHECK(faults_of(body_deck + "[[support]]") ==
           R"(x.toml:8:1: support[0].at: missing; expected a point, such as "rod.end", "rod@0.25" or "body"
 x.toml:8:1: support[0]: missing; expected fix or move = { … })");

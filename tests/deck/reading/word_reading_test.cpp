@@ -1,9 +1,9 @@
 
 #include "deck/decks.hpp"
 #include "deck/schema/choices.hpp"
-#include "deck/schema/history_words.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "tools/catch.hpp"
+#include "watch/quantities.hpp"
 
 namespace gxrod::test {
 
@@ -56,10 +56,10 @@ fix = ["x", 2])") ==
 name = "h"
 at = "top"
 quantities = ["positon", "swiftness"])") == "x.toml:11:15: history[0].quantities[0]: expected one of " +
-                                                quoted_list(quantity_words_of(HistoryKind::body)) +
+                                                quoted_list(list_quantity_words("body")) +
                                                 R"(, found the text "positon"; did you mean "position"?
 x.toml:11:26: history[0].quantities[1]: expected one of )" +
-                                                quoted_list(quantity_words_of(HistoryKind::body)) +
+                                                quoted_list(list_quantity_words("body")) +
                                                 R"(, found the text "swiftness")");
 }
 

@@ -4,7 +4,13 @@
 #include "tools/catch.hpp"
 
 namespace gxrod::test {
+
 namespace {
+
+// The place of the point of a history.
+const RodPlace& place_of(const Problem& problem, std::size_t history) {
+    return std::get<WatchedPoint>(problem.output.histories.at(history).target).place;
+}
 
 std::string rod(const std::string& name,
                 const std::string& from,
@@ -43,10 +49,10 @@ TEST_CASE("Connected points are one node", "[deck]") {
     CHECK(model.nodes[14].name == "p.end");
     CHECK(model.nodes[14].position == Vec3(10, 0, 5));
     CHECK(model.bodies[0].node == 10);
-    CHECK(problem.output.histories[0].node == 14);
-    CHECK((problem.output.histories[0].place->element == 1 && problem.output.histories[0].place->xi == 1.0));
-    CHECK(problem.output.histories[1].node == 10);
-    CHECK((problem.output.histories[1].place->element == 0 && problem.output.histories[1].place->xi == -1.0));
+    CHECK(node_of(problem.output.histories[0].target) == 14);
+    CHECK((place_of(problem, 0).element == 1 && place_of(problem, 0).xi == 1.0));
+    CHECK(node_of(problem.output.histories[1].target) == 10);
+    CHECK((place_of(problem, 1).element == 0 && place_of(problem, 1).xi == -1.0));
     CHECK((model.loads[0].axes * Vec3::UnitX()).isApprox(Vec3::UnitY(), 1e-14));
 }
 

@@ -159,14 +159,13 @@ TEST_CASE("A history looks between the nodes of a line from a mesh", "[deck]") {
     for (std::size_t i = 0; i < fractions.size(); ++i) {
         INFO(fractions[i]);
         const HistoryRequest& request = problem.output.histories[i];
-        CHECK(request.node == -1);
-        REQUIRE(request.place);
-        CHECK(std::abs(request.place->xi) < 1.0);
-        const auto first = static_cast<std::size_t>(request.place->element * (rod.order + 1));
+        CHECK(node_of(request.target) == -1);
+        const RodPlace& place = std::get<WatchedPoint>(request.target).place;
+        CHECK(std::abs(place.xi) < 1.0);
+        const auto first = static_cast<std::size_t>(place.element * (rod.order + 1));
         const double start = rod.arc_length[first];
         const double end = rod.arc_length[first + static_cast<std::size_t>(rod.order)];
-        CHECK(start + 0.5 * (1.0 + request.place->xi) * (end - start) ==
-              Approx(3.5 * fractions[i]).epsilon(1e-9));
+        CHECK(start + 0.5 * (1.0 + place.xi) * (end - start) == Approx(3.5 * fractions[i]).epsilon(1e-9));
     }
 }
 

@@ -6,6 +6,15 @@
 
 namespace gxrod::test {
 
+namespace {
+
+// The place of the point of a history.
+const RodPlace& place_of(const Problem& problem, std::size_t history) {
+    return std::get<WatchedPoint>(problem.output.histories.at(history).target).place;
+}
+
+}  // namespace
+
 TEST_CASE("A rod needs a section that exists, a length and a y axis across it", "[deck]") {
     CHECK(faults_of(replaced(rod_deck, R"("s")", R"("ss")")) ==
           R"(x.toml:5:11: rod.r.section: no section "ss"; the deck has s)");
@@ -176,9 +185,9 @@ TEST_CASE("Points that loads, supports, histories and bodies name get a node", "
     CHECK(position(model.loads[0].node) == Approx(2.5).epsilon(1e-15));
     CHECK(position(model.supports[0].node) == Approx(3.1).epsilon(1e-15));
     // A history needs no node.
-    CHECK(problem.output.histories[0].node == -1);
-    CHECK(problem.output.histories[0].place->element == 7);
-    CHECK(problem.output.histories[1].node == 10);
+    CHECK(node_of(problem.output.histories[0].target) == -1);
+    CHECK(place_of(problem, 0).element == 7);
+    CHECK(node_of(problem.output.histories[1].target) == 10);
     CHECK(position(model.bodies[0].node) == Approx(9.0).epsilon(1e-15));
     CHECK(model.nodes[model.loads[0].node].name == "r@0.25");
     CHECK(model.nodes[1].name == "r node 1");
@@ -232,9 +241,9 @@ TEST_CASE("A corner of a polyline has one node and two triads", "[deck]") {
     const int corner = rod.element_nodes[8];
     CHECK(corner == rod.element_nodes[9]);
     CHECK(problem.model.nodes[static_cast<std::size_t>(corner)].position == Vec3(0, 0, 3));
-    CHECK(problem.output.histories[0].node == corner);
-    CHECK(problem.output.histories[0].place->element == 2);
-    CHECK(problem.output.histories[0].place->xi == 1.0);
+    CHECK(node_of(problem.output.histories[0].target) == corner);
+    CHECK(place_of(problem, 0).element == 2);
+    CHECK(place_of(problem, 0).xi == 1.0);
     CHECK((rod.triads[8] * Vec3::UnitX() - Vec3(0, 0, 1)).norm() < 1e-15);
     CHECK((rod.triads[9] * Vec3::UnitX() - Vec3(1, 0, 0)).norm() < 1e-15);
     // Section y, along global y, is across both legs and does not turn.

@@ -7,9 +7,9 @@
 
 #include "batch/plan/plan_schema.hpp"
 #include "deck/decks.hpp"
-#include "deck/schema/history_words.hpp"
 #include "deck/schema/schema.hpp"
 #include "tools/catch.hpp"
+#include "watch/quantities.hpp"
 
 namespace gxrod::test {
 namespace {
@@ -88,16 +88,8 @@ TEST_CASE("Every synonym of a word leads to a word of some key", "[deck]") {
     for (const TableSpec* root : {&deck_schema(), &plan_schema(), &variation_table()}) {
         for (const auto& [path, table] : all_tables(*root)) collect_choices(*table, choices);
     }
-    for (const HistoryKind kind : {HistoryKind::rod,
-                                   HistoryKind::body,
-                                   HistoryKind::spring,
-                                   HistoryKind::bushing,
-                                   HistoryKind::joint,
-                                   HistoryKind::gear,
-                                   HistoryKind::tendon,
-                                   HistoryKind::touching}) {
-        choices.push_back(quantity_words_of(kind));
-    }
+    for (const char* table : {"rod", "body", "spring", "bushing", "joint", "gear", "tendon", "contact"})
+        choices.push_back(list_quantity_words(table));
     // A joint that cannot turn.
     choices.push_back({"slide", "slide_rate", "force", "moment"});
     for (const WordSynonyms& synonyms : word_synonyms()) {

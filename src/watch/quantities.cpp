@@ -1,0 +1,146 @@
+#include "watch/quantities.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+
+namespace gxrod {
+
+using Tables = std::vector<const QuantityTable*>;
+
+namespace {
+
+// A kind of thing, in the order of Watched.
+struct WatchedKind {
+    const char* table;  // of the deck
+    const char* noun;
+    Tables tables;
+    const char* own = "";  // the reason why it does not have any other quantity
+};
+
+// clang-format off
+const WatchedKind& kind_at(std::size_t index) {
+    static const std::vector<WatchedKind> kinds{
+        {"rod", "point", {&quantities_of_places, &quantities_of_rod_turns, &quantities_of_rates, &quantities_of_sections,
+                          &quantities_of_reactions, &quantities_of_rods_around}},
+        {"body", "point", {&quantities_of_places, &quantities_of_body_turns, &quantities_of_rates, &quantities_of_bodies,
+                           &quantities_of_reactions, &quantities_of_bodies_around, &quantities_of_touching_bodies}},
+        {"spring", "spring", {&quantities_of_springs}},
+        {"bushing", "bushing", {&quantities_of_bushings}, "a bushing does not have it"},
+        {"joint", "joint", {&quantities_of_joints}},
+        {"gear", "gear", {&quantities_of_gears}, "a gear has drive and gap only; its joints have the rest"},
+        {"sleeve", "joint", {&quantities_of_joints}},
+        {"tendon", "tendon", {&quantities_of_tendons},
+         "a tendon has tendon_length, tendon_tension and tendon_end_tension only"},
+        {"obstacle", "obstacle", {&quantities_of_obstacles},
+         "an obstacle has contact_force, contact_friction and least_gap only"},
+        {"contact", "rod", {&quantities_of_touching_rods},
+         "a rod as a whole has contact_force, contact_friction and least_gap only; expected a point of it, as in "
+         "\"ROD@0.5\""}};
+    assert(kinds.size() == std::variant_size_v<Watched>);
+    return kinds[index];
+}
+// clang-format on
+
+const WatchedKind& kind_of(const Watched& target) { return kind_at(target.index()); }
+
+const Quantity* find_line(const Tables& tables, std::string_view word) {
+    for (const QuantityTable* table : tables) {
+        const auto found = std::ranges::find(table->lines, word, &Quantity::word);
+        if (found != table->lines.end()) return &*found;
+    }
+    return nullptr;
+}
+
+const QuantityTable& table_of(const Quantity& quantity) {
+    const auto has_it = [&](const QuantityTable* table) {
+        return std::ranges::any_of(table->lines, [&](const Quantity& line) { return &line == &quantity; });
+    };
+    return **std::ranges::find_if(list_quantity_tables(), has_it);
+}
+
+std::vector<std::string> words_of(const Tables& tables) {
+    std::vector<std::string> words;
+    for (const QuantityTable* table : tables) {
+        for (const Quantity& line : table->lines) {
+            if (std::ranges::find(words, line.word) == words.end()) words.emplace_back(line.word);
+        }
+    }
+    return words;
+}
+
+}  // namespace
+
+// clang-format off
+const Tables& list_quantity_tables() {
+    static const Tables tables{
+        &quantities_of_places, &quantities_of_rod_turns, &quantities_of_body_turns, &quantities_of_rates,
+        &quantities_of_bodies, &quantities_of_sections, &quantities_of_reactions, &quantities_of_springs,
+        &quantities_of_bushings, &quantities_of_joints, &quantities_of_gears, &quantities_of_rods_around,
+        &quantities_of_bodies_around, &quantities_of_tendons, &quantities_of_obstacles, &quantities_of_touching_rods,
+        &quantities_of_touching_bodies};
+    return tables;
+}
+// clang-format on
+
+const Quantity* find_quantity(const Watched& target, std::string_view word) {
+    return find_line(kind_of(target).tables, word);
+}
+
+const Quantity* find_quantity(std::string_view word) { return find_line(list_quantity_tables(), word); }
+
+const Quantity& quantity_of(const Watched& target, std::string_view word) {
+    const Quantity* quantity = find_quantity(target, word);
+    assert(quantity != nullptr);
+    return *quantity;
+}
+
+std::vector<const Quantity*> quantities_of(const HistoryRequest& request) {
+    std::vector<const Quantity*> quantities;
+    for (const std::string& word : request.quantities)
+        quantities.push_back(&quantity_of(request.target, word));
+    return quantities;
+}
+
+std::vector<std::string> list_quantity_words() { return words_of(list_quantity_tables()); }
+
+std::vector<std::string> list_quantity_words(std::string_view table) {
+    for (std::size_t i = 0; i < std::variant_size_v<Watched>; ++i) {
+        if (kind_at(i).table == table) return words_of(kind_at(i).tables);
+    }
+    assert(false);
+    return {};
+}
+
+std::string explain_missing(std::string_view word, const Watched& target, const Model& model) {
+    if (const Quantity* quantity = find_quantity(target, word))
+        return quantity->lack != nullptr ? quantity->lack(target, model) : "";
+    const WatchedKind& kind = kind_of(target);
+    const QuantityTable& other = table_of(*find_quantity(word));
+    if (&other == &quantities_of_tendons) return "only tendons have it";
+    if (&other == &quantities_of_obstacles)
+        return "only obstacles have it, and rods as a whole, and bodies that touch";
+    if (*kind.own != '\0') return kind.own;
+    const bool is_of_rods = &other == &quantities_of_sections || &other == &quantities_of_rods_around;
+    if (is_of_rods && std::holds_alternative<WatchedBody>(target))
+        return "only points of rods have it; this one is a body";
+    if (&other == &quantities_of_bodies && std::holds_alternative<WatchedPoint>(target))
+        return "only bodies have it; this is a point of a rod";
+    return fmt::format("only {} have it; this is a {}", other.owners, kind.noun);
+}
+
+bool can_be_relative(std::string_view word, const Watched& target) {
+    const bool has_own_axes =
+        std::holds_alternative<WatchedBushing>(target) || std::holds_alternative<WatchedTendon>(target) ||
+        std::holds_alternative<WatchedObstacle>(target) || std::holds_alternative<WatchedContacts>(target);
+    return !has_own_axes && find_quantity(word)->axes == Axes::observer;
+}
+
+Part part_of(const Quantity& quantity) { return table_of(quantity).part; }
+
+const char* dimension_of(const Quantity& quantity, const Watched& target, const Model& model) {
+    return quantity.dimension_of != nullptr ? quantity.dimension_of(target, model) : quantity.dimension;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,104 @@
+#include "watch/sight.hpp"
+
+#include <algorithm>
+
+namespace gxrod {
+namespace {
+
+// The axes of the section at a node of an element, at t = 0.
+Quat section_axes(const Model& model, const RodPlace& place, int node) {
+    const Rod& rod = model.rods[static_cast<std::size_t>(place.rod)];
+    const auto first =
+        rod.element_nodes.begin() + static_cast<std::ptrdiff_t>(place.element) * (rod.order + 1);
+    const auto local = std::find(first, first + rod.order + 1, node) - first;
+    // A rod of one element that closes on itself has its node twice.
+    const bool is_end = place.xi == 1.0;
+    return rod
+        .triads[static_cast<std::size_t>(first - rod.element_nodes.begin() + (is_end ? rod.order : local))];
+}
+
+}  // namespace
+
+Subject::Subject(const Model& its_model, const std::vector<HistoryRequest>& requests, std::size_t index)
+    : model(&its_model),
+      target(requests[index].target),
+      relative_node(requests[index].relative_node),
+      relative_axes(requests[index].relative_axes),
+      about(requests[index].about) {
+    for (std::size_t i = 0; i < index; ++i) {
+        point_row += std::holds_alternative<WatchedPoint>(requests[i].target) ? 1 : 0;
+        contact_row += contact_of(requests[i].target) != nullptr ? 1 : 0;
+    }
+    const int node = node_of(target);
+    if (const auto* body = std::get_if<WatchedBody>(&target))
+        start_axes = model->bodies[static_cast<std::size_t>(body->index)].attitude;
+    else if (node >= 0)
+        start_axes = section_axes(*model, std::get<WatchedPoint>(target).place, node);
+    if (node >= 0) start = model->nodes[static_cast<std::size_t>(node)].position;
+    if (relative_node >= 0) relative_start = model->nodes[static_cast<std::size_t>(relative_node)].position;
+}
+
+SeenPoint Sight::point_by_itself() const {
+    const int node = node_of(of.target);
+    if (node >= 0) return {of.start, of.start_axes, now.nodes[static_cast<std::size_t>(node)]};
+    return {section().start, section().triad, section().motion};
+}
+
+// With A = Λ_ref A₀ the axes of the reference point, ω and α its spatial rates, d = r − r_ref and
+// c = v − v_ref − ω × d the velocity that an observer on those axes sees:
+//   position Aᵀ d, velocity Aᵀ c, acceleration Aᵀ (a − a_ref − α × d − ω × (ω × d) − 2 ω × c),
+//   angular velocity Aᵀ (ω_point − ω); Aᵀ Λ A₀ takes the place of Λ, so that with A₀ it is the identity at
+//   t = 0, and Aᵀ Λ triad = (Aᵀ Λ A₀) (A₀ᵀ triad) are the axes of the point from those of the reference.
+SeenPoint Sight::point() const {
+    SeenPoint point = point_by_itself();
+    if (of.relative_node < 0) return point;
+    const NodeMotion& node = point.motion;
+    const NodeMotion& reference = now.nodes[static_cast<std::size_t>(of.relative_node)];
+    const Quat to_axes = (reference.Lambda * of.relative_axes).conjugate();
+    const Vec3& omega = reference.omega;
+    const Vec3 d = node.r - reference.r;
+    const Vec3 c = node.v - reference.v - omega.cross(d);
+    SeenPoint seen;
+    seen.start = of.relative_axes.conjugate() * (point.start - of.relative_start);
+    seen.start_axes = of.relative_axes.conjugate() * point.start_axes;
+    seen.motion.r = to_axes * d;
+    seen.motion.v = to_axes * c;
+    seen.motion.a = to_axes * (node.a - reference.a - reference.alpha.cross(d) - omega.cross(omega.cross(d)) -
+                               2.0 * omega.cross(c));
+    seen.motion.Lambda = to_axes * node.Lambda * of.relative_axes;
+    seen.motion.omega = to_axes * (node.omega - omega);
+    return seen;
+}
+
+Vec3 Sight::centre_of_mass() const {
+    const SeenPoint seen = point();
+    return seen.motion.r + seen.axes() * of.model->bodies[index<WatchedBody>()].centre_of_mass;
+}
+
+const PointSurroundings& Sight::around() const {
+    static const PointSurroundings none{};
+    if (std::holds_alternative<WatchedPoint>(of.target)) return section().surroundings;
+    return now.bodies.empty() ? none : now.bodies[index<WatchedBody>()];
+}
+
+Vec3 Sight::reaction_force() const {
+    return now.reactions[static_cast<std::size_t>(node_of(of.target))].head<3>();
+}
+
+// M + (r − about) × F of the force F and the moment M on the node at r.
+Vec3 Sight::reaction_moment() const {
+    const auto node = static_cast<std::size_t>(node_of(of.target));
+    const Vec6& reaction = now.reactions[node];
+    if (!of.about) return reaction.tail<3>();
+    return reaction.tail<3>() + (now.nodes[node].r - *of.about).cross(reaction.head<3>());
+}
+
+// Values of gears come behind those of joints, and values of sleeves behind both.
+const JointValues& Sight::joint() const {
+    if (std::holds_alternative<WatchedJoint>(of.target)) return now.joints[index<WatchedJoint>()];
+    const std::size_t joints = of.model->joints.size();
+    if (std::holds_alternative<WatchedGear>(of.target)) return now.joints[joints + index<WatchedGear>()];
+    return now.joints[joints + of.model->gears.size() + index<WatchedSleeve>()];
+}
+
+}  // namespace gxrod

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "state/records/step_record.hpp"
+#include "watch/quantity.hpp"
+
+namespace gxrod {
+
+// A point in global axes, or as seen from the point that a history is relative to: places from there,
+// components in its axes, Lambda · start_axes the section or body axes from those.
+struct SeenPoint {
+    Vec3 start;
+    Quat start_axes;  // of the section or body
+    NodeMotion motion;
+
+    Quat axes() const { return motion.Lambda * start_axes; }
+    Vec3 displacement() const { return motion.r - start; }
+    Vec3 material_spin() const { return axes().conjugate() * motion.omega; }
+};
+
+// The thing of a history with what its quantities need of the model, which must outlive it.
+struct Subject {
+    // Takes the thing of requests[index].
+    Subject(const Model& model, const std::vector<HistoryRequest>& requests, std::size_t index);
+
+    const Model* model;
+    Watched target;
+    int relative_node;
+    Quat relative_axes;
+    Vec3 relative_start = Vec3::Zero();
+    std::optional<Vec3> about;
+    Vec3 start = Vec3::Zero();  // place of a node at t = 0
+    Quat start_axes = Quat::Identity();
+    std::size_t point_row = 0;    // index in Snapshot::points
+    std::size_t contact_row = 0;  // index in Snapshot::watched_contacts
+};
+
+// The thing of a history at a step: where its quantities find their values.
+struct Sight {
+    const Subject& of;
+    const Snapshot& now;
+
+    SeenPoint point() const;
+    Vec3 centre_of_mass() const;
+    const PointValues& section() const { return now.points[of.point_row]; }
+    const PointSurroundings& around() const;  // of a point or a body
+    Vec3 reaction_force() const;
+    Vec3 reaction_moment() const;
+    const SpringValues& spring() const { return now.springs[index<WatchedSpring>()]; }
+    const BushingValues& bushing() const { return now.bushings[index<WatchedBushing>()]; }
+    const JointValues& joint() const;  // also for a gear or a sleeve
+    const TendonValues& tendon() const { return now.tendons[index<WatchedTendon>()]; }
+    const ObstacleValues& obstacle() const { return now.obstacles[index<WatchedObstacle>()]; }
+    const ObstacleValues& contacts() const { return now.watched_contacts[of.contact_row]; }
+
+  private:
+    template <class Thing>
+    std::size_t index() const {
+        return static_cast<std::size_t>(std::get<Thing>(of.target).index);
+    }
+    SeenPoint point_by_itself() const;
+};
+
+}  // namespace gxrod

@@ -1,0 +1,43 @@
+#include "watch/quantity_tables.hpp"
+
+namespace gxrod {
+namespace {
+
+// clang-format off
+constexpr Quantity spring_lines[]{
+    Quantity("elongation", "length less that at which the spring is free", "length", Axes::none,
+             [](const Sight& see) { return see.spring().elongation; }).sized(Size::change),
+    Quantity("axial_force", "tension of spring and damper", "force", Axes::none,
+             [](const Sight& see) { return see.spring().axial_force; })};
+
+constexpr Quantity bushing_lines[]{
+    Quantity("displacement", "displacement of B against A", "length", Axes::bushing,
+             [](const Sight& see) { return see.bushing().displacement; }).sized(Size::change),
+    Quantity("rotation_vector", "rotation vector of B against A", "angle", Axes::bushing,
+             [](const Sight& see) { return see.bushing().turn; }).sized(Size::unknown),
+    Quantity("force", "force of the bushing", "force", Axes::bushing,
+             [](const Sight& see) { return see.bushing().force; }).with_strain_order(),
+    Quantity("moment", "moment of the bushing", "force·length", Axes::bushing,
+             [](const Sight& see) { return see.bushing().moment; }).with_strain_order(),
+    Quantity("force_spatial", "force of the bushing", "force", Axes::global,
+             [](const Sight& see) { return Vec3(see.bushing().axes * see.bushing().force); }).with_strain_order(),
+    Quantity("moment_spatial", "moment of the bushing", "force·length", Axes::global,
+             [](const Sight& see) { return Vec3(see.bushing().axes * see.bushing().moment); }).with_strain_order()};
+
+constexpr Quantity tendon_lines[]{
+    Quantity("tendon_length", "length of the tendon's part within the rod", "length", Axes::none,
+             [](const Sight& see) { return see.tendon().length; }),
+    Quantity("tendon_tension",
+             "tension of the tendon where it is pulled; without friction the same all along", "force", Axes::none,
+             [](const Sight& see) { return see.tendon().tension; }).sized(Size::unknown),
+    Quantity("tendon_end_tension", "tension of the tendon where it is anchored", "force", Axes::none,
+             [](const Sight& see) { return see.tendon().end_tension; }).sized(Size::unknown)};
+// clang-format on
+
+}  // namespace
+
+constinit const QuantityTable quantities_of_springs{spring_lines, Part::ties, "springs"};
+constinit const QuantityTable quantities_of_bushings{bushing_lines, Part::ties, "bushings"};
+constinit const QuantityTable quantities_of_tendons{tendon_lines, Part::ties, "tendons"};
+
+}  // namespace gxrod
