@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <stdexcept>
 
 namespace gxrod {
 
@@ -91,9 +92,8 @@ const Quantity* find_quantity(const Watched& target, std::string_view word) {
 const Quantity* find_quantity(std::string_view word) { return find_line(list_quantity_tables(), word); }
 
 const Quantity& quantity_of(const Watched& target, std::string_view word) {
-    const Quantity* quantity = find_quantity(target, word);
-    assert(quantity != nullptr);
-    return *quantity;
+    if (const Quantity* quantity = find_quantity(target, word)) return *quantity;
+    throw std::invalid_argument(fmt::format("this {} has no quantity \"{}\"", kind_of(target).noun, word));
 }
 
 std::vector<const Quantity*> quantities_of(const HistoryRequest& request) {

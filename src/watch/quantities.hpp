@@ -16,7 +16,7 @@ const std::vector<const QuantityTable*>& list_quantity_tables();
 const Quantity* find_quantity(const Watched& target, std::string_view word);
 // Finds the first quantity of a word, whatever thing it is of; nullptr if there is none.
 const Quantity* find_quantity(std::string_view word);
-// Returns the quantity of a word that is one of the thing's.
+// Returns the quantity of a word. Throws std::invalid_argument if things of this kind do not have it.
 const Quantity& quantity_of(const Watched& target, std::string_view word);
 // Lists the quantities of a request, in its order.
 std::vector<const Quantity*> quantities_of(const HistoryRequest& request);

@@ -30,7 +30,7 @@ enum class Axes {
     bushing
 };
 
-// What turning the whole model does to a quantity.
+// The effect of turning the whole model on a quantity.
 enum class Turning {
     none,                 // components in axes that turn, too
     vector,               // v → R v
@@ -77,7 +77,7 @@ struct Quantity {
     int columns;
     HistoryRow (*value)(const Sight& sight);
 
-    // What only some lines of the tables say.
+    // Members that only some lines of the tables set.
     Turning turning;
     Size size;
     // "" where the thing has the quantity, else why it lacks it.

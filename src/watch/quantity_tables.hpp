@@ -8,7 +8,7 @@
 // (watch/quantities.cpp).
 namespace gxrod {
 
-// What of a snapshot quantities read, and so what has to be computed for them.
+// The part of a snapshot that quantities read, which has to be computed for them.
 enum class Part { motion, section, reactions, ties, contact };
 
 struct QuantityTable {

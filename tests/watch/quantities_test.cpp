@@ -62,6 +62,7 @@ TEST_CASE("a kind of thing has a word once, and each word is in the list of all"
     CHECK(sorted_words("obstacle") == sorted_words("contact"));
     CHECK(find_quantity("stress") == nullptr);
     CHECK(find_quantity(WatchedSpring{}, "position") == nullptr);
+    CHECK_THROWS_WITH(quantity_of(WatchedSpring{}, "position"), "this spring has no quantity \"position\"");
 }
 
 TEST_CASE("the value of a quantity is a row of its columns", "[watch]") {

@@ -4,7 +4,7 @@
 
 namespace gxrod {
 
-// What a history records of a bushing at a step, in its axes.
+// Values of a bushing at a step that histories record, in its axes.
 struct BushingValues {
     Mat3 axes = Mat3::Identity();  // spatial: columns are x, y, z
     Vec3 displacement = Vec3::Zero();

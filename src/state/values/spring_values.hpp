@@ -2,7 +2,7 @@
 
 namespace gxrod {
 
-// What a history records of a spring at a step.
+// Values of a spring at a step that histories record.
 struct SpringValues {
     double elongation = 0.0;   // length less that at which it is free
     double axial_force = 0.0;  // tension, the damper's too
