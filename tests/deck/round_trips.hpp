@@ -16,8 +16,6 @@ struct RoundTrip {
     std::function<bool(const Problem&)> is_seen;
 };
 
-std::vector<RoundTrip> spring_trips();
-std::vector<RoundTrip> bushing_trips();
 std::vector<RoundTrip> joint_trips();
 std::vector<RoundTrip> gear_trips();
 std::vector<RoundTrip> coordinate_trips();

@@ -6,6 +6,7 @@
 #include "deck/drives/tendon_path.hpp"
 #include "deck/joints/ends.hpp"
 #include "deck/places/part.hpp"
+#include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
 
 namespace gxrod {
@@ -31,8 +32,17 @@ class PointCheck {
         if (table.gives(key)) check(table.get<std::string>(key), table.place_of(key), table.path_of(key));
     }
 
-    // An end of a spring, a bushing or a joint that is not the ground.
+    // All points that a table names.
+    void check_names(const TableHead& table) {
+        for (const Ends& ends : values_of<Ends>(table)) {
+            for (const CheckedWord& end : ends) check_end(end);
+        }
+        for (const PointName& point : values_of<PointName>(table)) check(point.word, point.place, point.path);
+    }
+
+    // An end of a spring, a bushing or a joint: a point, or the ground.
     void check_end(const CheckedWord& word) {
+        if (word.word == ground_word) return;
         const std::string ground = did_you_mean(word.word, {ground_word});
         const auto found = context_.names.find(word.word);
         if (ground.empty() || std::holds_alternative<Point>(found)) {
@@ -98,16 +108,16 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
             points.check_of_rod(word.word, word.place, word.path, "; a body's `at` puts it on one");
         }
     }
-    for (const char* key : {"spring", "bushing", "joint"}) {
-        for (const CheckedTable& table : context.deck.tables(key)) {
-            const bool slides =
-                key == std::string_view("joint") && table.get<std::string>("type") == "sleeve";
-            for (const CheckedWord& word : ends_of(table)) {
-                if (slides && &word == &ends_of(table).front()) {
-                    check_rod(word, context);
-                } else if (word.word != ground_word) {
-                    points.check_end(word);
-                }
+    for (const TableSpec* spec : {&spring_table(), &bushing_table()}) {
+        for (const TableHead& table : tables_of<TableHead>(context.deck, *spec)) points.check_names(table);
+    }
+    for (const CheckedTable& table : context.deck.tables("joint")) {
+        const bool slides = table.get<std::string>("type") == "sleeve";
+        for (const CheckedWord& word : ends_of(table)) {
+            if (slides && &word == &ends_of(table).front()) {
+                check_rod(word, context);
+            } else {
+                points.check_end(word);
             }
         }
     }

@@ -14,8 +14,13 @@ inline constexpr const char* ground_word = "ground";
 
 const std::vector<CheckedWord>& ends_of(const CheckedTable& table);
 
-// Finds the point that between[index] names: at the place given by the key `place_key`, or else at its node.
-// nullopt if it names no point; the ground without a place is a fault.
+// Finds the point of an end: at the place that a field of the table gives, or else at its node. nullopt if
+// there is no such point; the ground without a place is a fault.
+std::optional<Anchor> find_anchor(const TableHead& table,
+                                  const CheckedWord& end,
+                                  const std::optional<Vec3>& place,
+                                  const BuildContext& context);
+// The same of between[index] and the key `place_key`.
 std::optional<Anchor> find_anchor(const CheckedTable& table,
                                   std::size_t index,
                                   const char* place_key,

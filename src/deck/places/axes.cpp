@@ -33,13 +33,17 @@ std::string explain_axes(const Mat3& rows) {
 
 }  // namespace
 
-Quat find_axes(const CheckedTable& table, const BuildContext& context, const std::string& key) {
-    if (!table.gives(key)) return Quat::Identity();
-    const Mat3& rows = table.get<Mat3>(key);
+Quat find_axes(const TableHead& table, const std::optional<Mat3>& field, const BuildContext& context) {
+    return field ? find_axes(table, &field, *field, context) : Quat::Identity();
+}
+
+Quat find_axes(const TableHead& table, const void* field, const Mat3& rows, const BuildContext& context) {
     const std::string reason = explain_axes(rows);
     if (reason.empty()) return Quat(Mat3(rows.transpose())).normalized();
-    context.add_fault(
-        table, key, "expected three rows of length 1 at right angles to each other, right-handed; " + reason);
+    context.faults.add(
+        table.place_of(field),
+        table.path_of(field),
+        "expected three rows of length 1 at right angles to each other, right-handed; " + reason);
     return Quat::Identity();
 }
 

@@ -4,8 +4,10 @@
 
 namespace gxrod {
 
-// The key `axes` of a table, or another one, three rows that are the directions x, y and z; the global axes
-// without it, and with a fault.
-Quat find_axes(const CheckedTable& table, const BuildContext& context, const std::string& key = "axes");
+// The axes whose directions x, y and z are three rows, the value of a field of the table; the global axes if
+// they are invalid, with a fault of this field.
+Quat find_axes(const TableHead& table, const void* field, const Mat3& rows, const BuildContext& context);
+// The same of a field that can be left out, which means the global axes.
+Quat find_axes(const TableHead& table, const std::optional<Mat3>& field, const BuildContext& context);
 
 }  // namespace gxrod

@@ -9,6 +9,7 @@
 
 #include "deck/places/point.hpp"
 #include "deck/reading/checked_deck.hpp"
+#include "deck/table/table.hpp"
 #include "deck/text/fault_list.hpp"
 #include "model/evaluation_error.hpp"
 #include "model/model.hpp"
@@ -68,6 +69,12 @@ struct BuildContext {
 
     void add_fault(const CheckedTable& table, std::string_view key, std::string message) const {
         faults.add(table.place_of(key), table.path_of(key), std::move(message));
+    }
+
+    // `field` is a member of the table.
+    template <class Field>
+    void add_fault(const TableHead& table, const Field& field, std::string message) const {
+        faults.add(table.place_of(&field), table.path_of(&field), std::move(message));
     }
 
     // The error of an expression as a fault of its value; the error names the key, which a fault does too.

@@ -114,12 +114,15 @@ struct CheckedProfile {
 };
 
 struct CheckedValue;
+struct TableHead;
 
 struct CheckedTable {
     std::string name;  // NAME of a [rod.NAME]; the key otherwise
     std::string path;  // "rod.flyer", "load[0]"
     Place place;
     std::vector<CheckedValue> values;  // values that are given or have a default
+    // The struct that the table is read into, if its keys are bound to fields; `values` have no values then.
+    std::shared_ptr<TableHead> record = nullptr;
     std::map<std::string, std::shared_ptr<Input>> inputs =
         {};  // values that expressions read, in a whole deck
 
@@ -167,7 +170,6 @@ struct CheckedValue {
                  CheckedTendonPath,
                  CheckedPlaceVector,
                  CheckedMotionVector,
-                 CheckedSpringFunction,
                  std::vector<CheckedWord>,
                  std::vector<CheckedTable>>  // one entry for a single table
         value;

@@ -33,7 +33,7 @@ std::optional<Function> FunctionReader::compiled(const DeckNode& node,
         return std::nullopt;
     }
     if (!std::holds_alternative<std::int64_t>(node.value) && !std::holds_alternative<double>(node.value)) {
-        expect(node, path, "a number or an expression in " + variables_of(key_.type));
+        expect(node, path, "a number or an expression in " + variables_of(key_));
         return std::nullopt;
     }
     const std::optional<double> value = number(node, path);

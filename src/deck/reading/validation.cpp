@@ -14,6 +14,7 @@
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "deck/schema/synonyms.hpp"
+#include "deck/table/binding.hpp"
 #include "model/joint.hpp"
 #include "watch/quantities.hpp"
 
@@ -35,10 +36,8 @@ std::string find_key_elsewhere(const TableSpec& root, const std::string& key) {
     for (const KeySpec& entry : root.keys) {
         if (entry.type != ValueType::table) continue;
         if (entry.table->find(key) != nullptr) return entry.name + "." + key;
-        const KeySynonyms* synonyms = find_synonym(*entry.table, key);
-        if (synonyms != nullptr && !std::string_view(synonyms->key).empty()) {
-            return entry.name + "." + synonyms->key;
-        }
+        const std::optional<OtherNames> synonyms = find_synonym(*entry.table, key);
+        if (synonyms && !synonyms->key.empty()) return entry.name + "." + synonyms->key;
     }
     return "";
 }
@@ -71,6 +70,10 @@ class Validator {
 
     CheckedTable check_table(const DeckNode& node, const std::string& path, const TableSpec& spec) const {
         CheckedTable checked{"", path, node.place, {}};
+        if (spec.make) {
+            checked.record = spec.make();
+            *checked.record = {&spec, "", path, node.place, {}};
+        }
         for (const DeckEntry& entry : *node.table()) {
             const KeySpec* key = spec.find(entry.key);
             if (key == nullptr) {
@@ -79,7 +82,9 @@ class Validator {
             }
             CheckedValue value{entry.key, entry.node.place, true, {}};
             const std::string full = join_path(path, entry.key);
-            if (deck_ != nullptr && spec.path == "history" && key->type == ValueType::choices) {
+            if (checked.record) {
+                value.value = read_field(entry, full, *key, *checked.record);
+            } else if (deck_ != nullptr && spec.path == "history" && key->type == ValueType::choices) {
                 ReadingContext context = context_;
                 context.likely_words = list_likely_quantities(node);
                 value.value = read_value(entry.node, full, *key, context);
@@ -138,6 +143,24 @@ class Validator {
         context_.faults.add(place, path, message);
     }
 
+    // Sets the field of a key. Returns words and tables, on which other keys of the table may depend.
+    Value read_field(const DeckEntry& entry,
+                     const std::string& path,
+                     const KeySpec& key,
+                     TableHead& record) const {
+        record.given.emplace_back(key.name, entry.node.place);
+        if (key.table != nullptr) {
+            Value value = check_value(entry, path, key);
+            if (const auto* tables = std::get_if<std::vector<CheckedTable>>(&value)) {
+                for (const CheckedTable& one : *tables) key.binding->hold(*one.record, record);
+            }
+            return value;
+        }
+        const bool is_right = key.binding->read({entry.node, path, key, context_}, record);
+        if (is_right && key.type == ValueType::choice) return *entry.node.text();
+        return std::monostate{};
+    }
+
     Value check_value(const DeckEntry& entry, const std::string& path, const KeySpec& key) const {
         switch (key.type) {
             case ValueType::table:
@@ -189,6 +212,7 @@ class Validator {
             if (!reason.empty()) add(named.place, named_path, reason);
             tables.push_back(check_table(named.node, named_path, *key.table));
             tables.back().name = named.key;
+            if (tables.back().record) tables.back().record->name = named.key;
         }
         return tables;
     }
@@ -273,9 +297,9 @@ class Validator {
         const std::vector<std::string> known = spec.key_names();
         return std::any_of(node.table()->begin(), node.table()->end(), [&](const DeckEntry& entry) {
             if (spec.find(entry.key) != nullptr) return false;
-            const KeySynonyms* synonym = find_synonym(spec, entry.key);
-            if (synonym == nullptr) return nearest_spelling(entry.key, known) == key;
-            return std::string_view(synonym->key).empty() || synonym->key == key;
+            const std::optional<OtherNames> synonym = find_synonym(spec, entry.key);
+            if (!synonym) return nearest_spelling(entry.key, known) == key;
+            return synonym->key.empty() || synonym->key == key;
         });
     }
 

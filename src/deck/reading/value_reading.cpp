@@ -75,9 +75,6 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
         case ValueType::placement:
             if (node.text() != nullptr) return wrap(read_text(node, path, key, context));
             return wrap(reader.vector(node, path));
-        case ValueType::axes:
-            if (node.text() != nullptr) return wrap(read_word(node, path, key, context));
-            return wrap(reader.square_matrix(node, path));
         case ValueType::mesh_group:
             return read_mesh_group(node, path, key, context);
         case ValueType::time_expression:
@@ -102,8 +99,6 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
             return wrap(reader.functions<3>(node, path, &FunctionReader::place_function));
         case ValueType::motion_vector:
             return wrap(reader.functions<3>(node, path, &FunctionReader::motion_function));
-        case ValueType::spring_expression:
-            return wrap(reader.spring_function(node, path));
         case ValueType::time_table:
             return wrap(reader.time_table(node, path));
         case ValueType::arc_number:

@@ -7,6 +7,7 @@
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
+#include "deck/table/binding.hpp"
 
 namespace gxrod {
 namespace {
@@ -148,8 +149,10 @@ std::string describe_range(const Range& range) {
     return text;
 }
 
-std::string variables_of(ValueType type) {
-    switch (type) {
+std::string variables_of(const KeySpec& key) {
+    const ValueKind* kind = find_kind(key);
+    if (kind != nullptr && kind->variables != nullptr) return kind->variables();
+    switch (key.type) {
         case ValueType::line_expression:
         case ValueType::line_pair:
         case ValueType::line_vector:
@@ -162,8 +165,6 @@ std::string variables_of(ValueType type) {
             return "x, y, z and s";
         case ValueType::motion_vector:
             return "t, x, y, z, vx, vy and vz";
-        case ValueType::spring_expression:
-            return "length and rate";
         default:
             return "t";
     }
@@ -176,9 +177,12 @@ std::string spell(const KeySpec& key) {
 }
 
 std::string describe_expected(const KeySpec& key) {
+    if (const ValueKind* kind = find_kind(key)) return kind->words(key);
     const std::string range = describe_range(key.range);
     const std::string ranged = range.empty() ? "" : " " + range;
     switch (key.type) {
+        case ValueType::bound:
+            break;
         case ValueType::text:
             return "text";
         case ValueType::reference:
@@ -241,14 +245,11 @@ std::string describe_expected(const KeySpec& key) {
             return "an array of 3 numbers or expressions, or of 3 such arrays";
         case ValueType::placement:
             return "an array of 3 numbers or expressions, or a point such as \"rod.end\"";
-        case ValueType::axes:
-            return "an array of 3 rows of 3 numbers or expressions, or one of " + quoted_list(key.choices);
         case ValueType::mesh_group:
             return "the name or the number of a physical group";
         case ValueType::time_expression:
         case ValueType::line_expression:
-        case ValueType::spring_expression:
-            return "a number or an expression in " + variables_of(key.type);
+            return "a number or an expression in " + variables_of(key);
         case ValueType::stage_functions:
             return "a number or an expression in t, or a table of one for each stage, such as "
                    "{ hang = \"t\", swing = 1 }";
@@ -259,9 +260,9 @@ std::string describe_expected(const KeySpec& key) {
         case ValueType::place_vector:
         case ValueType::motion_vector:
         case ValueType::field_vector:
-            return "an array of 3 numbers or expressions in " + variables_of(key.type);
+            return "an array of 3 numbers or expressions in " + variables_of(key);
         case ValueType::line_pair:
-            return "an array of 2 numbers or expressions in " + variables_of(key.type);
+            return "an array of 2 numbers or expressions in " + variables_of(key);
         case ValueType::tendon_path:
             return "an array of 2 numbers or expressions in s, or of rows [fraction, y, z], two at least";
         case ValueType::time_table:

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -15,6 +17,7 @@ namespace gxrod {
 
 // What a key takes. "Number" means a finite number, or an expression whose value is one.
 enum class ValueType {
+    bound,  // what the kind of the field says to which the key is bound (deck/table/binding.hpp)
     text,
     reference,  // the name of a table elsewhere in the deck
     point,      // a named point: flyer.start, flyer.end, flyer@0.25, gyroscope
@@ -44,7 +47,6 @@ enum class ValueType {
     section_matrix,        // 6 rows of 6 numbers
     inertia,               // 3 numbers, or 3 rows of 3 that make a symmetric matrix
     placement,             // a vector or a point
-    axes,                  // 3 rows of 3 numbers, or one of the key's words
     mesh_group,            // the name or number of a physical group
     time_expression,       // f(t)
     stage_functions,       // f(t), or a table of one for each stage that it names
@@ -57,7 +59,6 @@ enum class ValueType {
     field_vector,          // 3 f(t, x, y, z) of a position
     place_vector,          // 3 f(x, y, z, s) of the reference position
     motion_vector,         // 3 f(t, x, y, z, vx, vy, vz) of a point's position and velocity
-    spring_expression,     // f(length, rate) of a spring
     time_table,            // rows of 2 numbers, the first of each increasing
     columns,               // 2 names or numbers of columns
     table,                 // keys of its own
@@ -90,6 +91,8 @@ struct Condition {
     std::vector<std::string> words;
 };
 
+struct Binding;
+struct TableHead;
 struct TableSpec;
 
 struct KeySpec {
@@ -108,6 +111,7 @@ struct KeySpec {
     std::string only_with = {};               // the key is used only where this one is given
     std::vector<std::string> refers_to = {};  // of reference, names: the tables to name
     const TableSpec* table = nullptr;         // of table, named_tables, table_list, parameters, variations
+    std::shared_ptr<const Binding> binding = nullptr;  // of a key that is bound to a field of a struct
 };
 
 enum class GroupRule { exactly_one, at_least_one, at_most_one };
@@ -120,6 +124,15 @@ struct KeyGroup {
     std::string only_with = {};
 };
 
+// What other programs call a key, or have where a table has something else.
+struct OtherNames {
+    std::string key;    // of the table, or "a.b" of a table in it; "" if `remark` says it all
+    std::string words;  // lower case, with blanks between
+    std::string remark = {};
+
+    bool operator==(const OtherNames&) const = default;
+};
+
 struct TableSpec {
     std::string path;     // "rod.NAME", "load"; "" for the top level
     std::string heading;  // as a deck writes it: "[rod.NAME]"
@@ -127,6 +140,10 @@ struct TableSpec {
     std::vector<KeySpec> keys;
     std::vector<KeyGroup> groups = {};
     std::string example = {};  // the examples of all tables, one after the other, are a deck
+    std::vector<OtherNames> other_names = {};
+    // Makes the struct that the table is read into, of a table whose keys are bound to fields
+    // (deck/table/table.hpp).
+    std::function<std::shared_ptr<TableHead>()> make = {};
 
     const KeySpec* find(std::string_view key) const;
     std::vector<std::string> key_names() const;
@@ -144,8 +161,8 @@ std::string explain_misplaced_key(std::string_view key, std::string_view heading
 // "greater than 0, at most 0.5", "at least 1", "from 0 to 1"; "" if unbounded.
 std::string describe_range(const Range& range);
 
-// The variables of expressions of this type, as messages say them: "t and s".
-std::string variables_of(ValueType type);
+// The variables of expressions of this key, as messages say them: "t and s".
+std::string variables_of(const KeySpec& key);
 
 // A key as messages that list keys say it: a table by its heading.
 std::string spell(const KeySpec& key);

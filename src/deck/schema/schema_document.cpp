@@ -3,6 +3,7 @@
 #include "deck/expressions/expression_built_ins.hpp"
 #include "deck/schema/schema.hpp"
 #include "deck/schema/suggestion.hpp"
+#include "deck/table/binding.hpp"
 
 namespace gxrod {
 namespace {
@@ -48,13 +49,8 @@ f(t, s) at 101 points of the rod at 101 of the steps.
 
 )md";
 
-std::string code_list(const std::vector<std::string>& words) {
-    std::vector<std::string> quoted;
-    for (const std::string& word : words) quoted.push_back("`" + word + "`");
-    return plain_list(quoted);
-}
-
 std::string describe_type(const KeySpec& key) {
+    if (const ValueKind* kind = find_kind(key)) return kind->column(key);
     switch (key.type) {
         case ValueType::text:
             return "text";
@@ -114,8 +110,6 @@ std::string describe_type(const KeySpec& key) {
             return "vector or 3×3";
         case ValueType::placement:
             return "vector or point";
-        case ValueType::axes:
-            return "3×3, or " + code_list(key.choices);
         case ValueType::mesh_group:
             return "name or number";
         case ValueType::time_expression:
@@ -140,8 +134,6 @@ std::string describe_type(const KeySpec& key) {
             return "3 f(x, y, z, s)";
         case ValueType::motion_vector:
             return "3 f(t, x, y, z, vx, vy, vz)";
-        case ValueType::spring_expression:
-            return "f(length, rate)";
         case ValueType::time_table:
             return "rows [t, value]";
         case ValueType::number_or_table:

@@ -5,6 +5,7 @@
 
 #include "deck/schema/schema.hpp"
 #include "deck/schema/schema_tables.hpp"
+#include "deck/table/binding.hpp"
 
 namespace gxrod {
 namespace {
@@ -53,7 +54,10 @@ Json named_tables(const char* pattern, const Json& table) {
 }
 
 Json make_type(const KeySpec& key) {
+    if (const ValueKind* kind = find_kind(key)) return Json::parse(kind->schema(key));
     switch (key.type) {
+        case ValueType::bound:
+            break;
         case ValueType::text:
         case ValueType::reference:
         case ValueType::point:
@@ -125,13 +129,10 @@ Json make_type(const KeySpec& key) {
             return any_of({array_of(reference("number"), 3), array_of(array_of(reference("number"), 3), 3)});
         case ValueType::placement:
             return any_of({array_of(reference("number"), 3), {{"type", "string"}}});
-        case ValueType::axes:
-            return any_of({array_of(array_of(reference("number"), 3), 3), {{"enum", key.choices}}});
         case ValueType::mesh_group:
             return {{"type", {"string", "integer"}}};
         case ValueType::time_expression:
         case ValueType::line_expression:
-        case ValueType::spring_expression:
             return reference("number");
         case ValueType::stage_functions:
             return any_of({reference("number"), named_tables("^[A-Za-z0-9_-]+$", reference("number"))});

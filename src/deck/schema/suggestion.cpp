@@ -60,6 +60,12 @@ std::string quoted_list(const std::vector<std::string>& words) {
     return plain_list(quoted);
 }
 
+std::string code_list(const std::vector<std::string>& words) {
+    std::vector<std::string> quoted;
+    for (const std::string& word : words) quoted.push_back('`' + word + '`');
+    return plain_list(quoted);
+}
+
 std::string plain_list(const std::vector<std::string>& words) {
     return fmt::format("{}", fmt::join(words, ", "));
 }

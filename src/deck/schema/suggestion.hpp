@@ -18,8 +18,9 @@ std::string nearest_spelling(std::string_view word, const std::vector<std::strin
 // '; did you mean "section"?' for a message to end with; empty if no candidate is near.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 
-// '"a", "b"' and 'a, b'.
+// '"a", "b"', '`a`, `b`' and 'a, b'.
 std::string quoted_list(const std::vector<std::string>& words);
+std::string code_list(const std::vector<std::string>& words);
 std::string plain_list(const std::vector<std::string>& words);
 
 }  // namespace gxrod

@@ -183,20 +183,6 @@ constexpr KeySynonyms keys[] = {
     {"initial", "on", "at rod body part"},
     {"initial", "velocity", "v"},
     {"initial", "angular_velocity", "omega w"},
-    {"spring.NAME", "between", "points nodes ends at connects"},
-    {"spring.NAME", "at_a", "from point_a position_a"},
-    {"spring.NAME", "at_b", "to point_b position_b"},
-    {"spring.NAME", "stiffness", "k rate spring_constant spring_rate"},
-    {"spring.NAME", "damping", "c d damper viscosity damping_constant"},
-    {"spring.NAME", "length", "rest_length free_length natural_length unstretched_length l0 l"},
-    {"spring.NAME", "force", "law function force_law tension"},
-    {"bushing.NAME", "between", "points nodes ends connects"},
-    {"bushing.NAME", "at", "pos position place point location"},
-    {"bushing.NAME", "axes", "frame carrier turns_with"},
-    {"bushing.NAME", "directions", "orientation triad"},
-    {"bushing.NAME", "stiffness", "k rate spring_constant"},
-    {"bushing.NAME", "stiffness_matrix", "matrix"},
-    {"bushing.NAME", "damping", "c d viscosity kelvin_voigt"},
     {"gear.NAME", "joints", "between of shafts coordinates axes"},
     {"gear.NAME", "ratio", "n i gear_ratio transmission radius"},
     {"joint.NAME", "type", "kind joint joint_type"},
@@ -389,21 +375,24 @@ std::vector<std::string> split_words(std::string_view words) {
     return {std::istream_iterator<std::string>(stream), {}};
 }
 
-const KeySynonyms* find_synonym(const TableSpec& table, std::string_view key) {
+std::optional<OtherNames> find_synonym(const TableSpec& table, std::string_view key) {
     const std::string word = lower(key);
+    for (const OtherNames& names : table.other_names) {
+        if (has_word(names.words, word)) return names;
+    }
     const auto* found = std::find_if(std::begin(keys), std::end(keys), [&](const KeySynonyms& synonyms) {
         const bool is_of_table = table.path == synonyms.table ||
                                  (table.path == "stage" && std::string_view(synonyms.table) == "analysis");
         return is_of_table && has_word(synonyms.words, word) && has_key(table, synonyms.key);
     });
-    return found == std::end(keys) ? nullptr : found;
+    if (found == std::end(keys)) return std::nullopt;
+    return OtherNames{found->key, found->words, found->remark};
 }
 
 std::string explain_synonym(const TableSpec& table, std::string_view key) {
-    const KeySynonyms* synonyms = find_synonym(table, key);
-    if (synonyms == nullptr) return "";
-    const std::string_view meant = synonyms->key;
-    const std::string_view remark = synonyms->remark;
+    const std::optional<OtherNames> synonyms = find_synonym(table, key);
+    if (!synonyms) return "";
+    const auto& [meant, words, remark] = *synonyms;
     if (meant.empty()) return fmt::format("; {}", remark);
     return fmt::format("; did you mean \"{}\"{}{}?", meant, remark.empty() ? "" : ", ", remark);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,11 +11,11 @@
 // What users of other programs type, and what it is here.
 namespace gxrod {
 
-// Keys that a table does not have.
+// OtherNames of the table of this path, if it does not declare them itself (TableSpec::other_names).
 struct KeySynonyms {
-    const char* table;  // TableSpec::path
-    const char* key;  // what they mean, of that table, or "a.b" of a table in it; "" if `remark` says it all
-    const char* words;  // lower case, with blanks between
+    const char* table;
+    const char* key;
+    const char* words;
     const char* remark = "";
 };
 
@@ -30,9 +31,9 @@ std::span<const WordSynonyms> word_synonyms();
 // "a b c" as a, b, c.
 std::vector<std::string> split_words(std::string_view words);
 
-// The entry for a key that the table does not have, upper and lower case being the same; nullptr if there is
+// The entry for a key that the table does not have, upper and lower case being the same; nullopt if there is
 // none.
-const KeySynonyms* find_synonym(const TableSpec& table, std::string_view key);
+std::optional<OtherNames> find_synonym(const TableSpec& table, std::string_view key);
 
 // '; did you mean "at"?', or what replaces the key, as the end of a message; "" if nothing does.
 std::string explain_synonym(const TableSpec& table, std::string_view key);

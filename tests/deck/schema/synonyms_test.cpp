@@ -62,21 +62,26 @@ void collect_choices(const TableSpec& table, std::vector<std::vector<std::string
 TEST_CASE("Every synonym of a key leads to an existing key", "[deck]") {
     const auto of_deck = all_tables(deck_schema());
     const auto of_plan = all_tables(plan_schema());
-    for (const KeySynonyms& synonyms : key_synonyms()) {
-        CHECK((of_deck.contains(synonyms.table) || of_plan.contains(synonyms.table)));
+    std::vector<std::pair<std::string, OtherNames>> all;
+    for (const auto& [path, key, words, remark] : key_synonyms()) all.push_back({path, {key, words, remark}});
+    for (const auto& [path, table] : of_deck) {
+        for (const OtherNames& names : table->other_names) all.emplace_back(path, names);
+    }
+    for (const auto& [path_of_table, synonyms] : all) {
+        CHECK((of_deck.contains(path_of_table) || of_plan.contains(path_of_table)));
         for (const std::string& word : split_words(synonyms.words)) {
-            INFO(synonyms.table << ": " << word);
-            const bool is_of_deck = of_deck.contains(synonyms.table) &&
-                                    find_synonym(*of_deck.at(synonyms.table), word) == &synonyms;
-            const bool is_of_plan = of_plan.contains(synonyms.table) &&
-                                    find_synonym(*of_plan.at(synonyms.table), word) == &synonyms;
+            INFO(path_of_table << ": " << word);
+            const bool is_of_deck =
+                of_deck.contains(path_of_table) && find_synonym(*of_deck.at(path_of_table), word) == synonyms;
+            const bool is_of_plan =
+                of_plan.contains(path_of_table) && find_synonym(*of_plan.at(path_of_table), word) == synonyms;
             REQUIRE((is_of_deck || is_of_plan));
-            const TableSpec& table = *(is_of_deck ? of_deck : of_plan).at(synonyms.table);
+            const TableSpec& table = *(is_of_deck ? of_deck : of_plan).at(path_of_table);
             // What is a key of the table is no synonym in its decks.
             CHECK(table.find(word) == nullptr);
-            CHECK((!std::string(synonyms.key).empty() || !std::string(synonyms.remark).empty()));
+            CHECK((!synonyms.key.empty() || !synonyms.remark.empty()));
             if (!is_of_deck) continue;
-            const auto [deck, path] = place_key(synonyms.table, word);
+            const auto [deck, path] = place_key(path_of_table, word);
             const std::string wanted = path + ": unknown key" + explain_synonym(table, word) + "\n";
             CHECK((faults_of(deck) + "\n").find(wanted) != std::string::npos);
         }

@@ -1,4 +1,4 @@
-#include "deck/ties/build_springs.hpp"
+#include "deck/ties/ties.hpp"
 
 #include "deck/decks.hpp"
 #include "model/spring_law.hpp"

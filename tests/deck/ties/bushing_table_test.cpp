@@ -1,4 +1,4 @@
-#include "deck/ties/build_bushings.hpp"
+#include "deck/ties/ties.hpp"
 
 #include "deck/decks.hpp"
 #include "tools/catch.hpp"
@@ -32,6 +32,32 @@ TEST_CASE("A bushing is where the deck says, or where its nodes are", "[deck]") 
     CHECK(grounded.stiffness == Mat6(Mat6::Zero()));
     CHECK(grounded.damping(5, 5) == 3.0);
     CHECK(grounded.damping.sum() == 3.0);
+}
+
+TEST_CASE("A bushing has the axes and matrices of its keys", "[deck]") {
+    const std::string ends = "between = [\"ground\", \"b\"]\n";
+    const std::string rows = " = [[0, 1, 0], [0, 0, 1], [1, 0, 0]]\n";
+    const std::string components = " = { x = 1, y = 2, z = 3, rx = 4, ry = 5, rz = 6 }\n";
+    const std::string matrix =
+        "_matrix = [[9,0,0,0,0,0],[0,2,0,0,0,1],[0,0,3,0,0,0],[0,0,0,4,0,0],[0,0,0,0,5,0],[0,1,0,0,0,6]]\n";
+    const Mat6 diagonal = Vec6(1, 2, 3, 4, 5, 6).asDiagonal();
+    Mat6 full = diagonal;
+    full(0, 0) = 9.0;
+    full(1, 5) = full(5, 1) = 1.0;
+    const auto built = [&](const std::string& lines) {
+        return read(bushing(ends + lines)).model.bushings.at(0);
+    };
+    const Bushing own = built("axes" + rows + "stiffness" + components + "damping" + matrix);
+    CHECK((own.axes * Vec3::UnitX() - Vec3::UnitY()).norm() < 1e-15);
+    CHECK(own.carrier == BushingAxes::between);
+    CHECK(own.stiffness == diagonal);
+    CHECK(own.damping == full);
+    const Bushing carried =
+        built("axes = \"b\"\ndirections" + rows + "stiffness" + matrix + "damping" + components);
+    CHECK((carried.axes * Vec3::UnitX() - Vec3::UnitY()).norm() < 1e-15);
+    CHECK(carried.carrier == BushingAxes::b);
+    CHECK(carried.stiffness == full);
+    CHECK(carried.damping == diagonal);
 }
 
 TEST_CASE("Bushings that cannot be are errors", "[deck]") {

@@ -1,0 +1,140 @@
+#include "deck/table/kinds.hpp"
+
+#include <cmath>
+
+#include "deck/reading/array_reading.hpp"
+
+namespace gxrod {
+namespace {
+
+// A number of the range that is seldom a default.
+double sample_of(const Range& range) {
+    if (std::isfinite(range.lower) && std::isfinite(range.upper))
+        return 0.25 * range.lower + 0.75 * range.upper;
+    return std::isfinite(range.upper) ? range.upper - 1.25
+                                      : (std::isfinite(range.lower) ? range.lower : 0.0) + 1.25;
+}
+
+template <class Rows>
+std::string print_rows(const Rows& rows) {
+    std::vector<std::string> lines;
+    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+        std::vector<std::string> numbers;
+        for (Eigen::Index j = 0; j < rows.cols(); ++j) numbers.push_back(Kind<double>::print(rows(i, j)));
+        lines.push_back(print_list(numbers));
+    }
+    return print_list(lines);
+}
+
+std::string quote(const CheckedWord& word) { return "\"" + word.word + "\""; }
+
+// A list, or its only word.
+std::string print_words(const std::vector<CheckedWord>& words) {
+    if (words.size() == 1) return quote(words.front());
+    std::vector<std::string> items;
+    for (const CheckedWord& word : words) items.push_back(quote(word));
+    return print_list(items);
+}
+
+template <class Word>
+std::optional<Word> read_one_word(const ValueSource& from) {
+    const std::optional<std::string> text = read_text(from.node, from.path, from.key, from.context);
+    return text ? std::optional(Word{{*text, from.node.place, from.path}}) : std::nullopt;
+}
+
+}  // namespace
+
+std::string schema_of_array(const std::string& items, std::size_t size) {
+    return fmt::format(
+        R"({{"type": "array", "items": {}, "minItems": {}, "maxItems": {}}})", items, size, size);
+}
+
+std::string print_list(const std::vector<std::string>& items) {
+    return fmt::format("[{}]", fmt::join(items, ", "));
+}
+
+std::string spell_variables(std::span<const char* const> variables) {
+    const std::string last = variables.back();
+    const auto others = variables.first(variables.size() - 1);
+    return others.empty() ? last : fmt::format("{} and {}", fmt::join(others, ", "), last);
+}
+
+std::optional<double> Kind<double>::read(const ValueSource& from) {
+    return NumberReader(from.key, from.context).number(from.node, from.path);
+}
+
+std::string Kind<double>::sample(const KeySpec& key) { return print(sample_of(key.range)); }
+
+std::optional<Vec3> Kind<Vec3>::read(const ValueSource& from) {
+    return NumberReader(from.key, from.context).vector(from.node, from.path);
+}
+
+std::string Kind<Vec3>::print(const Vec3& value) {
+    return fmt::format("[{}, {}, {}]", value[0], value[1], value[2]);
+}
+
+std::string Kind<Mat3>::schema(const KeySpec&) {
+    return schema_of_array(schema_of_array(R"({"$ref": "#/$defs/number"})", 3), 3);
+}
+
+std::optional<Mat3> Kind<Mat3>::read(const ValueSource& from) {
+    return NumberReader(from.key, from.context).square_matrix(from.node, from.path);
+}
+
+std::string Kind<Mat3>::print(const Mat3& value) { return print_rows(value); }
+
+std::optional<Mat6> Kind<Mat6>::read(const ValueSource& from) {
+    return read_section_matrix(from.node, from.path, from.key, from.context);
+}
+
+std::string Kind<Mat6>::print(const Mat6& value) { return print_rows(value); }
+
+std::string Kind<Mat6>::sample(const KeySpec&) {
+    return print_rows(Mat6(Vec6::LinSpaced(1.0, 6.0).asDiagonal()));
+}
+
+std::optional<PointName> Kind<PointName>::read(const ValueSource& from) {
+    return read_one_word<PointName>(from);
+}
+
+std::optional<TableName> Kind<TableName>::read(const ValueSource& from) {
+    return read_one_word<TableName>(from);
+}
+
+std::optional<TableNames> Kind<TableNames>::read(const ValueSource& from) {
+    auto names = read_names(from.node, from.path, from.key, from.context);
+    return names ? std::optional(TableNames{std::move(*names)}) : std::nullopt;
+}
+
+std::string Kind<TableNames>::print(const TableNames& value) { return print_words(value.names); }
+
+std::optional<WordList> Kind<WordList>::read(const ValueSource& from) {
+    auto words = read_words(from.node, from.path, from.key, from.context);
+    return words ? std::optional(WordList{std::move(*words)}) : std::nullopt;
+}
+
+std::string Kind<WordList>::print(const WordList& value) { return print_words(value.words); }
+
+std::string Kind<WordList>::sample(const KeySpec& key) {
+    return fmt::format("[\"{}\", \"{}\"]", key.choices.front(), key.choices.back());
+}
+
+std::optional<Ends> Kind<Ends>::read(const ValueSource& from) {
+    auto points = read_points(from.node, from.path, from.key, from.context);
+    return points ? std::optional(Ends{{(*points)[0], (*points)[1]}}) : std::nullopt;
+}
+
+std::string Kind<Ends>::print(const Ends& value) { return print_list({quote(value[0]), quote(value[1])}); }
+
+std::optional<StageFunctions> Kind<StageFunctions>::read(const ValueSource& from) {
+    return FunctionReader(from.key, from.context).named_functions(from.node, from.path);
+}
+
+std::string Kind<StageFunctions>::print(const StageFunctions& value) {
+    std::vector<std::string> items;
+    for (const CheckedNamedFunction& one : value)
+        items.push_back(fmt::format("{} = {}", one.name, Kind<CheckedTimeFunction>::print(one.value)));
+    return fmt::format("{{ {} }}", fmt::join(items, ", "));
+}
+
+}  // namespace gxrod

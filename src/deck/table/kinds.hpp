@@ -1,0 +1,282 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "deck/reading/checked_deck.hpp"
+#include "deck/reading/function_reader.hpp"
+#include "deck/reading/word_reading.hpp"
+#include "deck/schema/choices.hpp"
+#include "deck/schema/suggestion.hpp"
+#include "deck/table/binding.hpp"
+
+// The types of values of a deck, each stated once: a key has the Kind of the C++ type of its field. A Kind<T>
+// has
+//   words, column, schema   what ValueKind says, or `type`, with which the schema's switches say it
+//   read                    the value of a text; nullopt, with a fault, if it is wrong
+//   print                   the value as a deck has it
+//   sample                  a value for tests
+//   default_value           optional: what the schema shows as the default
+namespace gxrod {
+
+template <class Value>
+struct Kind;
+
+// A point, such as rod.end; that there is one is checked by check_points.
+struct PointName : CheckedWord {};
+// The name of a table elsewhere in the deck.
+struct TableName : CheckedWord {};
+// One such name, or several.
+struct TableNames {
+    std::vector<CheckedWord> names;
+};
+// One of the key's words, or several.
+struct WordList {
+    std::vector<CheckedWord> words;
+};
+// What the two points of a spring or bushing are fixed to: points, or the ground.
+struct Ends : std::array<CheckedWord, 2> {};
+// Values by stage.
+using StageFunctions = std::vector<CheckedNamedFunction>;
+
+inline constexpr const std::array<Choice<Frame>, 3>& choices_of(Frame) { return frame_choices; }
+inline constexpr const std::array<Choice<BushingAxes>, 4>& choices_of(BushingAxes) {
+    return bushing_axes_choices;
+}
+
+// Arrays of so many values, as JSON Schema.
+std::string schema_of_array(const std::string& items, std::size_t size);
+// "[a, b, c]".
+std::string print_list(const std::vector<std::string>& items);
+// "t, x and y".
+std::string spell_variables(std::span<const char* const> variables);
+
+template <>
+struct Kind<double> {
+    static constexpr ValueType type = ValueType::number;
+    static std::optional<double> read(const ValueSource& from);
+    static std::string print(double value) { return fmt::format("{}", value); }
+    static std::string sample(const KeySpec& key);
+    static double default_value(double value) { return value; }
+};
+
+template <>
+struct Kind<Vec3> {
+    static constexpr ValueType type = ValueType::vector;
+    static std::optional<Vec3> read(const ValueSource& from);
+    static std::string print(const Vec3& value);
+    static std::string sample(const KeySpec&) { return "[1.25, 2.5, 3.75]"; }
+    static Vec3 default_value(const Vec3& value) { return value; }
+};
+
+template <>
+struct Kind<Mat3> {
+    static std::string words(const KeySpec&) { return "an array of 3 rows of 3 numbers or expressions"; }
+    static std::string column(const KeySpec&) { return "3×3"; }
+    static std::string schema(const KeySpec& key);
+    static std::optional<Mat3> read(const ValueSource& from);
+    static std::string print(const Mat3& value);
+    static std::string sample(const KeySpec&) { return "[[1, 2, 3], [4, 5, 6], [7, 8, 9]]"; }
+};
+
+template <>
+struct Kind<Mat6> {
+    static constexpr ValueType type = ValueType::section_matrix;
+    static std::optional<Mat6> read(const ValueSource& from);
+    static std::string print(const Mat6& value);
+    static std::string sample(const KeySpec&);
+};
+
+template <>
+struct Kind<PointName> {
+    static constexpr ValueType type = ValueType::point;
+    static std::optional<PointName> read(const ValueSource& from);
+    static std::string print(const PointName& value) { return "\"" + value.word + "\""; }
+    static std::string sample(const KeySpec&) { return "\"rod.end\""; }
+};
+
+template <>
+struct Kind<TableName> {
+    static constexpr ValueType type = ValueType::reference;
+    static std::optional<TableName> read(const ValueSource& from);
+    static std::string print(const TableName& value) { return "\"" + value.word + "\""; }
+    static std::string sample(const KeySpec&) { return "\"rod\""; }
+};
+
+template <>
+struct Kind<TableNames> {
+    static constexpr ValueType type = ValueType::names;
+    static std::optional<TableNames> read(const ValueSource& from);
+    static std::string print(const TableNames& value);
+    static std::string sample(const KeySpec&) { return "[\"first\", \"second\"]"; }
+};
+
+template <>
+struct Kind<WordList> {
+    static constexpr ValueType type = ValueType::choices;
+    static std::optional<WordList> read(const ValueSource& from);
+    static std::string print(const WordList& value);
+    static std::string sample(const KeySpec& key);
+};
+
+template <>
+struct Kind<Ends> {
+    static constexpr ValueType type = ValueType::ends;
+    static std::optional<Ends> read(const ValueSource& from);
+    static std::string print(const Ends& value);
+    static std::string sample(const KeySpec&) { return "[\"rod.end\", \"ground\"]"; }
+};
+
+template <>
+struct Kind<StageFunctions> {
+    static constexpr ValueType type = ValueType::stage_functions;
+    static std::optional<StageFunctions> read(const ValueSource& from);
+    static std::string print(const StageFunctions& value);
+    static std::string sample(const KeySpec&) { return "{ first = 1.25, second = 2.5 }"; }
+};
+
+// One of some words.
+template <class Word>
+    requires std::is_enum_v<Word>
+struct Kind<Word> {
+    static constexpr ValueType type = ValueType::choice;
+    static std::vector<std::string> choices() { return words_of(choices_of(Word{})); }
+    static std::optional<Word> read(const ValueSource& from) {
+        const std::optional<std::string> word = read_word(from.node, from.path, from.key, from.context);
+        return word ? std::optional(value_of(choices_of(Word{}), *word)) : std::nullopt;
+    }
+    static std::string print(Word value) { return "\"" + word_of(choices_of(Word{}), value) + "\""; }
+    static std::string sample(const KeySpec& key) { return "\"" + key.choices.back() + "\""; }
+    static std::string default_value(Word value) { return word_of(choices_of(Word{}), value); }
+};
+
+// Axes, or a word for where they are.
+template <class Word>
+struct Kind<std::variant<Mat3, Word>> {
+    using Value = std::variant<Mat3, Word>;
+    static std::vector<std::string> choices() { return Kind<Word>::choices(); }
+    static std::string words(const KeySpec& key) {
+        return Kind<Mat3>::words(key) + ", or one of " + quoted_list(key.choices);
+    }
+    static std::string column(const KeySpec& key) {
+        return Kind<Mat3>::column(key) + ", or " + code_list(key.choices);
+    }
+    static std::string schema(const KeySpec& key) {
+        return fmt::format(
+            R"({{"anyOf": [{}, {{"enum": [{}]}}]}})", Kind<Mat3>::schema(key), quoted_list(key.choices));
+    }
+    static std::optional<Value> read(const ValueSource& from) {
+        const auto as_value = [](auto read) { return read ? std::optional<Value>(*read) : std::nullopt; };
+        return from.node.text() != nullptr ? as_value(Kind<Word>::read(from))
+                                           : as_value(Kind<Mat3>::read(from));
+    }
+    static std::string print(const Value& value) {
+        return std::visit([]<class One>(const One& one) { return Kind<One>::print(one); }, value);
+    }
+    static std::string sample(const KeySpec& key) { return Kind<Word>::sample(key); }
+};
+
+// An expression or a number: its variables, how it is read, and its value for printing, which shows constants
+// alone.
+template <class Function>
+struct FunctionKind {};
+
+template <>
+struct FunctionKind<CheckedTimeFunction> {
+    static constexpr std::array variables{"t"};
+    static constexpr auto read = &FunctionReader::time_function;
+    static double value(const CheckedTimeFunction& of) { return of.function(0.0); }
+};
+
+template <>
+struct FunctionKind<CheckedLineFunction> {
+    static constexpr std::array variables{"t", "s"};
+    static constexpr auto read = &FunctionReader::line_function;
+    static double value(const CheckedLineFunction& of) { return of.expression.function(0.0, 0.0); }
+};
+
+template <>
+struct FunctionKind<CheckedMotionFunction> {
+    static constexpr std::array variables{"t", "x", "y", "z", "vx", "vy", "vz"};
+    static constexpr auto read = &FunctionReader::motion_function;
+    static double value(const CheckedMotionFunction& of) { return of.expression.by_time(0.0); }
+};
+
+template <>
+struct FunctionKind<CheckedSpringFunction> {
+    static constexpr std::array variables{"length", "rate"};
+    static constexpr auto read = &FunctionReader::spring_function;
+    static double value(const CheckedSpringFunction& of) { return of.expression.function(0.0, 0.0); }
+};
+
+template <class Function>
+concept IsFunction = requires { FunctionKind<Function>::variables; };
+
+template <IsFunction Function>
+struct Kind<Function> {
+    using Own = FunctionKind<Function>;
+    static std::string variables() { return spell_variables(Own::variables); }
+    static std::string words(const KeySpec&) { return "a number or an expression in " + variables(); }
+    static std::string column(const KeySpec&) {
+        return fmt::format("f({})", fmt::join(Own::variables, ", "));
+    }
+    static std::string schema(const KeySpec&) { return R"({"$ref": "#/$defs/number"})"; }
+    static std::optional<Function> read(const ValueSource& from) {
+        return (FunctionReader(from.key, from.context).*Own::read)(from.node, from.path);
+    }
+    static std::string print(const Function& value) { return Kind<double>::print(Own::value(value)); }
+    static std::string sample(const KeySpec&) { return "1.25"; }
+};
+
+template <IsFunction Function, std::size_t count>
+struct Kind<std::array<Function, count>> {
+    using Own = FunctionKind<Function>;
+    using Value = std::array<Function, count>;
+    static std::string variables() { return spell_variables(Own::variables); }
+    static std::string words(const KeySpec&) {
+        return fmt::format("an array of {} numbers or expressions in {}", count, variables());
+    }
+    static std::string column(const KeySpec& key) {
+        return fmt::format("{} {}", count, Kind<Function>::column(key));
+    }
+    static std::string schema(const KeySpec& key) {
+        return schema_of_array(Kind<Function>::schema(key), count);
+    }
+    static std::optional<Value> read(const ValueSource& from) {
+        return FunctionReader(from.key, from.context).functions<count>(from.node, from.path, Own::read);
+    }
+    static std::string print(const Value& value) {
+        std::vector<std::string> items;
+        for (const Function& one : value) items.push_back(Kind<Function>::print(one));
+        return print_list(items);
+    }
+    static std::string sample(const KeySpec& key) {
+        return print_list(std::vector<std::string>(count, Kind<Function>::sample(key)));
+    }
+};
+
+template <class Value>
+constexpr ValueKind make_kind() {
+    ValueKind kind{.sample = &Kind<Value>::sample};
+    if constexpr (requires { Kind<Value>::type; }) {
+        kind.type = Kind<Value>::type;
+    } else {
+        kind.words = &Kind<Value>::words;
+        kind.column = &Kind<Value>::column;
+        kind.schema = &Kind<Value>::schema;
+    }
+    if constexpr (requires { Kind<Value>::variables(); }) kind.variables = &Kind<Value>::variables;
+    return kind;
+}
+
+template <class Value>
+inline constexpr ValueKind value_kind = make_kind<Value>();
+
+}  // namespace gxrod

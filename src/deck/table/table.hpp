@@ -1,0 +1,234 @@
+#pragma once
+
+#include <cassert>
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "deck/table/kinds.hpp"
+
+// Declares a table of the deck: a struct, and keys that are bound to its fields. From it follow how the table
+// is read, what is a fault in it, docs/deck.md and the JSON Schema. The initialiser of a field is the default
+// of its key.
+namespace gxrod {
+
+// What a field holds: the value itself, or one that the deck may leave out.
+template <class Field>
+struct FieldTraits {
+    using Value = Field;
+    static constexpr bool is_list = false;
+    static const void* find(const Field& field) { return &field; }
+};
+
+template <class Inner>
+struct FieldTraits<std::optional<Inner>> {
+    using Value = Inner;
+    static constexpr bool is_list = false;
+    static const void* find(const std::optional<Inner>& field) { return field ? &*field : nullptr; }
+};
+
+template <class Inner>
+    requires std::is_base_of_v<TableHead, Inner>
+struct FieldTraits<std::vector<Inner>> {
+    using Value = Inner;
+    static constexpr bool is_list = true;
+    static const void* find(const std::vector<Inner>& field) { return &field; }
+};
+
+// T derives from TableHead. What follows a key() is about this key.
+template <class T>
+class Table {
+  public:
+    // The heading is as a deck has it: [spring.NAME] or [[load]]; or, of a table in a table, its path, such
+    // as bushing.NAME.stiffness.
+    Table(const std::string& heading, std::string sentence) {
+        const bool has_brackets = heading.front() == '[';
+        const std::size_t from = heading.find_first_not_of('[');
+        spec_.path = heading.substr(from, heading.find_last_not_of(']') + 1 - from);
+        spec_.heading = has_brackets ? heading : heading.substr(heading.rfind('.') + 1) + " = { … }";
+        spec_.sentence = std::move(sentence);
+        spec_.make = [] { return std::make_shared<T>(); };
+    }
+
+    // `access` is a member pointer, or takes a T& and returns a reference to one of its fields.
+    template <class Access>
+    Table& key(std::string name, Access access, std::string sentence) {
+        using Traits = FieldTraits<FieldOf<Access>>;
+        using Value = typename Traits::Value;
+        Binding binding = bind(access);
+        binding.kind = &value_kind<Value>;
+        binding.read = [access](const ValueSource& from, TableHead& table) {
+            auto value = Kind<Value>::read(from);
+            if (value) field(access, table) = std::move(*value);
+            return value.has_value();
+        };
+        binding.print = [access](const TableHead& table) {
+            const void* found = Traits::find(field(access, table));
+            return found == nullptr ? "" : Kind<Value>::print(*static_cast<const Value*>(found));
+        };
+        add({.name = std::move(name), .type = value_kind<Value>.type, .sentence = std::move(sentence)}, binding);
+        if constexpr (requires { Kind<Value>::choices(); }) last().choices = Kind<Value>::choices();
+        if constexpr (std::is_same_v<Value, FieldOf<Access>> &&
+                      requires(Value value) { Kind<Value>::default_value(value); }) {
+            T fresh;
+            last().default_value = Kind<Value>::default_value(std::invoke(access, fresh));
+        }
+        return *this;
+    }
+
+    // Adds a table in this table, as an std::optional, or a list of them, as an std::vector.
+    template <class Access>
+    Table& key(std::string name, Access access, const TableSpec& inner, std::string sentence) {
+        using Traits = FieldTraits<FieldOf<Access>>;
+        using Inner = typename Traits::Value;
+        Binding binding = bind(access);
+        binding.hold = [access](const TableHead& one, TableHead& table) {
+            if constexpr (Traits::is_list) {
+                field(access, table).push_back(static_cast<const Inner&>(one));
+            } else {
+                field(access, table) = static_cast<const Inner&>(one);
+            }
+        };
+        add({.name = std::move(name),
+             .type = Traits::is_list ? ValueType::table_list : ValueType::table,
+             .sentence = std::move(sentence),
+             .table = &inner},
+            binding);
+        return *this;
+    }
+
+    Table& unit(std::string dimension) {
+        last().dimension = std::move(dimension);
+        return *this;
+    }
+    Table& at_least(double bound) {
+        last().range.lower = bound;
+        return *this;
+    }
+    Table& above(double bound) {
+        last().range.lower = bound;
+        last().range.at_lower = Bound::open;
+        return *this;
+    }
+    Table& required() {
+        last().presence = Presence::required;
+        last().default_value = {};
+        return *this;
+    }
+    // What the key is if it is not given, in words.
+    Table& otherwise(std::string text) {
+        last().default_text = std::move(text);
+        last().default_value = {};
+        return *this;
+    }
+    // What other programs call the key: words, in lower case.
+    Table& also(const char* words) {
+        spec_.other_names.push_back({last().name, words});
+        return *this;
+    }
+    // The words that the key takes.
+    Table& words(std::vector<std::string> choices) {
+        last().choices = std::move(choices);
+        return *this;
+    }
+    // The tables of which the key takes names.
+    Table& names_of(std::vector<std::string> kinds) {
+        last().refers_to = std::move(kinds);
+        return *this;
+    }
+    // The key goes with another one, and is of no use without it.
+    Table& only_with(std::string key) {
+        last().only_with = std::move(key);
+        return *this;
+    }
+    // Ends messages that the key is missing or out of range.
+    Table& remark(std::string text) {
+        last().remark = std::move(text);
+        return *this;
+    }
+
+    Table& exactly_one_of(std::vector<std::string> keys) {
+        return group(GroupRule::exactly_one, std::move(keys));
+    }
+    // Applies with the key `with`, if there is one.
+    Table& at_least_one_of(std::vector<std::string> keys, std::string with = "") {
+        return group(GroupRule::at_least_one, std::move(keys), std::move(with));
+    }
+    Table& at_most_one_of(std::vector<std::string> keys) {
+        return group(GroupRule::at_most_one, std::move(keys));
+    }
+    // What other programs have in such a table and this one has elsewhere, or not: the remark says what to
+    // do.
+    Table& not_here(const char* words, const char* remark) {
+        spec_.other_names.push_back({"", words, remark});
+        return *this;
+    }
+    // An example in docs/deck.md. All of them together are a deck.
+    Table& shown_by(std::string example) {
+        spec_.example = std::move(example);
+        return *this;
+    }
+
+    operator TableSpec() const { return spec_; }
+
+  private:
+    template <class Access>
+    using FieldOf = std::remove_cvref_t<std::invoke_result_t<Access, T&>>;
+
+    template <class Access>
+    static FieldOf<Access>& field(const Access& access, TableHead& table) {
+        return std::invoke(access, static_cast<T&>(table));
+    }
+    template <class Access>
+    static const FieldOf<Access>& field(const Access& access, const TableHead& table) {
+        return std::invoke(access, static_cast<const T&>(table));
+    }
+
+    template <class Access>
+    static Binding bind(const Access& access) {
+        Binding binding;
+        binding.field = [access](const TableHead& table) -> const void* { return &field(access, table); };
+        binding.value = [access](const TableHead& table) {
+            return FieldTraits<FieldOf<Access>>::find(field(access, table));
+        };
+        return binding;
+    }
+
+    void add(KeySpec key, const Binding& binding) {
+        key.binding = std::make_shared<const Binding>(binding);
+        spec_.keys.push_back(std::move(key));
+    }
+    KeySpec& last() { return spec_.keys.back(); }
+    Table& group(GroupRule rule, std::vector<std::string> keys, std::string with = "") {
+        spec_.groups.push_back({rule, std::move(keys), {}, std::move(with)});
+        return *this;
+    }
+
+    TableSpec spec_;
+};
+
+// The tables of a deck that `spec` declares, in deck order; T is their struct, or a base of it.
+template <class T>
+std::vector<std::reference_wrapper<const T>> tables_of(const CheckedTable& deck, const TableSpec& spec) {
+    std::vector<std::reference_wrapper<const T>> tables;
+    for (const CheckedTable& one : deck.tables(spec.path.substr(0, spec.path.find('.'))))
+        tables.push_back(static_cast<const T&>(*one.record));
+    return tables;
+}
+
+// The values that a table has, of all keys of one kind, in the order of the keys.
+template <class Value>
+std::vector<std::reference_wrapper<const Value>> values_of(const TableHead& table) {
+    std::vector<std::reference_wrapper<const Value>> values;
+    for (const KeySpec& key : table.spec->keys) {
+        const void* value = key.binding->kind == &value_kind<Value> ? key.binding->value(table) : nullptr;
+        if (value != nullptr) values.push_back(*static_cast<const Value*>(value));
+    }
+    return values;
+}
+
+}  // namespace gxrod
