@@ -25,7 +25,7 @@
 #include "deck/joints/build_joints.hpp"
 #include "deck/joints/build_sleeves.hpp"
 #include "deck/loads/acting.hpp"
-#include "deck/loads/build_loads.hpp"
+#include "deck/loads/loads.hpp"
 #include "deck/output/build_output.hpp"
 #include "deck/places/plane.hpp"
 #include "deck/reading/validation.hpp"
@@ -80,6 +80,7 @@ void build_actions(const SurroundingsFiles& files, BuildContext& context) {
         build_joint_actions(context);
         build_sleeve_actions(context);
         build_loads(context);
+        build_rotation(context);
         build_drives(context);
         build_surroundings(files, context);
         build_contact(context);

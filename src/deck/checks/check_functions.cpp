@@ -9,6 +9,8 @@
 #include "deck/loads/acting.hpp"
 #include "deck/output/sample_times.hpp"
 #include "deck/places/part.hpp"
+#include "deck/schema/schema_tables.hpp"
+#include "deck/supports/support_merge.hpp"
 #include "model/evaluation_error.hpp"
 
 namespace gxrod {
@@ -56,40 +58,68 @@ void check_along(const CheckedLineFunction& value, double length, const BuildCon
     });
 }
 
+// The length of the rod of this name; nullopt if there is none.
+std::optional<double> find_length(const std::string& name, const BuildContext& context) {
+    const std::optional<int> rod = find_index(context.deck.tables("rod"), name);
+    return rod ? std::optional(context.model.rods[static_cast<std::size_t>(*rod)].length) : std::nullopt;
+}
+
 // Those along a rod that a table gives.
 void check_along(const CheckedTable& table, const BuildContext& context) {
     if (!table.gives("on")) return;
-    const std::optional<int> rod = find_index(context.deck.tables("rod"), table.get<std::string>("on"));
-    if (!rod) return;
-    const double length = context.model.rods[static_cast<std::size_t>(*rod)].length;
+    const std::optional<double> length = find_length(table.get<std::string>("on"), context);
+    if (!length) return;
     const auto check_all = [&](const auto& components) {
-        for (const CheckedLineFunction& component : components) check_along(component, length, context);
+        for (const CheckedLineFunction& component : components) check_along(component, *length, context);
     };
     for (const CheckedValue& value : table.values) {
         if (const auto* one = std::get_if<CheckedLineFunction>(&value.value))
-            check_along(*one, length, context);
+            check_along(*one, *length, context);
         if (const auto* pair = std::get_if<CheckedLinePair>(&value.value)) check_all(*pair);
         if (const auto* vector = std::get_if<CheckedLineVector>(&value.value)) check_all(*vector);
     }
 }
 
 // The factor of the stage at hand.
-void check_factor(const CheckedTable& table, const std::vector<double>& times, const BuildContext& context) {
-    if (!table.gives("factor")) return;
-    for (const CheckedNamedFunction& factor : table.get<std::vector<CheckedNamedFunction>>("factor")) {
+void check_factor(const ActingTable& table, const std::vector<double>& times, const BuildContext& context) {
+    if (!table.factor) return;
+    for (const CheckedNamedFunction& factor : *table.factor) {
         if (factor.name.empty() || factor.name == context.stages[context.stage].name)
             check(factor.value, times, context);
     }
 }
 
 // Forces and fields by what of them depends on time alone.
+void check_by_time(const CheckedMotionVector& vector,
+                   const std::vector<double>& times,
+                   const BuildContext& context) {
+    for (const CheckedMotionFunction& component : vector)
+        check({component.expression.by_time, component.place, component.path}, times, context);
+}
+
 void check_by_time(const CheckedTable& table,
                    const char* key,
                    const std::vector<double>& times,
                    const BuildContext& context) {
-    if (!table.gives(key)) return;
-    for (const CheckedMotionFunction& component : table.get<CheckedMotionVector>(key))
-        check({component.expression.by_time, component.place, component.path}, times, context);
+    if (table.gives(key)) check_by_time(table.get<CheckedMotionVector>(key), times, context);
+}
+
+// Those of a load at a point, or along a rod.
+void check_load(const ActingTable& load, const std::vector<double>& times, const BuildContext& context) {
+    if (find_acting(load, context).is_absent) return;
+    check_factor(load, times, context);
+    for (const CheckedMotionVector& vector : values_of<CheckedMotionVector>(load))
+        check_by_time(vector, times, context);
+    for (const CheckedTimeVector& vector : values_of<CheckedTimeVector>(load)) {
+        for (const CheckedTimeFunction& component : vector) check(component, times, context);
+    }
+    for (const TableName& rod : values_of<TableName>(load)) {
+        const std::optional<double> length = find_length(rod.word, context);
+        for (const CheckedLineVector& vector : values_of<CheckedLineVector>(load)) {
+            for (const CheckedLineFunction& component : vector)
+                if (length) check_along(component, *length, context);
+        }
+    }
 }
 
 // With friction a tendon only pulls.
@@ -122,7 +152,7 @@ void check_drives(const std::vector<double>& times, const BuildContext& context)
     for (const char* kind : {"tendon", "actuation", "magnetic"}) {
         for (const CheckedTable& table : context.deck.tables(kind)) {
             if (find_acting(table, context).is_absent) continue;
-            check_factor(table, times, context);
+            check_factor(acting_keys(table), times, context);
             for (const char* key : {"tension", "shortening", "length"}) {
                 if (table.gives(key)) check(table.get<CheckedTimeFunction>(key), times, context);
             }
@@ -138,7 +168,7 @@ void check_flows(const std::vector<double>& times, const BuildContext& context) 
         for (const CheckedTable& table : context.deck.tables(kind)) {
             for (const CheckedTable& one : table.tables(flow)) {
                 if (find_acting(one, context).is_absent) continue;
-                check_factor(one, times, context);
+                check_factor(acting_keys(one), times, context);
                 check_by_time(one, "velocity", times, context);
             }
         }
@@ -150,20 +180,14 @@ void check_flows(const std::vector<double>& times, const BuildContext& context) 
 void check_functions(const BuildContext& context) {
     const std::vector<double> times = sample_times(context.analysis(), most_samples);
     check_vector(context.deck, "gravity", times, context);
-    for (const CheckedTable& load : context.deck.tables("load")) {
-        if (find_acting(load, context).is_absent) continue;
-        check_factor(load, times, context);
-        check_by_time(load, "force", times, context);
-        check_vector(load, "moment", times, context);
-        check_along(load, context);
-    }
+    for (const ActingTable& load : tables_of<ActingTable>(context.deck, load_table()))
+        check_load(load, times, context);
     check_drives(times, context);
     check_flows(times, context);
-    for (const CheckedTable& support : context.deck.tables("support")) {
-        if (!support.gives("move") || !acts_in_stage(support, context)) continue;
-        for (const CheckedValue& move : support.tables("move").front().values) {
-            check(std::get<CheckedTimeFunction>(move.value), times, context);
-        }
+    for (const SupportTable& support : tables_of<SupportTable>(context.deck, support_table())) {
+        if (!support.move || !acts_in_stage(support, context)) continue;
+        for (const CheckedTimeFunction& move : values_of<CheckedTimeFunction>(*support.move))
+            check(move, times, context);
     }
     for (const CheckedTable& joint : context.deck.tables("joint")) {
         for (const CheckedTimeFunction* function : functions_of(joint)) check(*function, times, context);

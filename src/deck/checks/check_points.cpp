@@ -108,7 +108,7 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
             points.check_of_rod(word.word, word.place, word.path, "; a body's `at` puts it on one");
         }
     }
-    for (const TableSpec* spec : {&spring_table(), &bushing_table()}) {
+    for (const TableSpec* spec : {&spring_table(), &bushing_table(), &load_table(), &support_table()}) {
         for (const TableHead& table : tables_of<TableHead>(context.deck, *spec)) points.check_names(table);
     }
     for (const CheckedTable& table : context.deck.tables("joint")) {
@@ -120,9 +120,6 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
                 points.check_end(word);
             }
         }
-    }
-    for (const char* key : {"load", "support"}) {
-        for (const CheckedTable& table : context.deck.tables(key)) points.check_key(table, "at");
     }
     const bool has_contact =
         !context.deck.tables("contact").empty() || !context.deck.tables("obstacle").empty();

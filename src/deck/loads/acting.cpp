@@ -5,13 +5,12 @@
 #include <algorithm>
 
 #include "deck/expressions/load_factor.hpp"
+#include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "model/settings/analysis_traits.hpp"
 
 namespace gxrod {
 namespace {
-
-using StageFunctions = std::vector<CheckedNamedFunction>;
 
 std::optional<std::size_t> find_stage(const std::string& name, const BuildContext& context) {
     for (std::size_t i = 0; i < context.stages.size(); ++i) {
@@ -101,15 +100,15 @@ void check_name(const Place& place,
                     name));
 }
 
-void check_stage_names(const CheckedTable& table, const BuildContext& context) {
-    if (table.gives("relative_to") && !follows_limits(context.stages))
-        context.add_fault(table, "relative_to", "no stage follows a limit point");
-    if (table.gives("stages")) {
-        for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("stages"))
+void check_stage_names(const ActingTable& table, const BuildContext& context) {
+    if (table.relative_to && !follows_limits(context.stages))
+        context.add_fault(table, table.relative_to, "no stage follows a limit point");
+    if (table.stages) {
+        for (const CheckedWord& word : table.stages->names)
             check_name(word.place, word.path, word.word, context);
     }
-    if (!table.gives("factor")) return;
-    for (const CheckedNamedFunction& one : table.get<StageFunctions>("factor")) {
+    if (!table.factor) return;
+    for (const CheckedNamedFunction& one : *table.factor) {
         if (!one.name.empty()) check_name(one.value.place, one.value.path, one.name, context);
     }
 }
@@ -189,9 +188,9 @@ Acting find_acting(const BuildContext& context) {
 
 namespace {
 
-Acting find_own_acting(const CheckedTable& load, const BuildContext& context) {
-    if (!load.gives("factor")) return find_acting(context);
-    const auto& functions = load.get<StageFunctions>("factor");
+Acting find_own_acting(const ActingTable& load, const BuildContext& context) {
+    if (!load.factor) return find_acting(context);
+    const StageFunctions& functions = *load.factor;
     if (const CheckedTimeFunction* own = find_factor(functions, context.stages[context.stage].name))
         return {.factor = own->function};
     const std::optional<std::size_t> earlier = find_earlier(functions, context);
@@ -201,12 +200,12 @@ Acting find_own_acting(const CheckedTable& load, const BuildContext& context) {
 }
 
 // It grows in the stage that follows the limit point, and stays in later ones.
-Acting find_relative_acting(const CheckedTable& load, const BuildContext& context) {
+Acting find_relative_acting(const ActingTable& load, const BuildContext& context) {
     for (std::size_t i = context.stage + 1; i-- > 0;) {
         const auto* path = std::get_if<PathSettings>(&context.stages[i].analysis);
         if (path == nullptr || !path->limit_load_factor) continue;
         Acting acting{.grows = true};
-        if (load.gives("factor")) acting = find_own_acting(load, context);
+        if (load.factor) acting = find_own_acting(load, context);
         if (i < context.stage && !acting.held_at && !acting.factor) acting.held_at = context.stages[i].end;
         acting.limit_load_factor = path->limit_load_factor;
         return acting;
@@ -216,36 +215,43 @@ Acting find_relative_acting(const CheckedTable& load, const BuildContext& contex
 
 }  // namespace
 
-Acting find_acting(const CheckedTable& load, const BuildContext& context) {
+ActingTable acting_keys(const CheckedTable& table) {
+    ActingTable keys;
+    if (table.gives("stages")) keys.stages = TableNames{table.get<std::vector<CheckedWord>>("stages")};
+    if (table.gives("factor")) keys.factor = table.get<StageFunctions>("factor");
+    return keys;
+}
+
+Acting find_acting(const ActingTable& load, const BuildContext& context) {
     if (!acts_in_stage(load, context)) return {.is_absent = true};
-    if (load.gives("relative_to")) return find_relative_acting(load, context);
+    if (load.relative_to) return find_relative_acting(load, context);
     return find_own_acting(load, context);
 }
 
-bool acts_in_stage(const CheckedTable& table, const BuildContext& context) {
+bool acts_in_stage(const ActingTable& table, const BuildContext& context) {
     return acts_in_stage(table, context.stage, context);
 }
 
-bool acts_in_stage(const CheckedTable& table, std::size_t stage, const BuildContext& context) {
-    if (!table.gives("stages")) return true;
-    const auto& names = table.get<std::vector<CheckedWord>>("stages");
-    return std::any_of(names.begin(), names.end(), [&](const CheckedWord& word) {
+bool acts_in_stage(const ActingTable& table, std::size_t stage, const BuildContext& context) {
+    if (!table.stages) return true;
+    return std::ranges::any_of(table.stages->names, [&](const CheckedWord& word) {
         return word.word == context.stages[stage].name;
     });
 }
 
 void check_stage_names(const BuildContext& context) {
-    for (const char* kind : {"load", "support", "tendon", "actuation", "magnetic", "wave"}) {
-        for (const CheckedTable& table : context.deck.tables(kind)) check_stage_names(table, context);
+    for (const TableSpec* spec : {&load_table(), &support_table()}) {
+        for (const ActingTable& table : tables_of<ActingTable>(context.deck, *spec))
+            check_stage_names(table, context);
     }
+    const auto check_all = [&](const std::vector<CheckedTable>& tables) {
+        for (const CheckedTable& table : tables) check_stage_names(acting_keys(table), context);
+    };
+    for (const char* kind : {"tendon", "actuation", "magnetic", "wave"}) check_all(context.deck.tables(kind));
     for (const auto& [kind, flow] : {std::pair("fluid", "current"), std::pair("air", "wind")}) {
-        for (const CheckedTable& table : context.deck.tables(kind)) {
-            for (const CheckedTable& one : table.tables(flow)) check_stage_names(one, context);
-        }
+        for (const CheckedTable& table : context.deck.tables(kind)) check_all(table.tables(flow));
     }
-    for (const CheckedTable& seabed : context.deck.tables("seabed")) {
-        for (const CheckedTable& friction : seabed.tables("friction")) check_stage_names(friction, context);
-    }
+    for (const CheckedTable& seabed : context.deck.tables("seabed")) check_all(seabed.tables("friction"));
 }
 
 }  // namespace gxrod

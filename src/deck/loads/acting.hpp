@@ -35,15 +35,31 @@ struct Acting {
     LineFunction apply_own(const LineExpression& value) const;
 };
 
+// The base of the structs of tables that act in some stages.
+struct ActingTable : TableHead {
+    std::optional<TableNames> stages;  // all of them if it is not given
+    std::optional<StageFunctions> factor;
+    std::optional<LoadReference> relative_to;
+};
+
+// Those keys of a table that is not bound to a struct.
+ActingTable acting_keys(const CheckedTable& table);
+
 // Of gravity and moves, which have no factor.
 Acting find_acting(const BuildContext& context);
 // Of a [[load]], or of what acts from inside.
-Acting find_acting(const CheckedTable& load, const BuildContext& context);
+Acting find_acting(const ActingTable& load, const BuildContext& context);
+inline Acting find_acting(const CheckedTable& load, const BuildContext& context) {
+    return find_acting(acting_keys(load), context);
+}
 
 // Whether a table concerns the stage at hand, going by its key `stages`.
-bool acts_in_stage(const CheckedTable& table, const BuildContext& context);
+bool acts_in_stage(const ActingTable& table, const BuildContext& context);
+inline bool acts_in_stage(const CheckedTable& table, const BuildContext& context) {
+    return acts_in_stage(acting_keys(table), context);
+}
 // The same of any stage.
-bool acts_in_stage(const CheckedTable& table, std::size_t stage, const BuildContext& context);
+bool acts_in_stage(const ActingTable& table, std::size_t stage, const BuildContext& context);
 
 // Faults of `stages` and `factor`: names of stages that the deck does not have, or that look at the state of
 // the stage before them and have no loads of their own.

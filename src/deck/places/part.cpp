@@ -52,6 +52,12 @@ std::optional<Part> find_part(const CheckedTable& table, const KeySpec& key, con
         {table.get<std::string>(key.name), table.place_of(key.name), table.path_of(key.name)}, key, context);
 }
 
+std::optional<Part> find_part(const TableHead& table,
+                              const std::optional<TableName>& field,
+                              const BuildContext& context) {
+    return find_named(*field, table.key_of(&field), context);
+}
+
 std::vector<Part> find_parts(const CheckedTable& table, const KeySpec& key, const BuildContext& context) {
     std::vector<Part> parts;
     for (const CheckedWord& name : table.get<std::vector<CheckedWord>>(key.name)) {

@@ -21,6 +21,10 @@ std::optional<int> find_index(const std::vector<CheckedTable>& tables, std::stri
 // The part that a key of the schema names, which says whether that can be a rod, a body or either; nullopt
 // with a fault if there is none.
 std::optional<Part> find_part(const CheckedTable& table, const KeySpec& key, const BuildContext& context);
+// The same of a field of the table.
+std::optional<Part> find_part(const TableHead& table,
+                              const std::optional<TableName>& field,
+                              const BuildContext& context);
 
 // Those that a key names which takes one name or a list of them; any other word is a fault.
 std::vector<Part> find_parts(const CheckedTable& table, const KeySpec& key, const BuildContext& context);

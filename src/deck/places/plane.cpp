@@ -62,19 +62,20 @@ void build_plane(BuildContext& context) {
 void hold_plane(NodeSupport& supported, const BuildContext& context) {
     const Plane& plane = *context.model.plane;
     Support& support = supported.support;
-    const CheckedTable& table = *supported.tables.front();
+    const SupportTable& table = *supported.tables.front();
     const int normal = find_normal(support.axes.toRotationMatrix(), plane);
     if (normal < 0) {
         return context.add_fault(
             table,
-            "axes",
+            table.axes,
             fmt::format("expected one of the axes across the plane {} of the deck", name_plane(plane)));
     }
     for (int i = 0; i < 6; ++i) {
         if (!Plane{normal}.holds(i)) continue;
         if (support.moved[i]) {
-            context.add_fault(*supported.holders[i],
-                              "move",
+            const SupportTable& holder = *supported.holders[i];
+            context.add_fault(holder,
+                              holder.move,
                               fmt::format("{} moves out of the plane {} of the deck",
                                           component_names[static_cast<std::size_t>(i)],
                                           name_plane(plane)));

@@ -45,6 +45,11 @@ inline constexpr std::array<Choice<bool>, 2> tendon_end_choices{{{"from", true},
 inline constexpr std::array<Choice<Frame>, 3> frame_choices{
     {{"spatial", Frame::spatial}, {"follower", Frame::follower}, {"body", Frame::body}}};
 
+// What a load can be relative to.
+enum class LoadReference { limit };
+inline constexpr std::array<Choice<LoadReference>, 1> load_reference_choices{
+    {{"limit", LoadReference::limit}}};
+
 inline constexpr std::array<Choice<BushingAxes>, 4> bushing_axes_choices{{{"between", BushingAxes::between},
                                                                           {"a", BushingAxes::a},
                                                                           {"b", BushingAxes::b},

@@ -293,32 +293,6 @@ const TableSpec& stage_table() {
     return table;
 }
 
-const TableSpec& rotation_table() {
-    static const TableSpec table{
-        .path = "rotation",
-        .heading = "[rotation]",
-        .sentence =
-            "A frame that turns steadily, for stages of kind steady: supports turn with it. Loads must "
-            "follow the structure or point along the axis.",
-        .keys = {{.name = "axis",
-                  .type = ValueType::vector,
-                  .dimension = "1",
-                  .default_value = Vec3(0, 0, 1),
-                  .sentence = "About which it turns; any length."},
-                 {.name = "through",
-                  .type = ValueType::vector,
-                  .dimension = "length",
-                  .default_value = Vec3(0, 0, 0),
-                  .sentence = "A point of the axis."},
-                 {.name = "speed",
-                  .type = ValueType::time_expression,
-                  .dimension = "angle/time",
-                  .presence = Presence::required,
-                  .sentence = "Angular velocity by the load factor t of a steady stage; without t it is "
-                              "multiplied by t in the first stage that takes steps, and stays."}}};
-    return table;
-}
-
 const TableSpec& output_table() {
     static const TableSpec table{
         .path = "output",

@@ -27,8 +27,8 @@ Components components_of(const std::string& word) {
 }
 
 // Tables at one node have the same axes.
-void merge_axes(const CheckedTable& table, NodeSupport& merged, const BuildContext& context) {
-    const Quat axes = find_axes(table, context);
+void merge_axes(const SupportTable& table, NodeSupport& merged, const BuildContext& context) {
+    const Quat axes = find_axes(table, table.axes, context);
     if (merged.tables.empty()) {
         merged.support.axes = axes;
         return;
@@ -37,12 +37,12 @@ void merge_axes(const CheckedTable& table, NodeSupport& merged, const BuildConte
     if (difference.cwiseAbs().maxCoeff() <= same_axes) return;
     context.add_fault(
         table,
-        "axes",
+        table.axes,
         fmt::format("{} is at the same node and has other axes; supports of one node share theirs",
                     merged.tables.front()->path));
 }
 
-void fix(const CheckedTable& table,
+void fix(const SupportTable& table,
          const CheckedWord& word,
          NodeSupport& merged,
          const BuildContext& context) {
@@ -62,14 +62,14 @@ void fix(const CheckedTable& table,
     }
 }
 
-void move(const CheckedTable& table,
+void move(const SupportTable& table,
           std::size_t component,
           const CheckedTimeFunction& value,
           NodeSupport& merged,
           const BuildContext& context) {
     const bool is_fixed = merged.support.fixed[component];
     if (is_fixed || merged.support.moved[component]) {
-        const CheckedTable* holder = merged.holders[component];
+        const SupportTable* holder = merged.holders[component];
         const std::string who = holder == &table ? "this support" : holder->path;
         return context.faults.add(
             value.place,
@@ -86,27 +86,16 @@ void move(const CheckedTable& table,
 
 }  // namespace
 
-std::array<const CheckedTimeFunction*, 6> moves_of(const CheckedTable& table) {
-    std::array<const CheckedTimeFunction*, 6> moves{};
-    if (!table.gives("move")) return moves;
-    const CheckedTable& given = table.tables("move").front();
-    for (std::size_t i = 0; i < 6; ++i) {
-        if (given.gives(component_names[i])) moves[i] = &given.get<CheckedTimeFunction>(component_names[i]);
-    }
-    return moves;
-}
-
-void merge_support(const CheckedTable& table, NodeSupport& merged, const BuildContext& context) {
+void merge_support(const SupportTable& table, NodeSupport& merged, const BuildContext& context) {
     merge_axes(table, merged, context);
     merged.tables.push_back(&table);
-    if (table.gives("fix")) {
-        for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("fix")) {
-            fix(table, word, merged, context);
-        }
+    if (table.fix) {
+        for (const CheckedWord& word : table.fix->words) fix(table, word, merged, context);
     }
-    const std::array<const CheckedTimeFunction*, 6> moves = moves_of(table);
+    if (!table.move) return;
     for (std::size_t i = 0; i < 6; ++i) {
-        if (moves[i] != nullptr) move(table, i, *moves[i], merged, context);
+        const std::optional<CheckedTimeFunction>& component = table.move->components[i];
+        if (component) move(table, i, *component, merged, context);
     }
 }
 

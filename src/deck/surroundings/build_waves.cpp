@@ -17,7 +17,7 @@ namespace {
 const CheckedTable& only(const CheckedTable& table, const char* key) { return table.tables(key).front(); }
 
 bool acts_with_time(const CheckedTable& wave, std::size_t stage, const BuildContext& context) {
-    return is_timed(context.stages[stage].analysis) && acts_in_stage(wave, stage, context);
+    return is_timed(context.stages[stage].analysis) && acts_in_stage(acting_keys(wave), stage, context);
 }
 
 // How long the stages with time have lasted before the one at hand, from the first one with waves on.

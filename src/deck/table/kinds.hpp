@@ -51,6 +51,10 @@ inline constexpr const std::array<Choice<BushingAxes>, 4>& choices_of(BushingAxe
     return bushing_axes_choices;
 }
 
+inline constexpr const std::array<Choice<LoadReference>, 1>& choices_of(LoadReference) {
+    return load_reference_choices;
+}
+
 // Arrays of so many values, as JSON Schema.
 std::string schema_of_array(const std::string& items, std::size_t size);
 // "[a, b, c]".

@@ -114,20 +114,6 @@ std::vector<RoundTrip> sweep_trips() {
          sweeps([](const EigenvalueSweep& sweep) { return !sweep.finds_onset; })}};
 }
 
-std::vector<RoundTrip> rotation_trips() {
-    const std::string deck = replaced(static_rod_deck, "\"static\"", "\"steady\"") + "[rotation]\n";
-    const auto is_about_x = [](const Problem& p) {
-        return p.model.rotation && p.model.rotation->axis == Vec3::UnitX();
-    };
-    return {{"rotation.axis", deck + "speed = 2\naxis = [3, 0, 0]\n", is_about_x},
-            {"rotation.through",
-             deck + "speed = 2\nthrough = [1, 2, 3]\n",
-             [](const Problem& p) { return p.model.rotation->through == Vec3(1, 2, 3); }},
-            {"rotation.speed", deck + "speed = 2\n", [](const Problem& p) {
-                 return p.model.rotation->speed(0.5) == 1.0 && p.model.rotation->speed(1.0) == 2.0;
-             }}};
-}
-
 std::vector<RoundTrip> analysis_trips() {
     return {
         {"analysis.kind",
