@@ -10,7 +10,7 @@
 #include "deck/analyses/build_initial.hpp"
 #include "deck/analyses/build_path.hpp"
 #include "deck/analyses/build_response.hpp"
-#include "deck/bodies/build_bodies.hpp"
+#include "deck/bodies/body_table.hpp"
 #include "deck/checks/check_conserving.hpp"
 #include "deck/checks/check_functions.hpp"
 #include "deck/checks/check_memory.hpp"

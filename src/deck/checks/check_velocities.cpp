@@ -75,7 +75,9 @@ void check(const Components& components,
     Vec3 own = axes.transpose() * velocity;
     try {
         const std::string reason = explain(components, own, setting.size, context);
-        if (!reason.empty()) return context.add_fault(*setting.table, setting.key, reason);
+        if (!reason.empty())
+            return context.faults.add(
+                setting.table->place_of(setting.field), setting.table->path_of(setting.field), reason);
     } catch (const EvaluationError&) {
         return;  // check_functions reports it
     }

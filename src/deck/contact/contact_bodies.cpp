@@ -5,17 +5,16 @@
 #include <algorithm>
 #include <limits>
 
+#include "deck/bodies/body_table.hpp"
+#include "deck/schema/schema_tables.hpp"
+
 namespace gxrod {
 namespace {
 
-constexpr std::array shape_keys{"sphere", "capsule"};
-
 // The shape of a body, nullptr without one.
-const CheckedTable* find_shape(const CheckedTable& body) {
-    for (const char* key : shape_keys) {
-        if (body.gives(key)) return &body.tables(key).front();
-    }
-    return nullptr;
+const BodyShapeTable* find_shape(const BodyTable& body) {
+    if (body.sphere) return &*body.sphere;
+    return body.capsule ? &*body.capsule : nullptr;
 }
 
 // The largest that it is of a few times: it can be ramped up.
@@ -47,7 +46,7 @@ double find_force(const Body& body, double skin, const Contact& contact, const B
 }
 
 // A hollow obstacle that is no wider than the body.
-void check_room(const CheckedTable& shape,
+void check_room(const BodyShapeTable& shape,
                 const ContactBody& own,
                 const Contact& contact,
                 const BuildContext& context) {
@@ -55,7 +54,7 @@ void check_room(const CheckedTable& shape,
         if (!obstacle.is_hollow || own.radius < obstacle.radius) continue;
         context.add_fault(
             shape,
-            "radius",
+            shape.radius,
             fmt::format("this body is to be inside of \"{}\", which is no wider: its radius is {:.6g}",
                         obstacle.name,
                         obstacle.radius));
@@ -65,26 +64,28 @@ void check_room(const CheckedTable& shape,
 }  // namespace
 
 void set_contact_bodies(Contact& contact, const BuildContext& context) {
-    const std::vector<CheckedTable>& tables = context.deck.tables("body");
-    for (std::size_t i = 0; i < tables.size(); ++i) {
-        const CheckedTable* shape = find_shape(tables[i]);
-        if (shape == nullptr || context.body_nodes[i] < 0) continue;
-        const Body& body = context.model.bodies[i];
-        ContactBody own{.body = static_cast<int>(i), .radius = shape->get<double>("radius")};
-        if (tables[i].gives("sphere")) {
-            own.ends.fill(shape->get<Vec3>("centre"));
+    int body = -1;
+    for (const BodyTable& given : tables_of<BodyTable>(context.deck, body_table())) {
+        ++body;
+        const BodyShapeTable* shape = find_shape(given);
+        if (shape == nullptr || context.body_nodes[static_cast<std::size_t>(body)] < 0) continue;
+        ContactBody own{.body = body, .radius = shape->radius};
+        if (given.sphere) {
+            own.ends.fill(given.sphere->centre);
         } else {
-            own.ends = {shape->get<Vec3>("from"), shape->get<Vec3>("to")};
+            own.ends = {given.capsule->from, given.capsule->to};
             if (own.ends[0] == own.ends[1])
-                context.add_fault(
-                    *shape, "to", "expected an end away from its start; a `sphere` has no length");
+                context.add_fault(*shape,
+                                  given.capsule->to,
+                                  "expected an end away from its start; a `sphere` has no length");
         }
-        own.force = shape->gives("force") ? shape->get<double>("force")
-                                          : find_force(body, contact.skin * own.radius, contact, context);
+        const Body& built = context.model.bodies[static_cast<std::size_t>(body)];
+        own.force =
+            shape->force ? *shape->force : find_force(built, contact.skin * own.radius, contact, context);
         if (own.force == 0.0 && context.stage == 0)
             context.add_fault(
                 *shape,
-                "force",
+                shape->force,
                 "missing: neither weight nor velocity, nor rods that touch, say how large forces "
                 "are; expected that which leaves half the skin, well above the largest to expect");
         check_room(*shape, own, contact, context);
@@ -94,9 +95,9 @@ void set_contact_bodies(Contact& contact, const BuildContext& context) {
 
 void check_contact_bodies(const BuildContext& context) {
     const Contact& contact = context.model.contact;
-    std::vector<const CheckedTable*> shapes;
-    for (const CheckedTable& table : context.deck.tables("body")) {
-        const CheckedTable* shape = find_shape(table);
+    std::vector<const BodyShapeTable*> shapes;
+    for (const BodyTable& given : tables_of<BodyTable>(context.deck, body_table())) {
+        const BodyShapeTable* shape = find_shape(given);
         if (shape == nullptr) continue;
         shapes.push_back(shape);
         if (contact.obstacles.empty() && !contact.between_rods)

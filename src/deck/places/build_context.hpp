@@ -33,8 +33,8 @@ struct PlacedPoint {
 
 // Where a deck sets an initial velocity of a node; no table where it does not.
 struct VelocitySetting {
-    const CheckedTable* table = nullptr;
-    std::string key;
+    const TableHead* table = nullptr;
+    const void* field = nullptr;  // of the table
     double size =
         0.0;  // the largest velocity that the key gives to any node: what its round-off is compared with
 };

@@ -58,10 +58,11 @@ std::optional<Part> find_part(const TableHead& table,
     return find_named(*field, table.key_of(&field), context);
 }
 
-std::vector<Part> find_parts(const CheckedTable& table, const KeySpec& key, const BuildContext& context) {
+std::vector<Part> find_parts(const TableHead& table, const TableNames& field, const BuildContext& context) {
     std::vector<Part> parts;
-    for (const CheckedWord& name : table.get<std::vector<CheckedWord>>(key.name)) {
-        if (const std::optional<Part> part = find_named(name, key, context)) parts.push_back(*part);
+    for (const CheckedWord& name : field.names) {
+        if (const std::optional<Part> part = find_named(name, table.key_of(&field), context))
+            parts.push_back(*part);
     }
     return parts;
 }

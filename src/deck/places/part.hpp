@@ -27,6 +27,6 @@ std::optional<Part> find_part(const TableHead& table,
                               const BuildContext& context);
 
 // Those that a key names which takes one name or a list of them; any other word is a fault.
-std::vector<Part> find_parts(const CheckedTable& table, const KeySpec& key, const BuildContext& context);
+std::vector<Part> find_parts(const TableHead& table, const TableNames& field, const BuildContext& context);
 
 }  // namespace gxrod

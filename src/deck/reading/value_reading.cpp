@@ -55,8 +55,6 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
         case ValueType::joints:
         case ValueType::partners:
             return wrap(read_points(node, path, key, context));
-        case ValueType::matrix:
-            return wrap(reader.square_matrix(node, path));
         case ValueType::vectors:
             return wrap(read_vectors(node, path, key, context));
         case ValueType::section_point:
@@ -69,12 +67,6 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
             return wrap(read_bounds(node, path, key, context));
         case ValueType::section_matrix:
             return wrap(read_section_matrix(node, path, key, context));
-        case ValueType::inertia:
-            if (NumberReader::is_matrix(node)) return wrap(reader.matrix(node, path));
-            return wrap(reader.vector(node, path));
-        case ValueType::placement:
-            if (node.text() != nullptr) return wrap(read_text(node, path, key, context));
-            return wrap(reader.vector(node, path));
         case ValueType::mesh_group:
             return read_mesh_group(node, path, key, context);
         case ValueType::time_expression:
@@ -97,8 +89,6 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
             return wrap(reader.tendon_path(node, path));
         case ValueType::place_vector:
             return wrap(reader.functions<3>(node, path, &FunctionReader::place_function));
-        case ValueType::motion_vector:
-            return wrap(reader.functions<3>(node, path, &FunctionReader::motion_function));
         case ValueType::time_table:
             return wrap(reader.time_table(node, path));
         case ValueType::arc_number:

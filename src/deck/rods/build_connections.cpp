@@ -8,7 +8,39 @@
 #include <numeric>
 #include <set>
 
+#include "deck/schema/schema_tables.hpp"
+
 namespace gxrod {
+namespace {
+
+struct ConnectTable : TableHead {
+    PointList points;
+};
+
+}  // namespace
+
+const TableSpec& connect_table() {
+    static const TableSpec table =
+        Table<ConnectTable>("[[connect]]",
+                            "Points of rods that become one node, a rigid corner. Rods whose points are at "
+                            "one place are not connected otherwise.")
+            .key("points",
+                 &ConnectTable::points,
+                 "Two or more, at one place. The node has the name of the first.")
+            .required()
+            .also("at between nodes ends")
+            .shown_by(
+                "[rod.tail]\n"
+                "section  = \"tube\"\n"
+                "line     = { from = [0, 8, 0], to = [0, 8, -4] }\n"
+                "elements = 4\n"
+                "element  = \"simo\"\n"
+                "\n"
+                "[[connect]]\n"
+                "points = [\"flyer.end\", \"tail.start\"]\n");
+    return table;
+}
+
 namespace {
 
 // Points nearer than this, relative to the model's size, are at one place.
@@ -65,10 +97,10 @@ double measure(const Model& model) {
 }
 
 // The points of a table that have nodes; a fault for those that cannot be connected to the first.
-void join_points(const CheckedTable& table, double size, NodeMerge& merge, const BuildContext& context) {
+void join_points(const ConnectTable& given, double size, NodeMerge& merge, const BuildContext& context) {
     std::optional<PlacedPoint> first;
     std::string first_name;
-    for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("points")) {
+    for (const CheckedWord& word : given.points.points) {
         const auto add_fault = [&](const std::string& message) {
             context.faults.add(word.place, word.path, message);
         };
@@ -133,9 +165,8 @@ int find_repeated_node(const Rod& rod) {
     return -1;
 }
 
-bool names(const CheckedTable& table, int node, const BuildContext& context) {
-    const auto& points = table.get<std::vector<CheckedWord>>("points");
-    return std::any_of(points.begin(), points.end(), [&](const CheckedWord& word) {
+bool names(const ConnectTable& given, int node, const BuildContext& context) {
+    return std::ranges::any_of(given.points.points, [&](const CheckedWord& word) {
         const std::optional<PlacedPoint> point = context.place(word.word);
         return point && point->node == node;
     });
@@ -143,15 +174,16 @@ bool names(const CheckedTable& table, int node, const BuildContext& context) {
 
 // An element needs all of its nodes.
 void check_elements(const BuildContext& context) {
-    const std::vector<CheckedTable>& tables = context.deck.tables("connect");
+    const auto tables = tables_of<ConnectTable>(context.deck, connect_table());
     for (const Rod& rod : context.model.rods) {
         const int node = find_repeated_node(rod);
         if (node < 0) continue;
-        const auto table = std::find_if(tables.rbegin(), tables.rend(), [&](const CheckedTable& candidate) {
-            return names(candidate, node, context);
-        });
-        context.add_fault(*table,
-                          "points",
+        const ConnectTable& given =
+            *std::find_if(tables.rbegin(), tables.rend(), [&](const ConnectTable& candidate) {
+                return names(candidate, node, context);
+            });
+        context.add_fault(given,
+                          given.points,
                           fmt::format("both ends of an element of rod.{} become one node; give the rod two "
                                       "elements at least between them",
                                       rod.name));
@@ -162,11 +194,11 @@ void check_elements(const BuildContext& context) {
 
 void build_connections(BuildContext& context) {
     for (const Rod& rod : context.model.rods) context.rod_nodes.push_back(rod.nodes);
-    const std::vector<CheckedTable>& tables = context.deck.tables("connect");
+    const auto tables = tables_of<ConnectTable>(context.deck, connect_table());
     if (tables.empty()) return;
     NodeMerge merge(context.model.nodes.size());
     const double size = measure(context.model);
-    for (const CheckedTable& table : tables) join_points(table, size, merge, context);
+    for (const ConnectTable& given : tables) join_points(given, size, merge, context);
     apply(merge, context);
     check_elements(context);
 }

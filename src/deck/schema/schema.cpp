@@ -163,8 +163,6 @@ std::string variables_of(const KeySpec& key) {
             return "t, x, y and z";
         case ValueType::place_vector:
             return "x, y, z and s";
-        case ValueType::motion_vector:
-            return "t, x, y, z, vx, vy and vz";
         default:
             return "t";
     }
@@ -216,8 +214,6 @@ std::string describe_expected(const KeySpec& key) {
             return "a number" + ranged + " or an expression in s";
         case ValueType::vector:
             return "an array of 3 numbers or expressions";
-        case ValueType::matrix:
-            return "an array of 3 rows of 3 numbers or expressions";
         case ValueType::vectors:
             return "an array of 2 vectors or more, each of 3 numbers or expressions";
         case ValueType::section_point:
@@ -241,10 +237,6 @@ std::string describe_expected(const KeySpec& key) {
             return "a number or an expression, or an array of 2: the lower and the upper bound";
         case ValueType::section_matrix:
             return "an array of 6 rows of 6 numbers or expressions";
-        case ValueType::inertia:
-            return "an array of 3 numbers or expressions, or of 3 such arrays";
-        case ValueType::placement:
-            return "an array of 3 numbers or expressions, or a point such as \"rod.end\"";
         case ValueType::mesh_group:
             return "the name or the number of a physical group";
         case ValueType::time_expression:
@@ -258,7 +250,6 @@ std::string describe_expected(const KeySpec& key) {
         case ValueType::time_vector:
         case ValueType::line_vector:
         case ValueType::place_vector:
-        case ValueType::motion_vector:
         case ValueType::field_vector:
             return "an array of 3 numbers or expressions in " + variables_of(key);
         case ValueType::line_pair:

@@ -33,7 +33,6 @@ enum class ValueType {
     number,
     arc_number,            // a number, or f(s), s the arc length along a rod
     vector,                // 3 numbers
-    matrix,                // 3 rows of 3 numbers
     vectors,               // 2 vectors or more
     section_point,         // 2 numbers: y and z of a section
     numbers,               // a list of numbers that is not empty
@@ -45,8 +44,6 @@ enum class ValueType {
     number_or_six,         // a number, or 6 of them: one for each strain of a section
     bounds,                // a number, or 2 of them: the lower and the upper one
     section_matrix,        // 6 rows of 6 numbers
-    inertia,               // 3 numbers, or 3 rows of 3 that make a symmetric matrix
-    placement,             // a vector or a point
     mesh_group,            // the name or number of a physical group
     time_expression,       // f(t)
     stage_functions,       // f(t), or a table of one for each stage that it names
@@ -58,7 +55,6 @@ enum class ValueType {
     tendon_path,           // 2 f(s), or rows of 3: a fraction from 0 to 1, and 2 numbers
     field_vector,          // 3 f(t, x, y, z) of a position
     place_vector,          // 3 f(x, y, z, s) of the reference position
-    motion_vector,         // 3 f(t, x, y, z, vx, vy, vz) of a point's position and velocity
     time_table,            // rows of 2 numbers, the first of each increasing
     columns,               // 2 names or numbers of columns
     table,                 // keys of its own

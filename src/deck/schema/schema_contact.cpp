@@ -155,44 +155,7 @@ KeySpec table_key(const char* name, const TableSpec& table, const char* sentence
     return {.name = name, .type = ValueType::table, .sentence = sentence, .table = &table};
 }
 
-KeySpec force_key() {
-    return {.name = "force",
-            .type = ValueType::number,
-            .dimension = "force",
-            .range = positive,
-            .default_text = "1000 weights or more",
-            .sentence =
-                "Of contact that leaves half the skin. By default the largest of 1000 weights, what stops "
-                "it from its velocity at t = 0 within the skin, and EA/1000 of the rods that touch."};
-}
-
 }  // namespace
-
-const TableSpec& body_sphere_table() {
-    static const TableSpec table{.path = "body.NAME.sphere",
-                                 .heading = "sphere = { … }",
-                                 .sentence = "",
-                                 .keys = {length_key("radius", "Its own."),
-                                          {.name = "centre",
-                                           .type = ValueType::vector,
-                                           .dimension = "length",
-                                           .default_value = Vec3(0, 0, 0),
-                                           .sentence = "From the node, body axes."},
-                                          force_key()}};
-    return table;
-}
-
-const TableSpec& body_capsule_table() {
-    static const TableSpec table{
-        .path = "body.NAME.capsule",
-        .heading = "capsule = { … }",
-        .sentence = "",
-        .keys = {vector_key("from", "length", "An end of the segment, from the node, body axes."),
-                 vector_key("to", "length", "The other one."),
-                 length_key("radius", "Of what is around the segment."),
-                 force_key()}};
-    return table;
-}
 
 const TableSpec& contact_table() {
     static const TableSpec table{

@@ -82,8 +82,6 @@ std::string describe_type(const KeySpec& key) {
             return "number or f(s)";
         case ValueType::vector:
             return "vector";
-        case ValueType::matrix:
-            return "3×3";
         case ValueType::vectors:
             return "2 vectors or more";
         case ValueType::section_point:
@@ -106,10 +104,6 @@ std::string describe_type(const KeySpec& key) {
             return "number or 2 numbers";
         case ValueType::section_matrix:
             return "6×6";
-        case ValueType::inertia:
-            return "vector or 3×3";
-        case ValueType::placement:
-            return "vector or point";
         case ValueType::mesh_group:
             return "name or number";
         case ValueType::time_expression:
@@ -132,8 +126,6 @@ std::string describe_type(const KeySpec& key) {
             return "3 f(t, s)";
         case ValueType::place_vector:
             return "3 f(x, y, z, s)";
-        case ValueType::motion_vector:
-            return "3 f(t, x, y, z, vx, vy, vz)";
         case ValueType::time_table:
             return "rows [t, value]";
         case ValueType::number_or_table:

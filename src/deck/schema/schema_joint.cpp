@@ -346,33 +346,4 @@ const TableSpec& joint_table() {
     return table;
 }
 
-const TableSpec& gear_table() {
-    static const TableSpec table{
-        .path = "gear.NAME",
-        .heading = "[gear.NAME]",
-        .sentence = "Ties the coordinates of two joints: ratio × first + second = 0, both since t = 0.",
-        .keys = {{.name = "joints",
-                  .type = ValueType::joints,
-                  .presence = Presence::required,
-                  .sentence =
-                      "The first and the second: joints with a turn or a slide. Of a joint with both, "
-                      "\"NAME.turn\" or \"NAME.slide\"."},
-                 {.name = "ratio",
-                  .type = ValueType::number,
-                  .dimension = "second/first",
-                  .presence = Presence::required,
-                  .sentence = "How far the second goes back while the first goes on by 1: of two turns a "
-                              "number, of a turn and the slide of a rack the radius of the pinion.",
-                  .remark = "how far the second goes back while the first goes on by 1"}},
-        .example =
-            "[joint.shaft]\n"
-            "type    = \"hinge\"\n"
-            "between = [\"ground\", \"flyer.end\"]\n"
-            "axis    = [1, 0, 0]\n"
-            "[gear.stage]\n"
-            "joints = [\"pivot\", \"shaft\"]\n"
-            "ratio  = 5.0\n"};
-    return table;
-}
-
 }  // namespace gxrod

@@ -87,7 +87,6 @@ Json make_type(const KeySpec& key) {
         case ValueType::time_vector:
         case ValueType::line_vector:
         case ValueType::place_vector:
-        case ValueType::motion_vector:
         case ValueType::field_vector:
             return array_of(reference("number"), 3);
         case ValueType::line_pair:
@@ -95,8 +94,6 @@ Json make_type(const KeySpec& key) {
         case ValueType::tendon_path:
             return any_of(
                 {array_of(reference("number"), 2), array_of_at_least(array_of(reference("number"), 3), 2)});
-        case ValueType::matrix:
-            return array_of(array_of(reference("number"), 3), 3);
         case ValueType::vectors:
             return array_of_at_least(array_of(reference("number"), 3), 2);
         case ValueType::section_point:
@@ -125,10 +122,6 @@ Json make_type(const KeySpec& key) {
             return any_of({reference("number"), array_of(reference("number"), 2)});
         case ValueType::section_matrix:
             return array_of(array_of(reference("number"), 6), 6);
-        case ValueType::inertia:
-            return any_of({array_of(reference("number"), 3), array_of(array_of(reference("number"), 3), 3)});
-        case ValueType::placement:
-            return any_of({array_of(reference("number"), 3), {{"type", "string"}}});
         case ValueType::mesh_group:
             return {{"type", {"string", "integer"}}};
         case ValueType::time_expression:

@@ -292,46 +292,6 @@ const TableSpec& section_fluid_table() {
     return table;
 }
 
-const TableSpec& body_fluid_table() {
-    static const TableSpec table{
-        .path = "body.NAME.fluid",
-        .heading = "fluid = { … }",
-        .sentence = "",
-        .keys = {required(number_key("volume", "length³", not_negative, "That displaces water.")),
-                 {.name = "centre_of_buoyancy",
-                  .type = ValueType::vector,
-                  .dimension = "length",
-                  .default_value = Vec3(0, 0, 0),
-                  .sentence = "From the node, body axes: where buoyancy and the other forces act."},
-                 described(number_key("height",
-                                      "length",
-                                      positive,
-                                      "Over which it sinks in, even along it and half of it below the "
-                                      "centre of buoyancy."),
-                           "diameter of a sphere of the volume"),
-                 {.name = "drag_area",
-                  .type = ValueType::vector,
-                  .dimension = "length²",
-                  .range = not_negative,
-                  .default_value = Vec3(0, 0, 0),
-                  .sentence = "Seen along x, y and z of the body axes."},
-                 defaulted(number_key("drag_coefficient", "1", not_negative, "Of these areas."), 1.0),
-                 {.name = "added_mass",
-                  .type = ValueType::vector,
-                  .dimension = "mass",
-                  .range = not_negative,
-                  .default_text = "[0, 0, 0]",
-                  .sentence = "Along x, y and z of the body axes."},
-                 {.name = "added_mass_matrix",
-                  .type = ValueType::section_matrix,
-                  .dimension = "of inertia",
-                  .default_text = "what added_mass says",
-                  .sentence = "The same with rotations, about the centre of buoyancy, order x y z rx ry rz; "
-                              "symmetric and not negative."}},
-        .groups = {{GroupRule::at_most_one, {"added_mass", "added_mass_matrix"}}}};
-    return table;
-}
-
 const TableSpec& fluid_table() {
     static const TableSpec table{
         .path = "fluid",

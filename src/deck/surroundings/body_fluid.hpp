@@ -1,11 +1,10 @@
 #pragma once
 
-#include "deck/places/build_context.hpp"
+#include "deck/bodies/body_table.hpp"
 
 namespace gxrod {
 
-// Finds the properties of a body for forces of water and air; nullopt if its table has no `fluid`. Errors
-// become faults.
-std::optional<BodyInFluid> find_body_fluid(const CheckedTable& body, const BuildContext& context);
+// Finds the properties of a body for forces of water and air. Errors become faults.
+BodyInFluid find_body_fluid(const BodyFluidTable& given, const BuildContext& context);
 
 }  // namespace gxrod

@@ -7,6 +7,8 @@
 namespace gxrod {
 namespace {
 
+constexpr const char* number_schema = R"({"$ref": "#/$defs/number"})";
+
 // A number of the range that is seldom a default.
 double sample_of(const Range& range) {
     if (std::isfinite(range.lower) && std::isfinite(range.upper))
@@ -74,7 +76,7 @@ std::string Kind<Vec3>::print(const Vec3& value) {
 }
 
 std::string Kind<Mat3>::schema(const KeySpec&) {
-    return schema_of_array(schema_of_array(R"({"$ref": "#/$defs/number"})", 3), 3);
+    return schema_of_array(schema_of_array(number_schema, 3), 3);
 }
 
 std::optional<Mat3> Kind<Mat3>::read(const ValueSource& from) {
@@ -125,6 +127,53 @@ std::optional<Ends> Kind<Ends>::read(const ValueSource& from) {
 }
 
 std::string Kind<Ends>::print(const Ends& value) { return print_list({quote(value[0]), quote(value[1])}); }
+
+std::optional<JointNames> Kind<JointNames>::read(const ValueSource& from) {
+    auto joints = read_points(from.node, from.path, from.key, from.context);
+    return joints ? std::optional(JointNames{{(*joints)[0], (*joints)[1]}}) : std::nullopt;
+}
+
+std::string Kind<JointNames>::print(const JointNames& value) {
+    return print_list({quote(value[0]), quote(value[1])});
+}
+
+std::optional<PointList> Kind<PointList>::read(const ValueSource& from) {
+    auto points = read_points(from.node, from.path, from.key, from.context);
+    return points ? std::optional(PointList{std::move(*points)}) : std::nullopt;
+}
+
+std::string Kind<PointList>::print(const PointList& value) { return print_words(value.points); }
+
+std::string Kind<std::variant<Vec3, Mat3>>::schema(const KeySpec& key) {
+    return fmt::format(
+        R"({{"anyOf": [{}, {}]}})", schema_of_array(number_schema, 3), Kind<Mat3>::schema(key));
+}
+
+std::optional<std::variant<Vec3, Mat3>> Kind<std::variant<Vec3, Mat3>>::read(const ValueSource& from) {
+    const auto as_value = [](auto read) { return read ? std::optional<Value>(*read) : std::nullopt; };
+    const NumberReader reader(from.key, from.context);
+    return NumberReader::is_matrix(from.node) ? as_value(reader.matrix(from.node, from.path))
+                                              : as_value(reader.vector(from.node, from.path));
+}
+
+std::string Kind<std::variant<Vec3, Mat3>>::print(const Value& value) {
+    return std::visit([]<class One>(const One& one) { return Kind<One>::print(one); }, value);
+}
+
+std::string Kind<std::variant<Vec3, PointName>>::schema(const KeySpec&) {
+    return fmt::format(R"({{"anyOf": [{}, {{"type": "string"}}]}})", schema_of_array(number_schema, 3));
+}
+
+std::optional<std::variant<Vec3, PointName>> Kind<std::variant<Vec3, PointName>>::read(
+    const ValueSource& from) {
+    const auto as_value = [](auto read) { return read ? std::optional<Value>(*read) : std::nullopt; };
+    return from.node.text() != nullptr ? as_value(Kind<PointName>::read(from))
+                                       : as_value(Kind<Vec3>::read(from));
+}
+
+std::string Kind<std::variant<Vec3, PointName>>::print(const Value& value) {
+    return std::visit([]<class One>(const One& one) { return Kind<One>::print(one); }, value);
+}
 
 std::optional<StageFunctions> Kind<StageFunctions>::read(const ValueSource& from) {
     return FunctionReader(from.key, from.context).named_functions(from.node, from.path);

@@ -43,6 +43,12 @@ struct WordList {
 };
 // What the two points of a spring or bushing are fixed to: points, or the ground.
 struct Ends : std::array<CheckedWord, 2> {};
+// The coordinates of two joints.
+struct JointNames : std::array<CheckedWord, 2> {};
+// Points, two at least.
+struct PointList {
+    std::vector<CheckedWord> points;
+};
 // Values by stage.
 using StageFunctions = std::vector<CheckedNamedFunction>;
 
@@ -51,6 +57,7 @@ inline constexpr const std::array<Choice<BushingAxes>, 4>& choices_of(BushingAxe
     return bushing_axes_choices;
 }
 
+inline constexpr const std::array<Choice<InputHold>, 2>& choices_of(InputHold) { return input_hold_choices; }
 inline constexpr const std::array<Choice<LoadReference>, 1>& choices_of(LoadReference) {
     return load_reference_choices;
 }
@@ -139,6 +146,51 @@ struct Kind<Ends> {
 };
 
 template <>
+struct Kind<JointNames> {
+    static constexpr ValueType type = ValueType::joints;
+    static std::optional<JointNames> read(const ValueSource& from);
+    static std::string print(const JointNames& value);
+    static std::string sample(const KeySpec&) { return "[\"wheel\", \"nut.slide\"]"; }
+};
+
+template <>
+struct Kind<PointList> {
+    static constexpr ValueType type = ValueType::points;
+    static std::optional<PointList> read(const ValueSource& from);
+    static std::string print(const PointList& value);
+    static std::string sample(const KeySpec&) { return "[\"rod.end\", \"other.start\"]"; }
+};
+
+// Three principal moments, or a matrix.
+template <>
+struct Kind<std::variant<Vec3, Mat3>> {
+    using Value = std::variant<Vec3, Mat3>;
+    static std::string words(const KeySpec&) {
+        return "an array of 3 numbers or expressions, or of 3 such arrays";
+    }
+    static std::string column(const KeySpec&) { return "vector or 3×3"; }
+    static std::string schema(const KeySpec& key);
+    static std::optional<Value> read(const ValueSource& from);
+    static std::string print(const Value& value);
+    static std::string sample(const KeySpec& key) { return Kind<Mat3>::sample(key); }
+};
+
+// A place, or a point that is there.
+template <>
+struct Kind<std::variant<Vec3, PointName>> {
+    using Value = std::variant<Vec3, PointName>;
+    static std::string words(const KeySpec&) {
+        return "an array of 3 numbers or expressions, or a point such as \"rod.end\"";
+    }
+    static std::string column(const KeySpec&) { return "vector or point"; }
+    static std::string schema(const KeySpec&);
+    static std::optional<Value> read(const ValueSource& from);
+    static std::string print(const Value& value);
+    static std::string sample(const KeySpec& key) { return Kind<PointName>::sample(key); }
+    static Vec3 default_value(const Value& value) { return std::get<Vec3>(value); }
+};
+
+template <>
 struct Kind<StageFunctions> {
     static constexpr ValueType type = ValueType::stage_functions;
     static std::optional<StageFunctions> read(const ValueSource& from);
@@ -204,6 +256,13 @@ struct FunctionKind<CheckedLineFunction> {
     static constexpr std::array variables{"t", "s"};
     static constexpr auto read = &FunctionReader::line_function;
     static double value(const CheckedLineFunction& of) { return of.expression.function(0.0, 0.0); }
+};
+
+template <>
+struct FunctionKind<CheckedPlaceFunction> {
+    static constexpr std::array variables{"x", "y", "z", "s"};
+    static constexpr auto read = &FunctionReader::place_function;
+    static double value(const CheckedPlaceFunction& of) { return of.expression.function(Vec3::Zero(), 0.0); }
 };
 
 template <>

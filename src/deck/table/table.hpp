@@ -70,7 +70,8 @@ class Table {
             const void* found = Traits::find(field(access, table));
             return found == nullptr ? "" : Kind<Value>::print(*static_cast<const Value*>(found));
         };
-        add({.name = std::move(name), .type = value_kind<Value>.type, .sentence = std::move(sentence)}, binding);
+        add({.name = std::move(name), .type = value_kind<Value>.type, .sentence = std::move(sentence)},
+            binding);
         if constexpr (requires { Kind<Value>::choices(); }) last().choices = Kind<Value>::choices();
         if constexpr (std::is_same_v<Value, FieldOf<Access>> &&
                       requires(Value value) { Kind<Value>::default_value(value); }) {

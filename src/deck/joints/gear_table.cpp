@@ -6,35 +6,74 @@
 
 #include "deck/joints/joint_coordinates.hpp"
 #include "deck/places/part.hpp"
-#include "deck/schema/choices.hpp"
+#include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
 
 namespace gxrod {
 namespace {
 
+struct GearTable : TableHead {
+    JointNames joints;
+    double ratio = 0.0;
+};
+
+}  // namespace
+
+const TableSpec& gear_table() {
+    using T = GearTable;
+    static const TableSpec table =
+        Table<T>("[gear.NAME]",
+                 "Ties the coordinates of two joints: ratio × first + second = 0, both since t = 0.")
+            .key("joints",
+                 &T::joints,
+                 "The first and the second: joints with a turn or a slide. Of a joint with both, "
+                 "\"NAME.turn\" or \"NAME.slide\".")
+            .required()
+            .also("between of shafts coordinates axes")
+            .key(
+                "ratio",
+                &T::ratio,
+                "How far the second goes back while the first goes on by 1: of two turns a number, of a turn "
+                "and the slide of a rack the radius of the pinion.")
+            .unit("second/first")
+            .required()
+            .remark("how far the second goes back while the first goes on by 1")
+            .also("n i gear_ratio transmission radius")
+            .shown_by(
+                "[joint.shaft]\n"
+                "type    = \"hinge\"\n"
+                "between = [\"ground\", \"flyer.end\"]\n"
+                "axis    = [1, 0, 0]\n"
+                "[gear.stage]\n"
+                "joints = [\"pivot\", \"shaft\"]\n"
+                "ratio  = 5.0\n");
+    return table;
+}
+
+namespace {
+
 class GearBuilder {
   public:
-    GearBuilder(const CheckedTable& table, const BuildContext& context) : table_(table), context_(context) {}
+    GearBuilder(const GearTable& given, const BuildContext& context) : given_(given), context_(context) {}
 
     // nullopt, with a fault here or of one of its joints, if it is not complete.
     std::optional<Gear> build() const {
         Gear gear;
-        gear.name = table_.name;
-        gear.ratio = table_.get<double>("ratio");
+        gear.name = given_.name;
+        gear.ratio = given_.ratio;
         if (gear.ratio == 0.0)
             context_.add_fault(
-                table_, "ratio", "a ratio of 0 does not tie the joints; expected another number");
-        const auto& words = table_.get<std::vector<CheckedWord>>("joints");
+                given_, given_.ratio, "a ratio of 0 does not tie the joints; expected another number");
         bool is_complete = true;
         for (std::size_t i = 0; i < 2; ++i) {
-            const std::optional<GearSide> side = find_side(words[i]);
+            const std::optional<GearSide> side = find_side(given_.joints[i]);
             is_complete = is_complete && side;
             if (side) gear.sides[i] = *side;
         }
         if (!is_complete) return std::nullopt;
         if (gear.sides[0].joint == gear.sides[1].joint) {
             const std::string& name = context_.model.joints[gear.sides[0].joint].name;
-            add(words[1],
+            add(given_.joints[1],
                 fmt::format("both are of joint {}; expected another joint, or a screw for its turn and slide",
                             name));
         }
@@ -98,15 +137,15 @@ class GearBuilder {
         return has_it ? "" : fmt::format("a {} has no {}", type, coordinate);
     }
 
-    const CheckedTable& table_;
+    const GearTable& given_;
     const BuildContext& context_;
 };
 
 }  // namespace
 
 void build_gears(BuildContext& context) {
-    for (const CheckedTable& table : context.deck.tables("gear")) {
-        if (std::optional<Gear> gear = GearBuilder(table, context).build())
+    for (const GearTable& given : tables_of<GearTable>(context.deck, gear_table())) {
+        if (std::optional<Gear> gear = GearBuilder(given, context).build())
             context.model.gears.push_back(std::move(*gear));
     }
 }
