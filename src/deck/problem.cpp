@@ -81,7 +81,9 @@ void build_actions(const SurroundingsFiles& files, BuildContext& context) {
         build_sleeve_actions(context);
         build_loads(context);
         build_rotation(context);
-        build_drives(context);
+        build_tendons(context);
+        build_actuations(context);
+        build_magnets(context);
         build_surroundings(files, context);
         build_contact(context);
         check_functions(context);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "deck/drives/tendon_path.hpp"
 #include "deck/joints/joint_coordinates.hpp"
 #include "deck/loads/acting.hpp"
 #include "deck/output/sample_times.hpp"
@@ -64,20 +65,16 @@ std::optional<double> find_length(const std::string& name, const BuildContext& c
     return rod ? std::optional(context.model.rods[static_cast<std::size_t>(*rod)].length) : std::nullopt;
 }
 
-// Those along a rod that a table gives.
-void check_along(const CheckedTable& table, const BuildContext& context) {
-    if (!table.gives("on")) return;
-    const std::optional<double> length = find_length(table.get<std::string>("on"), context);
-    if (!length) return;
-    const auto check_all = [&](const auto& components) {
-        for (const CheckedLineFunction& component : components) check_along(component, *length, context);
+void check_along(const TableHead& table, double length, const BuildContext& context) {
+    const auto check_all = [&](const auto& vectors) {
+        for (const auto& vector : vectors) {
+            for (const CheckedLineFunction& component : vector.get()) check_along(component, length, context);
+        }
     };
-    for (const CheckedValue& value : table.values) {
-        if (const auto* one = std::get_if<CheckedLineFunction>(&value.value))
-            check_along(*one, *length, context);
-        if (const auto* pair = std::get_if<CheckedLinePair>(&value.value)) check_all(*pair);
-        if (const auto* vector = std::get_if<CheckedLineVector>(&value.value)) check_all(*vector);
-    }
+    for (const CheckedLineFunction& one : values_of<CheckedLineFunction>(table))
+        check_along(one, length, context);
+    check_all(values_of<CheckedLinePair>(table));
+    check_all(values_of<CheckedLineVector>(table));
 }
 
 // The factor of the stage at hand.
@@ -104,30 +101,31 @@ void check_by_time(const CheckedTable& table,
     if (table.gives(key)) check_by_time(table.get<CheckedMotionVector>(key), times, context);
 }
 
-// Those of a load at a point, or along a rod.
-void check_load(const ActingTable& load, const std::vector<double>& times, const BuildContext& context) {
-    if (find_acting(load, context).is_absent) return;
-    check_factor(load, times, context);
-    for (const CheckedMotionVector& vector : values_of<CheckedMotionVector>(load))
-        check_by_time(vector, times, context);
-    for (const CheckedTimeVector& vector : values_of<CheckedTimeVector>(load)) {
+// All functions of a table, those of the arc length along the rod that it names.
+void check_values(const ActingTable& table, const std::vector<double>& times, const BuildContext& context) {
+    if (find_acting(table, context).is_absent) return;
+    check_factor(table, times, context);
+    for (const CheckedTimeFunction& one : values_of<CheckedTimeFunction>(table)) check(one, times, context);
+    for (const CheckedTimeVector& vector : values_of<CheckedTimeVector>(table)) {
         for (const CheckedTimeFunction& component : vector) check(component, times, context);
     }
-    for (const TableName& rod : values_of<TableName>(load)) {
-        const std::optional<double> length = find_length(rod.word, context);
-        for (const CheckedLineVector& vector : values_of<CheckedLineVector>(load)) {
-            for (const CheckedLineFunction& component : vector)
-                if (length) check_along(component, *length, context);
-        }
+    for (const CheckedMotionVector& vector : values_of<CheckedMotionVector>(table))
+        check_by_time(vector, times, context);
+    for (const FieldVector& vector : values_of<FieldVector>(table))
+        check_by_time(vector.components, times, context);
+    for (const TableName& rod : values_of<TableName>(table)) {
+        if (const std::optional<double> length = find_length(rod.word, context))
+            check_along(table, *length, context);
     }
 }
 
 // With friction a tendon only pulls.
-void check_pull(const CheckedTable& tendon, const std::vector<double>& times, const BuildContext& context) {
+void check_pull(const TendonTable& tendon, const std::vector<double>& times, const BuildContext& context) {
     constexpr double round_off = 1e-12;
-    if (!tendon.gives("tension") || tendon.get<double>("friction") == 0.0) return;
-    const auto& tension = tendon.get<CheckedTimeFunction>("tension");
-    const TimeFunction pull = find_acting(tendon, context).apply(tension.function);
+    const Acting acting = find_acting(tendon, context);
+    if (!tendon.tension || tendon.friction == 0.0 || acting.is_absent) return;
+    const CheckedTimeFunction& tension = *tendon.tension;
+    const TimeFunction pull = acting.apply(tension.function);
     double largest = 0.0, least = 0.0, when = 0.0;
     try {
         for (const double time : times) {
@@ -148,21 +146,6 @@ void check_pull(const CheckedTable& tendon, const std::vector<double>& times, co
                                    when));
 }
 
-void check_drives(const std::vector<double>& times, const BuildContext& context) {
-    for (const char* kind : {"tendon", "actuation", "magnetic"}) {
-        for (const CheckedTable& table : context.deck.tables(kind)) {
-            if (find_acting(table, context).is_absent) continue;
-            check_factor(acting_keys(table), times, context);
-            for (const char* key : {"tension", "shortening", "length"}) {
-                if (table.gives(key)) check(table.get<CheckedTimeFunction>(key), times, context);
-            }
-            if (std::string_view(kind) == "tendon") check_pull(table, times, context);
-            check_by_time(table, "field", times, context);
-            check_along(table, context);
-        }
-    }
-}
-
 void check_flows(const std::vector<double>& times, const BuildContext& context) {
     for (const auto& [kind, flow] : {std::pair("fluid", "current"), std::pair("air", "wind")}) {
         for (const CheckedTable& table : context.deck.tables(kind)) {
@@ -180,9 +163,12 @@ void check_flows(const std::vector<double>& times, const BuildContext& context) 
 void check_functions(const BuildContext& context) {
     const std::vector<double> times = sample_times(context.analysis(), most_samples);
     check_vector(context.deck, "gravity", times, context);
-    for (const ActingTable& load : tables_of<ActingTable>(context.deck, load_table()))
-        check_load(load, times, context);
-    check_drives(times, context);
+    for (const TableSpec* spec : {&load_table(), &tendon_table(), &actuation_table(), &magnetic_table()}) {
+        for (const ActingTable& table : tables_of<ActingTable>(context.deck, *spec))
+            check_values(table, times, context);
+    }
+    for (const TendonTable& tendon : tables_of<TendonTable>(context.deck, tendon_table()))
+        check_pull(tendon, times, context);
     check_flows(times, context);
     for (const SupportTable& support : tables_of<SupportTable>(context.deck, support_table())) {
         if (!support.move || !acts_in_stage(support, context)) continue;

@@ -2,11 +2,13 @@
 
 #include "deck/places/build_context.hpp"
 
+// Adds what acts from inside to the model, as it acts in the current stage.
 namespace gxrod {
 
-// Adds the tendons, actuations and magnetic rods to the model, as they act in the current stage. Call it
-// after build_loads, as a magnetic rod is a load. Tendons that do not pull in the stage have a tension of 0,
-// or a winch that has let go.
-void build_drives(BuildContext& context);
+// Tendons that do not pull in the stage have a tension of 0, or a winch that has let go.
+void build_tendons(BuildContext& context);
+void build_actuations(BuildContext& context);
+// Call it after build_loads, as a magnetic rod is a load.
+void build_magnets(BuildContext& context);
 
 }  // namespace gxrod

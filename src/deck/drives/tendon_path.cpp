@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "deck/places/part.hpp"
+#include "deck/schema/schema_tables.hpp"
 
 namespace gxrod {
 namespace {
@@ -58,38 +59,35 @@ TendonPlace place_between(const std::vector<std::array<double, 3>>& rows, double
 
 }  // namespace
 
-std::optional<TendonRange> find_tendon_range(const CheckedTable& tendon, const BuildContext& context) {
-    const auto& offset = tendon.get<CheckedTendonPath>("offset");
-    const TendonRange range{tendon.get<double>("from"), tendon.get<double>("to")};
-    if (offset.rows.empty()) {
-        if (range.from < range.to) return range;
+std::optional<TendonRange> find_tendon_range(const TendonTable& tendon, const BuildContext& context) {
+    if (tendon.offset.rows.empty()) {
+        if (tendon.from < tendon.to) return TendonRange{tendon.from, tendon.to};
         context.add_fault(
             tendon,
-            tendon.gives("to") ? "to" : "from",
-            fmt::format("expected from < to, found from = {} and to = {}", range.from, range.to));
+            tendon.gives(tendon.to) ? tendon.to : tendon.from,
+            fmt::format("expected from < to, found from = {} and to = {}", tendon.from, tendon.to));
         return std::nullopt;
     }
-    for (const char* key : {"from", "to"}) {
-        if (!tendon.gives(key)) continue;
-        context.add_fault(tendon, key, "goes with functions; the first and the last row say it here");
+    for (const double* field : {&tendon.from, &tendon.to}) {
+        if (!tendon.gives(*field)) continue;
+        context.add_fault(tendon, *field, "goes with functions; the first and the last row say it here");
         return std::nullopt;
     }
-    return TendonRange{offset.rows.front()[0], offset.rows.back()[0]};
+    return TendonRange{tendon.offset.rows.front()[0], tendon.offset.rows.back()[0]};
 }
 
 std::vector<RodPoint> list_tendon_points(const BuildContext& context) {
     std::vector<RodPoint> points;
-    for (const CheckedTable& tendon : context.deck.tables("tendon")) {
-        const std::optional<int> rod = find_index(context.deck.tables("rod"), tendon.get<std::string>("on"));
+    for (const TendonTable& tendon : tables_of<TendonTable>(context.deck, tendon_table())) {
+        const std::optional<int> rod = find_index(context.deck.tables("rod"), tendon.on.word);
         if (!rod) continue;
         const auto add = [&](double fraction) {
             if (fraction > 0.0 && fraction < 1.0) points.push_back({*rod, fraction});
         };
-        const auto& offset = tendon.get<CheckedTendonPath>("offset");
-        for (const auto& row : offset.rows) add(row[0]);
-        if (!offset.rows.empty()) continue;
-        add(tendon.get<double>("from"));
-        add(tendon.get<double>("to"));
+        for (const auto& row : tendon.offset.rows) add(row[0]);
+        if (!tendon.offset.rows.empty()) continue;
+        add(tendon.from);
+        add(tendon.to);
     }
     return points;
 }

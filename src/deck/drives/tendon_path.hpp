@@ -2,10 +2,22 @@
 
 #include <vector>
 
-#include "deck/places/build_context.hpp"
+#include "deck/loads/acting.hpp"
 
 // The ends of tendons, and their paths between them.
 namespace gxrod {
+
+struct TendonTable : ActingTable {
+    TableName on;
+    CheckedTendonPath offset;
+    std::optional<CheckedTimeFunction> tension, shortening, length;
+    std::optional<double> stiffness;
+    double friction = 0.0;
+    TendonEnd pulled_at = TendonEnd::from;
+    std::optional<bool> slack;
+    double from = 0.0;
+    double to = 1.0;
+};
 
 // Lists points of rods at which tendons start, end or have a kink, so that a node has to be there. Skips
 // wrong tendons, which build_drives reports.
@@ -16,7 +28,7 @@ struct TendonRange {
     double from;
     double to;
 };
-std::optional<TendonRange> find_tendon_range(const CheckedTable& tendon, const BuildContext& context);
+std::optional<TendonRange> find_tendon_range(const TendonTable& tendon, const BuildContext& context);
 
 // Makes the path of a tendon along a rod of this length, by the arc length. Its slope is exact between rows;
 // the slope of functions has about 12 digits. Calls throw EvaluationError where a function has no finite

@@ -240,14 +240,15 @@ bool acts_in_stage(const ActingTable& table, std::size_t stage, const BuildConte
 }
 
 void check_stage_names(const BuildContext& context) {
-    for (const TableSpec* spec : {&load_table(), &support_table()}) {
+    for (const TableSpec* spec :
+         {&load_table(), &support_table(), &tendon_table(), &actuation_table(), &magnetic_table()}) {
         for (const ActingTable& table : tables_of<ActingTable>(context.deck, *spec))
             check_stage_names(table, context);
     }
     const auto check_all = [&](const std::vector<CheckedTable>& tables) {
         for (const CheckedTable& table : tables) check_stage_names(acting_keys(table), context);
     };
-    for (const char* kind : {"tendon", "actuation", "magnetic", "wave"}) check_all(context.deck.tables(kind));
+    check_all(context.deck.tables("wave"));
     for (const auto& [kind, flow] : {std::pair("fluid", "current"), std::pair("air", "wind")}) {
         for (const CheckedTable& table : context.deck.tables(kind)) check_all(table.tables(flow));
     }

@@ -144,7 +144,7 @@ void add_nodal_load(const LoadTable& given, const Acting& acting, BuildContext& 
 }
 
 void add_distributed_load(const LoadTable& given, const Acting& acting, BuildContext& context) {
-    const std::optional<Part> part = find_part(given, given.on, context);
+    const std::optional<Part> part = find_part(given, *given.on, context);
     if (!part) return;
     context.model.distributed_loads.push_back(
         {.key = given.path,

@@ -47,15 +47,8 @@ std::optional<Part> find_named(const CheckedWord& name, const KeySpec& key, cons
 
 }  // namespace
 
-std::optional<Part> find_part(const CheckedTable& table, const KeySpec& key, const BuildContext& context) {
-    return find_named(
-        {table.get<std::string>(key.name), table.place_of(key.name), table.path_of(key.name)}, key, context);
-}
-
-std::optional<Part> find_part(const TableHead& table,
-                              const std::optional<TableName>& field,
-                              const BuildContext& context) {
-    return find_named(*field, table.key_of(&field), context);
+std::optional<Part> find_part(const TableHead& table, const TableName& field, const BuildContext& context) {
+    return find_named(field, table.key_of(&field), context);
 }
 
 std::vector<Part> find_parts(const TableHead& table, const TableNames& field, const BuildContext& context) {

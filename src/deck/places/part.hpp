@@ -18,13 +18,9 @@ struct Part {
 // The index of the table of this name.
 std::optional<int> find_index(const std::vector<CheckedTable>& tables, std::string_view name);
 
-// The part that a key of the schema names, which says whether that can be a rod, a body or either; nullopt
-// with a fault if there is none.
-std::optional<Part> find_part(const CheckedTable& table, const KeySpec& key, const BuildContext& context);
-// The same of a field of the table.
-std::optional<Part> find_part(const TableHead& table,
-                              const std::optional<TableName>& field,
-                              const BuildContext& context);
+// The part that a field of the table names, whose key says whether that can be a rod, a body or either;
+// nullopt with a fault if there is none.
+std::optional<Part> find_part(const TableHead& table, const TableName& field, const BuildContext& context);
 
 // Those that a key names which takes one name or a list of them; any other word is a fault.
 std::vector<Part> find_parts(const TableHead& table, const TableNames& field, const BuildContext& context);

@@ -77,16 +77,8 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
             return wrap(reader.coordinate_functions(node, path));
         case ValueType::time_vector:
             return wrap(reader.functions<3>(node, path, &FunctionReader::time_function));
-        case ValueType::line_vector:
-            return wrap(reader.functions<3>(node, path, &FunctionReader::line_function));
-        case ValueType::line_expression:
-            return wrap(reader.line_function(node, path));
-        case ValueType::line_pair:
-            return wrap(reader.functions<2>(node, path, &FunctionReader::line_function));
         case ValueType::field_vector:
             return wrap(reader.functions<3>(node, path, &FunctionReader::field_function));
-        case ValueType::tendon_path:
-            return wrap(reader.tendon_path(node, path));
         case ValueType::place_vector:
             return wrap(reader.functions<3>(node, path, &FunctionReader::place_function));
         case ValueType::time_table:

@@ -39,8 +39,10 @@ inline constexpr std::array<Choice<JointKind>, 11> joint_kind_choices{{{"ball", 
 inline constexpr std::array<Choice<InputHold>, 2> input_hold_choices{
     {{"step", InputHold::step}, {"linear", InputHold::linear}}};
 
-// Whether a tendon with friction is pulled at its start.
-inline constexpr std::array<Choice<bool>, 2> tendon_end_choices{{{"from", true}, {"to", false}}};
+// Where a tendon with friction is pulled.
+enum class TendonEnd { from, to };
+inline constexpr std::array<Choice<TendonEnd>, 2> tendon_end_choices{
+    {{"from", TendonEnd::from}, {"to", TendonEnd::to}}};
 
 inline constexpr std::array<Choice<Frame>, 3> frame_choices{
     {{"spatial", Frame::spatial}, {"follower", Frame::follower}, {"body", Frame::body}}};

@@ -153,12 +153,6 @@ std::string variables_of(const KeySpec& key) {
     const ValueKind* kind = find_kind(key);
     if (kind != nullptr && kind->variables != nullptr) return kind->variables();
     switch (key.type) {
-        case ValueType::line_expression:
-        case ValueType::line_pair:
-        case ValueType::line_vector:
-            return "t and s";
-        case ValueType::tendon_path:
-            return "s";
         case ValueType::field_vector:
             return "t, x, y and z";
         case ValueType::place_vector:
@@ -240,7 +234,6 @@ std::string describe_expected(const KeySpec& key) {
         case ValueType::mesh_group:
             return "the name or the number of a physical group";
         case ValueType::time_expression:
-        case ValueType::line_expression:
             return "a number or an expression in " + variables_of(key);
         case ValueType::stage_functions:
             return "a number or an expression in t, or a table of one for each stage, such as "
@@ -248,14 +241,9 @@ std::string describe_expected(const KeySpec& key) {
         case ValueType::coordinate_functions:
             return "a number or an expression in t, or a table { turn = \"…\", slide = \"…\" } of them";
         case ValueType::time_vector:
-        case ValueType::line_vector:
         case ValueType::place_vector:
         case ValueType::field_vector:
             return "an array of 3 numbers or expressions in " + variables_of(key);
-        case ValueType::line_pair:
-            return "an array of 2 numbers or expressions in " + variables_of(key);
-        case ValueType::tendon_path:
-            return "an array of 2 numbers or expressions in s, or of rows [fraction, y, z], two at least";
         case ValueType::time_table:
             return "an array of rows [t, value]";
         case ValueType::columns:

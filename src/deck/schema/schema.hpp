@@ -49,10 +49,6 @@ enum class ValueType {
     stage_functions,       // f(t), or a table of one for each stage that it names
     coordinate_functions,  // f(t), or a table of one for the turn, one for the slide or both
     time_vector,           // 3 f(t)
-    line_expression,       // f(t, s), s the arc length along a rod
-    line_pair,             // 2 f(t, s)
-    line_vector,           // 3 f(t, s)
-    tendon_path,           // 2 f(s), or rows of 3: a fraction from 0 to 1, and 2 numbers
     field_vector,          // 3 f(t, x, y, z) of a position
     place_vector,          // 3 f(x, y, z, s) of the reference position
     time_table,            // rows of 2 numbers, the first of each increasing

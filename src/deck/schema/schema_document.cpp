@@ -114,16 +114,8 @@ std::string describe_type(const KeySpec& key) {
             return "f(t), or { turn = f(t), slide = f(t) }";
         case ValueType::time_vector:
             return "3 f(t)";
-        case ValueType::line_expression:
-            return "f(t, s)";
-        case ValueType::line_pair:
-            return "2 f(t, s)";
-        case ValueType::tendon_path:
-            return "2 f(s), or rows [fraction, y, z]";
         case ValueType::field_vector:
             return "3 f(t, x, y, z)";
-        case ValueType::line_vector:
-            return "3 f(t, s)";
         case ValueType::place_vector:
             return "3 f(x, y, z, s)";
         case ValueType::time_table:

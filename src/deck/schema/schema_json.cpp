@@ -85,15 +85,9 @@ Json make_type(const KeySpec& key) {
             return any_of({make_range("number", key.range), reference("expression")});
         case ValueType::vector:
         case ValueType::time_vector:
-        case ValueType::line_vector:
         case ValueType::place_vector:
         case ValueType::field_vector:
             return array_of(reference("number"), 3);
-        case ValueType::line_pair:
-            return array_of(reference("number"), 2);
-        case ValueType::tendon_path:
-            return any_of(
-                {array_of(reference("number"), 2), array_of_at_least(array_of(reference("number"), 3), 2)});
         case ValueType::vectors:
             return array_of_at_least(array_of(reference("number"), 3), 2);
         case ValueType::section_point:
@@ -125,7 +119,6 @@ Json make_type(const KeySpec& key) {
         case ValueType::mesh_group:
             return {{"type", {"string", "integer"}}};
         case ValueType::time_expression:
-        case ValueType::line_expression:
             return reference("number");
         case ValueType::stage_functions:
             return any_of({reference("number"), named_tables("^[A-Za-z0-9_-]+$", reference("number"))});

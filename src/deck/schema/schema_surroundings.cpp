@@ -3,6 +3,30 @@
 
 // [fluid], [[wave]], [air], [seabed], and what water and air see of sections and bodies.
 namespace gxrod {
+
+KeySpec stages_key(const char* sentence) {
+    return {.name = "stages",
+            .type = ValueType::names,
+            .default_text = "all",
+            .sentence = sentence,
+            .refers_to = {"stage"}};
+}
+
+std::string factor_sentence(const std::string& what) {
+    return "What the " + what +
+           " is multiplied by, in a stage's own t. By stage: a stage that is not named keeps the last "
+           "value, and before the first one there is no " +
+           what + ".";
+}
+
+KeySpec factor_key(const std::string& what) {
+    return {.name = "factor",
+            .type = ValueType::stage_functions,
+            .dimension = "1",
+            .default_text = factor_default,
+            .sentence = factor_sentence(what)};
+}
+
 namespace {
 
 constexpr Range not_negative{.lower = 0.0};

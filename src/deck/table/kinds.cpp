@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "deck/reading/array_reading.hpp"
+#include "deck/reading/row_reader.hpp"
 
 namespace gxrod {
 namespace {
@@ -66,6 +67,10 @@ std::optional<double> Kind<double>::read(const ValueSource& from) {
 }
 
 std::string Kind<double>::sample(const KeySpec& key) { return print(sample_of(key.range)); }
+
+std::optional<bool> Kind<bool>::read(const ValueSource& from) {
+    return NumberReader(from.key, from.context).flag(from.node, from.path);
+}
 
 std::optional<Vec3> Kind<Vec3>::read(const ValueSource& from) {
     return NumberReader(from.key, from.context).vector(from.node, from.path);
@@ -173,6 +178,36 @@ std::optional<std::variant<Vec3, PointName>> Kind<std::variant<Vec3, PointName>>
 
 std::string Kind<std::variant<Vec3, PointName>>::print(const Value& value) {
     return std::visit([]<class One>(const One& one) { return Kind<One>::print(one); }, value);
+}
+
+std::optional<FieldVector> Kind<FieldVector>::read(const ValueSource& from) {
+    auto components = FunctionReader(from.key, from.context)
+                          .functions<3>(from.node, from.path, &FunctionReader::field_function);
+    return components ? std::optional(FieldVector{std::move(*components)}) : std::nullopt;
+}
+
+std::string Kind<FieldVector>::print(const FieldVector& value) {
+    return Kind<CheckedMotionVector>::print(value.components);
+}
+
+std::string Kind<CheckedTendonPath>::schema(const KeySpec&) {
+    return fmt::format(R"({{"anyOf": [{}, {{"type": "array", "items": {}, "minItems": 2}}]}})",
+                       schema_of_array(number_schema, 2),
+                       schema_of_array(number_schema, 3));
+}
+
+std::optional<CheckedTendonPath> Kind<CheckedTendonPath>::read(const ValueSource& from) {
+    return RowReader(from.key, from.context).tendon_path(from.node, from.path);
+}
+
+std::string Kind<CheckedTendonPath>::print(const CheckedTendonPath& value) {
+    std::vector<std::string> items;
+    for (const auto& [fraction, y, z] : value.rows) items.push_back(Kind<Vec3>::print({fraction, y, z}));
+    if (items.empty()) {
+        for (const auto& function : value.functions)
+            if (function) items.push_back(Kind<double>::print(function(0.0)));
+    }
+    return print_list(items);
 }
 
 std::optional<StageFunctions> Kind<StageFunctions>::read(const ValueSource& from) {

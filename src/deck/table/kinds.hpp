@@ -49,6 +49,10 @@ struct JointNames : std::array<CheckedWord, 2> {};
 struct PointList {
     std::vector<CheckedWord> points;
 };
+// A field by time and place.
+struct FieldVector {
+    CheckedMotionVector components;
+};
 // Values by stage.
 using StageFunctions = std::vector<CheckedNamedFunction>;
 
@@ -57,6 +61,7 @@ inline constexpr const std::array<Choice<BushingAxes>, 4>& choices_of(BushingAxe
     return bushing_axes_choices;
 }
 
+inline constexpr const std::array<Choice<TendonEnd>, 2>& choices_of(TendonEnd) { return tendon_end_choices; }
 inline constexpr const std::array<Choice<InputHold>, 2>& choices_of(InputHold) { return input_hold_choices; }
 inline constexpr const std::array<Choice<LoadReference>, 1>& choices_of(LoadReference) {
     return load_reference_choices;
@@ -76,6 +81,14 @@ struct Kind<double> {
     static std::string print(double value) { return fmt::format("{}", value); }
     static std::string sample(const KeySpec& key);
     static double default_value(double value) { return value; }
+};
+
+template <>
+struct Kind<bool> {
+    static constexpr ValueType type = ValueType::flag;
+    static std::optional<bool> read(const ValueSource& from);
+    static std::string print(bool value) { return value ? "true" : "false"; }
+    static std::string sample(const KeySpec&) { return "false"; }
 };
 
 template <>
@@ -188,6 +201,27 @@ struct Kind<std::variant<Vec3, PointName>> {
     static std::string print(const Value& value);
     static std::string sample(const KeySpec& key) { return Kind<PointName>::sample(key); }
     static Vec3 default_value(const Value& value) { return std::get<Vec3>(value); }
+};
+
+template <>
+struct Kind<FieldVector> {
+    static constexpr ValueType type = ValueType::field_vector;
+    static std::optional<FieldVector> read(const ValueSource& from);
+    static std::string print(const FieldVector& value);
+    static std::string sample(const KeySpec&) { return "[1.25, 2.5, 3.75]"; }
+};
+
+// By the arc length, or rows.
+template <>
+struct Kind<CheckedTendonPath> {
+    static std::string words(const KeySpec&) {
+        return "an array of 2 numbers or expressions in s, or of rows [fraction, y, z], two at least";
+    }
+    static std::string column(const KeySpec&) { return "2 f(s), or rows [fraction, y, z]"; }
+    static std::string schema(const KeySpec&);
+    static std::optional<CheckedTendonPath> read(const ValueSource& from);
+    static std::string print(const CheckedTendonPath& value);
+    static std::string sample(const KeySpec&) { return "[[0.25, 1, 2], [0.75, 3, 4]]"; }
 };
 
 template <>

@@ -115,6 +115,10 @@ class Table {
         last().range.at_lower = Bound::open;
         return *this;
     }
+    Table& between(double lower, double upper) {
+        last().range = {.lower = lower, .upper = upper};
+        return *this;
+    }
     Table& required() {
         last().presence = Presence::required;
         last().default_value = {};

@@ -8,8 +8,9 @@
 namespace gxrod {
 
 const KeySpec& TableHead::key_of(const void* field) const {
-    const auto key = std::ranges::find_if(
-        spec->keys, [&](const KeySpec& one) { return one.binding->field(*this) == field; });
+    const auto key = std::ranges::find_if(spec->keys, [&](const KeySpec& one) {
+        return one.binding->field(*this) == field || one.binding->value(*this) == field;
+    });
     assert(key != spec->keys.end());
     return *key;
 }

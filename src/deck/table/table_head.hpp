@@ -20,7 +20,7 @@ struct TableHead {
     Place place;
     std::vector<std::pair<std::string, Place>> given;  // keys that the deck has, and where their values are
 
-    // The key that is bound to the field at this address, a field of this struct.
+    // The key that is bound to the field of this struct at this address, or to the value of an std::optional.
     const KeySpec& key_of(const void* field) const;
     // Whether the deck has the key of this field.
     template <class Field>
