@@ -1,7 +1,7 @@
 #pragma once
 
-#include "rotation/half_rotation.hpp"
 #include "elements/spring_line.hpp"
+#include "rotation/half_rotation.hpp"
 
 namespace gxrod {
 

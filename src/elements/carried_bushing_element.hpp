@@ -1,8 +1,8 @@
 #pragma once
 
+#include "elements/carried_bushing_motion.hpp"
 #include "elements/plain_element.hpp"
 #include "elements/point_pair.hpp"
-#include "elements/carried_bushing_motion.hpp"
 
 namespace gxrod {
 

@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "rotation/swing.hpp"
 #include "elements/spring_line.hpp"
+#include "rotation/swing.hpp"
 
 namespace gxrod {
 

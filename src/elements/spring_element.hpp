@@ -2,8 +2,8 @@
 
 #include "elements/plain_element.hpp"
 #include "elements/point_pair.hpp"
-#include "model/spring_law.hpp"
 #include "elements/spring_line.hpp"
+#include "model/spring_law.hpp"
 
 namespace gxrod {
 
