@@ -42,9 +42,10 @@ constexpr Quantity lines_of_touching_bodies[]{
 
 }  // namespace
 
-constinit const QuantityTable quantities_of_obstacles{obstacle_lines, Part::contact, "obstacles"};
-constinit const QuantityTable quantities_of_touching_rods{lines_of_touching_rods, Part::contact, "rods"};
+constinit const QuantityTable quantities_of_obstacles{obstacle_lines, SnapshotPart::contact, "obstacles"};
+constinit const QuantityTable quantities_of_touching_rods{
+    lines_of_touching_rods, SnapshotPart::contact, "rods"};
 constinit const QuantityTable quantities_of_touching_bodies{
-    lines_of_touching_bodies, Part::contact, "bodies"};
+    lines_of_touching_bodies, SnapshotPart::contact, "bodies"};
 
 }  // namespace gxrod

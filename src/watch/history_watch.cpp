@@ -10,7 +10,7 @@ std::vector<RodPlace> list_rod_places(const std::vector<HistoryRequest>& request
         const auto* point = std::get_if<WatchedPoint>(&request.target);
         if (point == nullptr) continue;
         places.push_back(point->place);
-        const auto is_of_section = [](const Quantity* one) { return part_of(*one) == Part::section; };
+        const auto is_of_section = [](const Quantity* one) { return part_of(*one) == SnapshotPart::section; };
         places.back().is_asked =
             point->node < 0 || std::ranges::any_of(quantities_of(request), is_of_section);
     }

@@ -99,7 +99,7 @@ constexpr Quantity gear_lines[]{
 
 }  // namespace
 
-constinit const QuantityTable quantities_of_joints{joint_lines, Part::ties, "joints"};
-constinit const QuantityTable quantities_of_gears{gear_lines, Part::ties, "gears"};
+constinit const QuantityTable quantities_of_joints{joint_lines, SnapshotPart::ties, "joints"};
+constinit const QuantityTable quantities_of_gears{gear_lines, SnapshotPart::ties, "gears"};
 
 }  // namespace gxrod

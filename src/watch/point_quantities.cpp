@@ -69,11 +69,11 @@ constexpr Quantity reaction_lines[]{
 
 }  // namespace
 
-constinit const QuantityTable quantities_of_places{place_lines, Part::motion, "points"};
-constinit const QuantityTable quantities_of_rod_turns{rod_turn_lines, Part::motion, "points"};
-constinit const QuantityTable quantities_of_body_turns{body_turn_lines, Part::motion, "points"};
-constinit const QuantityTable quantities_of_rates{rate_lines, Part::motion, "points"};
-constinit const QuantityTable quantities_of_bodies{body_lines, Part::motion, "points"};
-constinit const QuantityTable quantities_of_reactions{reaction_lines, Part::reactions, "points"};
+constinit const QuantityTable quantities_of_places{place_lines, SnapshotPart::motion, "points"};
+constinit const QuantityTable quantities_of_rod_turns{rod_turn_lines, SnapshotPart::motion, "points"};
+constinit const QuantityTable quantities_of_body_turns{body_turn_lines, SnapshotPart::motion, "points"};
+constinit const QuantityTable quantities_of_rates{rate_lines, SnapshotPart::motion, "points"};
+constinit const QuantityTable quantities_of_bodies{body_lines, SnapshotPart::motion, "points"};
+constinit const QuantityTable quantities_of_reactions{reaction_lines, SnapshotPart::reactions, "points"};
 
 }  // namespace gxrod

@@ -137,7 +137,7 @@ bool can_be_relative(std::string_view word, const Watched& target) {
     return !has_own_axes && find_quantity(word)->axes == Axes::observer;
 }
 
-Part part_of(const Quantity& quantity) { return table_of(quantity).part; }
+SnapshotPart part_of(const Quantity& quantity) { return table_of(quantity).part; }
 
 const char* dimension_of(const Quantity& quantity, const Watched& target, const Model& model) {
     return quantity.dimension_of != nullptr ? quantity.dimension_of(target, model) : quantity.dimension;

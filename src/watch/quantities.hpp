@@ -32,7 +32,7 @@ std::string explain_missing(std::string_view word, const Watched& target, const 
 // Returns whether the quantity can be relative to another point.
 bool can_be_relative(std::string_view word, const Watched& target);
 
-Part part_of(const Quantity& quantity);
+SnapshotPart part_of(const Quantity& quantity);
 const char* dimension_of(const Quantity& quantity, const Watched& target, const Model& model);
 
 }  // namespace gxrod

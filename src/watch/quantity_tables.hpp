@@ -9,11 +9,11 @@
 namespace gxrod {
 
 // The part of a snapshot that quantities read, which has to be computed for them.
-enum class Part { motion, section, reactions, ties, contact };
+enum class SnapshotPart { motion, section, reactions, ties, contact };
 
 struct QuantityTable {
     std::span<const Quantity> lines;
-    Part part;
+    SnapshotPart part;
     const char* owners;  // "springs", for other things that are asked for these quantities
 };
 

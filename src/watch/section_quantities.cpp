@@ -21,6 +21,6 @@ constexpr Quantity section_lines[]{
 
 }  // namespace
 
-constinit const QuantityTable quantities_of_sections{section_lines, Part::section, "points"};
+constinit const QuantityTable quantities_of_sections{section_lines, SnapshotPart::section, "points"};
 
 }  // namespace gxrod

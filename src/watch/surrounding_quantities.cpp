@@ -50,7 +50,9 @@ constexpr Quantity lines_of_bodies_around[]{
 
 }  // namespace
 
-constinit const QuantityTable quantities_of_rods_around{lines_of_rods_around, Part::section, "points"};
-constinit const QuantityTable quantities_of_bodies_around{lines_of_bodies_around, Part::motion, "points"};
+constinit const QuantityTable quantities_of_rods_around{
+    lines_of_rods_around, SnapshotPart::section, "points"};
+constinit const QuantityTable quantities_of_bodies_around{
+    lines_of_bodies_around, SnapshotPart::motion, "points"};
 
 }  // namespace gxrod

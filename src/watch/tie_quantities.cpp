@@ -36,8 +36,8 @@ constexpr Quantity tendon_lines[]{
 
 }  // namespace
 
-constinit const QuantityTable quantities_of_springs{spring_lines, Part::ties, "springs"};
-constinit const QuantityTable quantities_of_bushings{bushing_lines, Part::ties, "bushings"};
-constinit const QuantityTable quantities_of_tendons{tendon_lines, Part::ties, "tendons"};
+constinit const QuantityTable quantities_of_springs{spring_lines, SnapshotPart::ties, "springs"};
+constinit const QuantityTable quantities_of_bushings{bushing_lines, SnapshotPart::ties, "bushings"};
+constinit const QuantityTable quantities_of_tendons{tendon_lines, SnapshotPart::ties, "tendons"};
 
 }  // namespace gxrod

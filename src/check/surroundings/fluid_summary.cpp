@@ -55,7 +55,7 @@ std::string describe_in_water(const Model& model,
     if (gravity == 0.0) return text + "\n";
     const Extent weight =
         find_range(sections, [&](const Section& one) { return find_wet_weight(one, density, gravity); });
-    text += fmt::format(", weight less buoyancy {} per length", in_parentheses(weight));
+    text += fmt::format(", weight less buoyancy {} per length", describe(weight));
     if (weight.most < 0.0) return text + ": it floats\n";
     return text + (weight.least < 0.0 ? ": in parts it floats\n" : "\n");
 }

@@ -4,7 +4,7 @@
 namespace gxrod {
 namespace {
 
-struct InputTable : TableHead {
+struct InputKeys : TableHead {
     std::optional<CheckedTimeFunction> value;
     std::optional<InputHold> hold;
 };
@@ -12,7 +12,7 @@ struct InputTable : TableHead {
 }  // namespace
 
 const TableSpec& input_table() {
-    using T = InputTable;
+    using T = InputKeys;
     static const TableSpec table =
         Table<T>(
             "[input.NAME]",
@@ -36,7 +36,7 @@ const TableSpec& input_table() {
 }
 
 void build_inputs(BuildContext& context) {
-    for (const InputTable& given : tables_of<InputTable>(context.deck, input_table())) {
+    for (const InputKeys& given : tables_of<InputKeys>(context.deck, input_table())) {
         const std::shared_ptr<Input>& input = context.deck.inputs.at(given.name);
         input->plan(given.value ? given.value->function : TimeFunction(),
                     given.hold.value_or(InputHold::step));

@@ -63,14 +63,14 @@ hsize_t count_columns() {
     return columns;
 }
 
-struct Table {
+struct RestartNumbers {
     hsize_t columns;
     std::vector<double> values = {};
 };
 
 template <class Row>
-Table table_of(std::span<const Row> rows) {
-    Table table{count_columns<Row>()};
+RestartNumbers table_of(std::span<const Row> rows) {
+    RestartNumbers table{count_columns<Row>()};
     table.values.reserve(rows.size() * table.columns);
     for (const Row& row : rows) {
         visit_vectors(row, [&](const auto& vector) {
@@ -81,7 +81,7 @@ Table table_of(std::span<const Row> rows) {
 }
 
 template <class Row>
-std::vector<Row> rows_of(const Table& table) {
+std::vector<Row> rows_of(const RestartNumbers& table) {
     std::vector<Row> rows(table.values.size() / table.columns);
     const double* next = table.values.data();
     for (Row& row : rows) {
@@ -142,7 +142,7 @@ void visit_numbers(Place& place, Visitor&& visit) {
     visit("critical_points", record.path.points);
 }
 
-inline std::uint32_t sum_of(const Table& table, std::uint32_t before) {
+inline std::uint32_t sum_of(const RestartNumbers& table, std::uint32_t before) {
     return checksum(std::span<const double>(table.values), before);
 }
 

@@ -25,7 +25,7 @@ Number restore(double number) {
 }
 
 // With their checksum at the end.
-Table read_numbers(const Hdf5Reader& file, const std::string& slot) {
+RestartNumbers read_numbers(const Hdf5Reader& file, const std::string& slot) {
     std::size_t count = 1;
     const RestartPlace none;
     visit_numbers(none, [&](const char*, const auto&) { ++count; });
@@ -49,12 +49,12 @@ std::optional<RestartPlace> read_restart(const Hdf5Reader& file) {
         const std::vector<hsize_t> size = file.size(slot + label.name);
         if (size.size() != 2 || static_cast<double>(size[0]) != rows || size[1] != columns)
             throw std::runtime_error(slot + label.name + " is damaged");
-        Table table{columns, file.numbers(slot + label.name)};
+        RestartNumbers table{columns, file.numbers(slot + label.name)};
         sum = sum_of(table, sum);
         return table;
     };
     RestartPlace place;
-    Table single = read_numbers(file, slot);
+    RestartNumbers single = read_numbers(file, slot);
     const double written = single.values.back();
     single.values.pop_back();
     std::size_t next = 0;

@@ -24,7 +24,7 @@ Hdf5Handle require_dataset(const Hdf5Handle& group,
     return dataset;
 }
 
-void write_rows(const Hdf5Handle& dataset, hsize_t first, const Table& table) {
+void write_rows(const Hdf5Handle& dataset, hsize_t first, const RestartNumbers& table) {
     const std::array<hsize_t, 2> start{first, 0};
     const std::array<hsize_t, 2> count{table.values.size() / table.columns, table.columns};
     const Hdf5Handle on_disk(H5Dget_space(dataset.id()), H5Sclose, "dataspace");
@@ -48,7 +48,7 @@ void put(const Hdf5Handle& group, const DatasetLabel& label, std::span<const Row
     const Hdf5Handle dataset =
         require_dataset(group, with_rows(label, rows.size()), rows.size(), count_columns<Row>());
     for (std::size_t first = 0; first < rows.size(); first += piece) {
-        const Table table = table_of(rows.subspan(first, std::min(piece, rows.size() - first)));
+        const RestartNumbers table = table_of(rows.subspan(first, std::min(piece, rows.size() - first)));
         write_rows(dataset, first, table);
         sum = sum_of(table, sum);
     }
@@ -78,7 +78,7 @@ RestartTable::RestartTable(const Hdf5Handle& root) : group_(require_group(root, 
 
 void RestartTable::write(const RestartPlace& place) {
     const Hdf5Handle slot = require_group(group_, slot_name(slot_ == 0 ? 1 : 0));
-    Table single{1};
+    RestartNumbers single{1};
     visit_numbers(
         place, [&](const char*, const auto& value) { single.values.push_back(static_cast<double>(value)); });
     std::uint32_t sum = 0;
