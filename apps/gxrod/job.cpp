@@ -10,9 +10,9 @@
 #include "batch/plan/plan.hpp"
 #include "check/model_examination.hpp"
 #include "check/shape_report.hpp"
-#include "check/summaries/model_summary.hpp"
 #include "exit_code.hpp"
 #include "machine/file_error.hpp"
+#include "model/settings/scheme_card.hpp"
 #include "parallel/cores.hpp"
 #include "progress_line.hpp"
 #include "results/results_size.hpp"
@@ -116,7 +116,7 @@ void say_chosen_schemes(const JobOptions& options, const Problem& problem) {
         say(stdout,
             "{}integrator auto takes {}: {}\n",
             stage.name.empty() ? "" : "stage " + stage.name + ": ",
-            name_of(dynamic->scheme),
+            card_of(dynamic->scheme).word,
             dynamic->chosen_for);
     }
     std::fflush(stdout);

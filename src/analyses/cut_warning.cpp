@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "model/settings/newton_choice.hpp"
+#include "model/settings/scheme_card.hpp"
 
 namespace gxrod {
 namespace {
@@ -18,23 +19,20 @@ std::string describe_ratio(const Model& model) {
 }
 
 std::string advise_on_motion(const Model& model, const DynamicSettings& settings) {
+    const SchemeCard& card = card_of(settings.scheme);
     const std::string steps = settings.adaptive ? "a smaller max_step" : "a smaller time_step";
-    if (settings.scheme == Scheme::runge_kutta_4) return ". Try " + steps + ".";
+    if (card.is_explicit) return ". Try " + steps + ".";
     std::string remedy = ". Try " + steps;
     if (choose_tangent(model, settings).tangent == TangentKind::consistent && !model.rods.empty()) {
         remedy = ". Try newton.tangent = \"mixed\", which converges in longer steps, or " + steps;
     }
     if (!settings.has_inertia) return describe_ratio(model) + remedy + ".";
-    const bool is_newmark =
-        settings.scheme == Scheme::newmark_simplified || settings.scheme == Scheme::newmark_ibrahimbegovic;
     if (!model.contact.is_empty()) {
         if (settings.gamma == DynamicSettings{}.gamma)
             remedy += ", or gamma = 0.6 and beta = 0.3, which damp what is too fast for the steps";
-    } else if (is_newmark) {
-        remedy += ", or generalized-alpha, which damps what is too fast for the steps";
+    } else {
+        remedy += card.if_cut;
     }
-    if (settings.scheme == Scheme::energy_momentum)
-        remedy += ", or gauss-4 where it turns almost without vibrating";
     return describe_ratio(model) + remedy + ".";
 }
 

@@ -22,6 +22,7 @@
 #include "model/parts.hpp"
 #include "model/settings/analysis_traits.hpp"
 #include "model/settings/newton_choice.hpp"
+#include "model/settings/scheme_card.hpp"
 #include "model/settings/scheme_choice.hpp"
 #include "numerics/eigenvalues.hpp"
 #include "elements/spring_line.hpp"
@@ -158,7 +159,7 @@ void find_free_joints(const Model& model, std::vector<Finding>& findings) {
 bool solves_equilibria(const AnalysisSettings& analysis) {
     if (!has_steps(analysis)) return false;
     const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
-    return !dynamic || dynamic->scheme != Scheme::runge_kutta_4;
+    return !dynamic || !card_of(dynamic->scheme).is_explicit;
 }
 
 void warn_of_contrasts(const Model& model,
@@ -182,7 +183,7 @@ void note_tangent(const Model& model, const AnalysisSettings& analysis, std::vec
 void note_friction(const Model& model, const AnalysisSettings& analysis, std::vector<Finding>& findings) {
     const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
     if (dynamic == nullptr || !dynamic->has_inertia || !dynamic->adaptive) return;
-    if (dynamic->scheme != Scheme::radau_5 && dynamic->scheme != Scheme::sdirk_4) return;
+    if (card_of(dynamic->scheme).order <= 2.0) return;
     const std::string rubs = find_friction(model);
     if (rubs.empty()) return;
     findings.push_back(

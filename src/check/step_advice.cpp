@@ -7,7 +7,7 @@
 #include <complex>
 #include <numbers>
 
-#include "check/summaries/model_summary.hpp"
+#include "model/settings/scheme_card.hpp"
 
 namespace gxrod {
 
@@ -39,25 +39,6 @@ double find_explicit_limit(double zeta) {
     return stable;
 }
 
-// Steps in a period with which a scheme errs in it by some hundredths of a rad (docs/theory/newmark.md).
-double steps_needed(Scheme scheme) {
-    switch (scheme) {
-        case Scheme::radau_5:
-            return 4.0;
-        case Scheme::gauss_4:
-            return 5.0;
-        case Scheme::sdirk_4:
-        case Scheme::runge_kutta_4:
-            return 8.0;
-        case Scheme::newmark_simplified:
-        case Scheme::newmark_ibrahimbegovic:
-        case Scheme::generalized_alpha:
-        case Scheme::energy_momentum:
-            break;
-    }
-    return 20.0;
-}
-
 // "1/13.7", "2.55", "1852".
 std::string describe_part(double part) {
     const double size = part < 1.0 ? 1.0 / part : part;
@@ -69,7 +50,7 @@ std::string describe_part(double part) {
 std::string advise_step(double longest, const DynamicSettings& settings, bool has_contact) {
     std::string step = fmt::format("expected time_step = {:.2g}", longest);
     if (has_contact) return step;  // which radau-5 does not take
-    if (settings.scheme == Scheme::radau_5) return step + ", or accuracy = 1e-3 in its place";
+    if (settings.scheme == accurate_scheme) return step + ", or accuracy = 1e-3 in its place";
     return step + ", or accuracy = 1e-3 in its place, which takes radau-5";
 }
 
@@ -88,27 +69,21 @@ std::string describe_steps(const MeshFrequencies& found,
                             describe_part(step / longest_period),
                             describe_part(step * found.highest / cycle));
     }
-    const double needed = steps_needed(settings.scheme);
+    const SchemeCard& card = card_of(settings.scheme);
+    const double needed = card.steps_in_period;
     if (!settings.adaptive && step * needed > longest_period) {
         text += fmt::format("  {} needs some {} steps in a period that matters: {}\n",
-                            name_of(settings.scheme),
+                            card.word,
                             needed,
                             advise_step(longest_period / needed, settings, has_contact));
     }
     const bool is_stiff = step * found.highest > resolved;
-    if (settings.scheme == Scheme::sdirk_4 && is_stiff) {
-        text +=
-            "  sdirk-4 with these steps does not resolve the highest ones: if they are excited, reactions "
-            "and accelerations lose their order and energy may grow; radau-5 keeps its order\n";
-    }
-    if (settings.scheme == Scheme::gauss_4 && is_stiff) {
-        text +=
-            "  gauss-4 with these steps does not resolve the highest ones and damps nothing: if they are "
-            "excited, they ring; radau-5 damps them\n";
-    }
-    if (settings.scheme != Scheme::runge_kutta_4) return text;
+    if (is_stiff && !card.if_unresolved.empty())
+        text += fmt::format(
+            "  {} with these steps does not resolve the highest ones{}\n", card.word, card.if_unresolved);
+    if (!card.is_explicit) return text;
     const double longest = find_explicit_limit(damping) / found.highest;
-    text += fmt::format("  runge-kutta-4 is stable up to time steps of {:.3g}", longest);
+    text += fmt::format("  {} is stable up to time steps of {:.3g}", card.word, longest);
     if (step > longest) {
         text +=
             fmt::format(": this deck's, {:.3g}, will fail; accuracy = 1e-3 in its place takes radau-5", step);
@@ -121,7 +96,7 @@ std::string describe_turning(const Model& model, const DynamicSettings& settings
     const auto rate_of = [](const Node& node) { return node.angular_velocity.norm(); };
     const Node& fastest = *std::ranges::max_element(model.nodes, {}, rate_of);
     const double turn = settings.time_step() * rate_of(fastest);
-    const double tolerable = cycle / steps_needed(settings.scheme);
+    const double tolerable = cycle / card_of(settings.scheme).steps_in_period;
     if (!(turn > tolerable)) return "";
     return fmt::format("  a step turns {} by {:.2g} rad, a turn in {:.2g} steps, at t = 0: {}\n",
                        fastest.name,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "deck/output/sample_times.hpp"
+#include "model/settings/scheme_card.hpp"
 
 namespace gxrod {
 
@@ -21,13 +22,9 @@ const AdaptiveSettings* adaptive_of(const AnalysisSettings& analysis) {
 double order_of(const AnalysisSettings& analysis) {
     const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
     if (dynamic == nullptr) return 1.0;
-    if (dynamic->scheme == Scheme::radau_5) return 5.0;
-    const bool is_fourth = dynamic->scheme == Scheme::sdirk_4 || dynamic->scheme == Scheme::gauss_4 ||
-                           dynamic->scheme == Scheme::runge_kutta_4;
-    if (is_fourth) return 4.0;
-    // Newmark's schemes of other gamma damp, and are of order 1.
-    const bool is_newmark = dynamic->scheme != Scheme::generalized_alpha;
-    return is_newmark && dynamic->gamma != 0.5 ? 1.0 : 2.0;
+    const SchemeCard& card = card_of(dynamic->scheme);
+    // Newmark's schemes of other gamma damp, and have order 1.
+    return card.parameters == SchemeParameters::newmark && dynamic->gamma != 0.5 ? 1.0 : card.order;
 }
 
 int lowest_order_of(const Model& model) {

@@ -15,6 +15,7 @@
 #include "elements/spring_line.hpp"
 #include "model/settings/analysis_traits.hpp"
 #include "model/settings/frame_interval.hpp"
+#include "model/settings/scheme_card.hpp"
 #include "model/spring_law.hpp"
 #include "numerics/eigenvalues.hpp"
 #include "rotation/vector_text.hpp"
@@ -78,32 +79,6 @@ std::string describe_bushing(const Model& model, const Bushing& bushing) {
                        describe_diagonal(bushing.stiffness),
                        describe_diagonal(bushing.damping));
 }
-
-}  // namespace
-
-const char* name_of(Scheme scheme) {
-    switch (scheme) {
-        case Scheme::newmark_simplified:
-            return "newmark-simplified";
-        case Scheme::newmark_ibrahimbegovic:
-            return "newmark-ibrahimbegovic";
-        case Scheme::generalized_alpha:
-            return "generalized-alpha";
-        case Scheme::sdirk_4:
-            return "sdirk-4";
-        case Scheme::radau_5:
-            return "radau-5";
-        case Scheme::gauss_4:
-            return "gauss-4";
-        case Scheme::energy_momentum:
-            return "energy-momentum";
-        case Scheme::runge_kutta_4:
-            break;
-    }
-    return "runge-kutta-4";
-}
-
-namespace {
 
 ItemList list_rods(const Model& model) {
     ItemList list{"rods", {}};
@@ -171,9 +146,10 @@ std::string describe_dynamic(const DynamicSettings& settings) {
         return fmt::format("quasi-static analysis: {} to t = {:.6g}\n", steps, settings.end_time);
     }
     std::string parameters;
-    if (settings.scheme == Scheme::newmark_simplified || settings.scheme == Scheme::newmark_ibrahimbegovic) {
+    const SchemeCard& card = card_of(settings.scheme);
+    if (card.parameters == SchemeParameters::newmark) {
         parameters = fmt::format(" (beta {:.6g}, gamma {:.6g})", settings.beta, settings.gamma);
-    } else if (settings.scheme == Scheme::generalized_alpha) {
+    } else if (card.parameters == SchemeParameters::spectral_radius) {
         parameters = fmt::format(" (spectral radius {:.6g})", settings.spectral_radius);
     }
     const std::string chosen =
@@ -182,14 +158,14 @@ std::string describe_dynamic(const DynamicSettings& settings) {
         return fmt::format(
             "dynamic analysis: {}{}, steps by their error, tolerance {:.6g}, first step {:.6g}, to t = "
             "{:.6g}\n",
-            name_of(settings.scheme),
+            card.word,
             chosen,
             settings.adaptive->tolerance,
             settings.time_step(),
             settings.end_time);
     }
     return fmt::format("dynamic analysis: {}{}{}, {} steps of {:.6g} to t = {:.6g}\n",
-                       name_of(settings.scheme),
+                       card.word,
                        parameters,
                        chosen,
                        settings.steps,

@@ -16,7 +16,4 @@ std::string describe_total(const Model& model);
 std::string describe_analysis(const AnalysisSettings& settings);
 std::string describe_output(const std::vector<StagePlan>& stages, const OutputSettings& output);
 
-// Returns the name of an integrator in decks.
-const char* name_of(Scheme scheme);
-
 }  // namespace gxrod

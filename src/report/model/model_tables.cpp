@@ -8,6 +8,7 @@
 #include "model/joint_name.hpp"
 #include "model/settings/analysis_traits.hpp"
 #include "model/settings/newton_choice.hpp"
+#include "model/settings/scheme_card.hpp"
 #include "numerics/eigenvalues.hpp"
 #include "report/model/centres_json.hpp"
 #include "report/model/model_json.hpp"
@@ -178,7 +179,7 @@ Json describe_analysis(const AnalysisSettings& analysis) {
     };
     if (const auto* dynamic = std::get_if<DynamicSettings>(&analysis)) {
         rows.push_back({"integrator",
-                        word_of(scheme_choices, dynamic->scheme) +
+                        std::string(card_of(dynamic->scheme).word) +
                             (dynamic->chosen_for.empty() ? "" : " (auto: " + dynamic->chosen_for + ")")});
         rows.push_back({"end time", dynamic->end_time});
         if (dynamic->steps > 0) {
