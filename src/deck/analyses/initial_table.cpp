@@ -43,7 +43,7 @@ const TableSpec& initial_table() {
     using T = InitialTable;
     static const TableSpec table =
         Table<T>("[[initial]]",
-                 "The velocities of the nodes of rods and bodies at t = 0. For dynamic analyses.")
+                   "The velocities of the nodes of rods and bodies at t = 0. For dynamic analyses.")
             .key("on", &T::on, "The name of a rod or body, or a list of them.")
             .required()
             .names_of({"rod", "body"})

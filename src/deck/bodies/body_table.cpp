@@ -106,9 +106,10 @@ const TableSpec& fluid_of_body_table() {
 const TableSpec& body_table() {
     using T = BodyTable;
     static const TableSpec table =
-        Table<T>("[body.NAME]",
-                 "A rigid body fixed to a node. Its axes at t = 0 are the global axes turned by "
-                 "rotation_vector. `at`, velocities and loads refer to the node, not to the centre of mass.")
+        Table<T>(
+            "[body.NAME]",
+            "A rigid body fixed to a node. Its axes at t = 0 are the global axes turned by "
+            "rotation_vector. `at`, velocities and loads refer to the node, not to the centre of mass.")
             .key("mass", &T::mass, "Mass.")
             .unit("mass")
             .above(0)

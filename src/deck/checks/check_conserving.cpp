@@ -6,7 +6,6 @@
 
 #include "deck/schema/choices.hpp"
 #include "model/parts.hpp"
-#include "model/settings/scheme_card.hpp"
 
 namespace gxrod {
 namespace {
@@ -57,7 +56,7 @@ std::string find_obstacle(const Model& model) {
 
 void check_conserving(const BuildContext& context) {
     const auto* dynamic = std::get_if<DynamicSettings>(&context.analysis());
-    if (dynamic == nullptr || !card_of(dynamic->scheme).conserves_energy) return;
+    if (dynamic == nullptr || dynamic->scheme != Scheme::energy_momentum) return;
     const std::string obstacle = find_obstacle(context.model);
     if (obstacle.empty()) return;
     const std::vector<CheckedTable>& stages = context.deck.tables("stage");
@@ -68,9 +67,9 @@ void check_conserving(const BuildContext& context) {
         "integrator",
         fmt::format("\"{}\" is for one free elastic body of rods, without supports, joints or damping; this "
                     "model has {}; expected another integrator, such as \"{}\"",
-                    card_of(dynamic->scheme).word,
+                    word_of(scheme_choices, Scheme::energy_momentum),
                     obstacle,
-                    card_of(Scheme::gauss_4).word));
+                    word_of(scheme_choices, Scheme::gauss_4)));
 }
 
 }  // namespace gxrod

@@ -12,6 +12,7 @@
 #include "deck/places/part.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/supports/support_merge.hpp"
+#include "deck/surroundings/surroundings_tables.hpp"
 #include "model/evaluation_error.hpp"
 
 namespace gxrod {
@@ -94,13 +95,6 @@ void check_by_time(const CheckedMotionVector& vector,
         check({component.expression.by_time, component.place, component.path}, times, context);
 }
 
-void check_by_time(const CheckedTable& table,
-                   const char* key,
-                   const std::vector<double>& times,
-                   const BuildContext& context) {
-    if (table.gives(key)) check_by_time(table.get<CheckedMotionVector>(key), times, context);
-}
-
 // All functions of a table, those of the arc length along the rod that it names.
 void check_values(const ActingTable& table, const std::vector<double>& times, const BuildContext& context) {
     if (find_acting(table, context).is_absent) return;
@@ -146,18 +140,6 @@ void check_pull(const TendonTable& tendon, const std::vector<double>& times, con
                                    when));
 }
 
-void check_flows(const std::vector<double>& times, const BuildContext& context) {
-    for (const auto& [kind, flow] : {std::pair("fluid", "current"), std::pair("air", "wind")}) {
-        for (const CheckedTable& table : context.deck.tables(kind)) {
-            for (const CheckedTable& one : table.tables(flow)) {
-                if (find_acting(one, context).is_absent) continue;
-                check_factor(acting_keys(one), times, context);
-                check_by_time(one, "velocity", times, context);
-            }
-        }
-    }
-}
-
 }  // namespace
 
 void check_functions(const BuildContext& context) {
@@ -169,7 +151,12 @@ void check_functions(const BuildContext& context) {
     }
     for (const TendonTable& tendon : tables_of<TendonTable>(context.deck, tendon_table()))
         check_pull(tendon, times, context);
-    check_flows(times, context);
+    for (const FluidTable& fluid : tables_of<FluidTable>(context.deck, fluid_table())) {
+        if (fluid.current) check_values(*fluid.current, times, context);
+    }
+    for (const AirTable& air : tables_of<AirTable>(context.deck, air_table())) {
+        if (air.wind) check_values(*air.wind, times, context);
+    }
     for (const SupportTable& support : tables_of<SupportTable>(context.deck, support_table())) {
         if (!support.move || !acts_in_stage(support, context)) continue;
         for (const CheckedTimeFunction& move : values_of<CheckedTimeFunction>(*support.move))

@@ -23,7 +23,7 @@ const TableSpec& gear_table() {
     using T = GearTable;
     static const TableSpec table =
         Table<T>("[gear.NAME]",
-                 "Ties the coordinates of two joints: ratio × first + second = 0, both since t = 0.")
+                   "Ties the coordinates of two joints: ratio × first + second = 0, both since t = 0.")
             .key("joints",
                  &T::joints,
                  "The first and the second: joints with a turn or a slide. Of a joint with both, "

@@ -7,6 +7,7 @@
 #include "deck/expressions/load_factor.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
+#include "deck/surroundings/surroundings_tables.hpp"
 #include "model/settings/analysis_traits.hpp"
 
 namespace gxrod {
@@ -178,6 +179,13 @@ LineFunction Acting::apply_own(const LineExpression& value) const {
         {InTime::varying, function.form().is_even});
 }
 
+std::string factor_sentence(const std::string& what) {
+    return "What the " + what +
+           " is multiplied by, in a stage's own t. By stage: a stage that is not named keeps the last "
+           "value, and before the first one there is no " +
+           what + ".";
+}
+
 Acting find_acting(const BuildContext& context) {
     const StagePlan& first = find_first_with_steps(context);
     const bool is_first = &first == &context.stages[context.stage];
@@ -215,13 +223,6 @@ Acting find_relative_acting(const ActingTable& load, const BuildContext& context
 
 }  // namespace
 
-ActingTable acting_keys(const CheckedTable& table) {
-    ActingTable keys;
-    if (table.gives("stages")) keys.stages = TableNames{table.get<std::vector<CheckedWord>>("stages")};
-    if (table.gives("factor")) keys.factor = table.get<StageFunctions>("factor");
-    return keys;
-}
-
 Acting find_acting(const ActingTable& load, const BuildContext& context) {
     if (!acts_in_stage(load, context)) return {.is_absent = true};
     if (load.relative_to) return find_relative_acting(load, context);
@@ -240,19 +241,26 @@ bool acts_in_stage(const ActingTable& table, std::size_t stage, const BuildConte
 }
 
 void check_stage_names(const BuildContext& context) {
-    for (const TableSpec* spec :
-         {&load_table(), &support_table(), &tendon_table(), &actuation_table(), &magnetic_table()}) {
+    for (const TableSpec* spec : {&load_table(),
+                                  &support_table(),
+                                  &tendon_table(),
+                                  &actuation_table(),
+                                  &magnetic_table(),
+                                  &wave_table()}) {
         for (const ActingTable& table : tables_of<ActingTable>(context.deck, *spec))
             check_stage_names(table, context);
     }
-    const auto check_all = [&](const std::vector<CheckedTable>& tables) {
-        for (const CheckedTable& table : tables) check_stage_names(acting_keys(table), context);
-    };
-    check_all(context.deck.tables("wave"));
-    for (const auto& [kind, flow] : {std::pair("fluid", "current"), std::pair("air", "wind")}) {
-        for (const CheckedTable& table : context.deck.tables(kind)) check_all(table.tables(flow));
+    for (const FluidTable& fluid : tables_of<FluidTable>(context.deck, fluid_table())) {
+        if (fluid.current) check_stage_names(*fluid.current, context);
     }
-    for (const CheckedTable& seabed : context.deck.tables("seabed")) check_all(seabed.tables("friction"));
+    for (const AirTable& air : tables_of<AirTable>(context.deck, air_table())) {
+        if (air.wind) check_stage_names(*air.wind, context);
+    }
+    for (const SeabedTable& seabed : tables_of<SeabedTable>(context.deck, seabed_table())) {
+        if (const auto* friction =
+                seabed.friction ? std::get_if<BedFrictionTable>(&*seabed.friction) : nullptr)
+            check_stage_names(*friction, context);
+    }
 }
 
 }  // namespace gxrod

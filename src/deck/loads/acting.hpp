@@ -42,22 +42,18 @@ struct ActingTable : TableHead {
     std::optional<LoadReference> relative_to;
 };
 
-// Those keys of a table that is not bound to a struct.
-ActingTable acting_keys(const CheckedTable& table);
+// What a key `factor` means, of what `what` calls it, and without it.
+std::string factor_sentence(const std::string& what);
+inline constexpr const char* factor_default =
+    "1; t in the first stage if that is static and the value has no t";
 
 // Of gravity and moves, which have no factor.
 Acting find_acting(const BuildContext& context);
 // Of a [[load]], or of what acts from inside.
 Acting find_acting(const ActingTable& load, const BuildContext& context);
-inline Acting find_acting(const CheckedTable& load, const BuildContext& context) {
-    return find_acting(acting_keys(load), context);
-}
 
 // Whether a table concerns the stage at hand, going by its key `stages`.
 bool acts_in_stage(const ActingTable& table, const BuildContext& context);
-inline bool acts_in_stage(const CheckedTable& table, const BuildContext& context) {
-    return acts_in_stage(acting_keys(table), context);
-}
 // The same of any stage.
 bool acts_in_stage(const ActingTable& table, std::size_t stage, const BuildContext& context);
 

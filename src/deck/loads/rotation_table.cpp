@@ -16,9 +16,10 @@ struct RotationTable : TableHead {
 const TableSpec& rotation_table() {
     using T = RotationTable;
     static const TableSpec table =
-        Table<T>("[rotation]",
-                 "A frame that turns steadily, for stages of kind steady: supports turn with it. Loads must "
-                 "follow the structure or point along the axis.")
+        Table<T>(
+            "[rotation]",
+            "A frame that turns steadily, for stages of kind steady: supports turn with it. Loads must "
+            "follow the structure or point along the axis.")
             .key("axis", &T::axis, "About which it turns; any length.")
             .unit("1")
             .key("through", &T::through, "A point of the axis.")

@@ -165,7 +165,6 @@ struct CheckedValue {
                  CheckedTimeVector,
                  CheckedArcFunction,
                  CheckedPlaceVector,
-                 CheckedMotionVector,
                  std::vector<CheckedWord>,
                  std::vector<CheckedTable>>  // one entry for a single table
         value;

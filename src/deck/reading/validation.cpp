@@ -149,7 +149,7 @@ class Validator {
                      const KeySpec& key,
                      TableHead& record) const {
         record.given.emplace_back(key.name, entry.node.place);
-        if (key.table != nullptr) {
+        if (key.table != nullptr && (entry.node.table() != nullptr || !key.binding->read)) {
             Value value = check_value(entry, path, key);
             if (const auto* tables = std::get_if<std::vector<CheckedTable>>(&value)) {
                 for (const CheckedTable& one : *tables) key.binding->hold(*one.record, record);

@@ -71,14 +71,10 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
             return read_mesh_group(node, path, key, context);
         case ValueType::time_expression:
             return wrap(reader.time_function(node, path));
-        case ValueType::stage_functions:
-            return wrap(reader.named_functions(node, path));
         case ValueType::coordinate_functions:
             return wrap(reader.coordinate_functions(node, path));
         case ValueType::time_vector:
             return wrap(reader.functions<3>(node, path, &FunctionReader::time_function));
-        case ValueType::field_vector:
-            return wrap(reader.functions<3>(node, path, &FunctionReader::field_function));
         case ValueType::place_vector:
             return wrap(reader.functions<3>(node, path, &FunctionReader::place_function));
         case ValueType::time_table:

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "deck/schema/schema_tables.hpp"
 #include "deck/surroundings/build_seabed.hpp"
+#include "deck/surroundings/surroundings_tables.hpp"
 #include "geometry/helix_curve.hpp"
 #include "geometry/hung_line.hpp"
 #include "geometry/line_curve.hpp"
@@ -149,11 +151,12 @@ Lying find_lying(const CheckedTable& rod, const BuildContext& context) {
     if (found == sections.end() || !found->fluid) return {};
     const CheckedTable& deck = context.deck;
     const double diameter = found->fluid->diameter;
-    const double density = deck.gives("fluid") ? deck.tables("fluid").front().get<double>("density") : 0.0;
+    const auto fluids = tables_of<FluidTable>(deck, fluid_table());
+    const double density = fluids.empty() ? 0.0 : fluids.front().get().density;
     const double gravity =
         deck.gives("gravity") ? -deck.get<CheckedTimeVector>("gravity")[2].function(1.0) : 0.0;
     const double weight = gravity * (found->mass(0, 0) - density * found->fluid->area);
-    const double stiffness = deck.tables("seabed").front().get<double>("stiffness");
+    const double stiffness = tables_of<SeabedTable>(deck, seabed_table()).front().get().stiffness;
     return {0.5 * diameter, std::max(weight, 0.0) / (stiffness * diameter)};
 }
 

@@ -22,8 +22,8 @@ struct ConnectTable : TableHead {
 const TableSpec& connect_table() {
     static const TableSpec table =
         Table<ConnectTable>("[[connect]]",
-                            "Points of rods that become one node, a rigid corner. Rods whose points are at "
-                            "one place are not connected otherwise.")
+                              "Points of rods that become one node, a rigid corner. Rods whose points are at "
+                              "one place are not connected otherwise.")
             .key("points",
                  &ConnectTable::points,
                  "Two or more, at one place. The node has the name of the first.")

@@ -153,8 +153,6 @@ std::string variables_of(const KeySpec& key) {
     const ValueKind* kind = find_kind(key);
     if (kind != nullptr && kind->variables != nullptr) return kind->variables();
     switch (key.type) {
-        case ValueType::field_vector:
-            return "t, x, y and z";
         case ValueType::place_vector:
             return "x, y, z and s";
         default:
@@ -235,14 +233,10 @@ std::string describe_expected(const KeySpec& key) {
             return "the name or the number of a physical group";
         case ValueType::time_expression:
             return "a number or an expression in " + variables_of(key);
-        case ValueType::stage_functions:
-            return "a number or an expression in t, or a table of one for each stage, such as "
-                   "{ hang = \"t\", swing = 1 }";
         case ValueType::coordinate_functions:
             return "a number or an expression in t, or a table { turn = \"…\", slide = \"…\" } of them";
         case ValueType::time_vector:
         case ValueType::place_vector:
-        case ValueType::field_vector:
             return "an array of 3 numbers or expressions in " + variables_of(key);
         case ValueType::time_table:
             return "an array of rows [t, value]";

@@ -46,10 +46,8 @@ enum class ValueType {
     section_matrix,        // 6 rows of 6 numbers
     mesh_group,            // the name or number of a physical group
     time_expression,       // f(t)
-    stage_functions,       // f(t), or a table of one for each stage that it names
     coordinate_functions,  // f(t), or a table of one for the turn, one for the slide or both
     time_vector,           // 3 f(t)
-    field_vector,          // 3 f(t, x, y, z) of a position
     place_vector,          // 3 f(x, y, z, s) of the reference position
     time_table,            // rows of 2 numbers, the first of each increasing
     columns,               // 2 names or numbers of columns

@@ -108,14 +108,10 @@ std::string describe_type(const KeySpec& key) {
             return "name or number";
         case ValueType::time_expression:
             return "f(t)";
-        case ValueType::stage_functions:
-            return "f(t), or { STAGE = f(t) }";
         case ValueType::coordinate_functions:
             return "f(t), or { turn = f(t), slide = f(t) }";
         case ValueType::time_vector:
             return "3 f(t)";
-        case ValueType::field_vector:
-            return "3 f(t, x, y, z)";
         case ValueType::place_vector:
             return "3 f(x, y, z, s)";
         case ValueType::time_table:

@@ -86,7 +86,6 @@ Json make_type(const KeySpec& key) {
         case ValueType::vector:
         case ValueType::time_vector:
         case ValueType::place_vector:
-        case ValueType::field_vector:
             return array_of(reference("number"), 3);
         case ValueType::vectors:
             return array_of_at_least(array_of(reference("number"), 3), 2);
@@ -120,8 +119,6 @@ Json make_type(const KeySpec& key) {
             return {{"type", {"string", "integer"}}};
         case ValueType::time_expression:
             return reference("number");
-        case ValueType::stage_functions:
-            return any_of({reference("number"), named_tables("^[A-Za-z0-9_-]+$", reference("number"))});
         case ValueType::coordinate_functions:
             return any_of({reference("number"),
                            {{"type", "object"},

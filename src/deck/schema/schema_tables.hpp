@@ -36,13 +36,6 @@ const TableSpec& rotation_table();
 const TableSpec& output_table();
 const TableSpec& history_table();
 
-// When something acts: the stages, and what it is multiplied by there, which `what` calls it.
-KeySpec stages_key(const char* sentence);
-KeySpec factor_key(const std::string& what);
-std::string factor_sentence(const std::string& what);
-inline constexpr const char* factor_default =
-    "1; t in the first stage if that is static and the value has no t";
-
 // Curves that a rod, its rest or a tube can have.
 std::vector<KeySpec> curve_keys();
 

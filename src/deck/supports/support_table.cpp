@@ -42,8 +42,8 @@ const TableSpec& support_table() {
     static const TableSpec move = move_table();
     static const TableSpec table =
         Table<T>("[[support]]",
-                 "Components of a point that are fixed or move as prescribed. Of the rotations none, all "
-                 "three or exactly two fixed: a hinge about the third axis. Supports of one point add up.")
+                   "Components of a point that are fixed or move as prescribed. Of the rotations none, all "
+                   "three or exactly two fixed: a hinge about the third axis. Supports of one point add up.")
             .key("at", &T::at, "A point of a rod, or a body.")
             .required()
             .also("pos position point node location where")

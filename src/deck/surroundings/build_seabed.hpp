@@ -2,11 +2,12 @@
 
 #include "deck/places/build_context.hpp"
 #include "deck/surroundings/surroundings_files.hpp"
+#include "deck/surroundings/surroundings_tables.hpp"
 
 namespace gxrod {
 
 // Builds the ground from its table; `grid` comes from its file. Errors become faults.
-Seabed find_seabed(const CheckedTable& table,
+Seabed find_seabed(const SeabedTable& given,
                    const std::optional<GroundGrid>& grid,
                    const BuildContext& context);
 

@@ -2,12 +2,13 @@
 
 #include "deck/places/build_context.hpp"
 #include "deck/surroundings/surroundings_files.hpp"
+#include "deck/surroundings/surroundings_tables.hpp"
 
 namespace gxrod {
 
 // Finds the depth for waves, from the table [fluid] or the ground below; nullopt for deep water, or with a
 // fault.
-std::optional<double> find_depth(const CheckedTable& fluid, const BuildContext& context);
+std::optional<double> find_depth(const FluidTable& fluid, const BuildContext& context);
 
 // Checks that waves have a surface and a stage in which they act. Errors become faults.
 void check_waves(const BuildContext& context);

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
+#include "deck/bodies/body_table.hpp"
+#include "deck/schema/schema_tables.hpp"
 #include "deck/surroundings/build_waves.hpp"
 
 namespace gxrod {
 namespace {
 
 constexpr const char* surroundings[] = {"fluid", "air", "seabed"};
-constexpr const char* parts[] = {"section", "body"};
 
 // That something takes part, and in something.
 void check_parts(const BuildContext& context) {
@@ -16,12 +17,16 @@ void check_parts(const BuildContext& context) {
     const bool is_around =
         std::ranges::any_of(surroundings, [&](const char* key) { return deck.gives(key); });
     bool takes_part = false;
-    for (const char* kind : parts) {
-        for (const CheckedTable& part : deck.tables(kind)) {
-            if (!part.gives("fluid")) continue;
-            takes_part = true;
-            if (!is_around) context.add_fault(part, "fluid", "the deck has no [fluid], [air] or [seabed]");
-        }
+    constexpr const char* nothing_around = "the deck has no [fluid], [air] or [seabed]";
+    for (const CheckedTable& section : deck.tables("section")) {
+        if (!section.gives("fluid")) continue;
+        takes_part = true;
+        if (!is_around) context.add_fault(section, "fluid", nothing_around);
+    }
+    for (const BodyTable& body : tables_of<BodyTable>(deck, body_table())) {
+        if (!body.fluid) continue;
+        takes_part = true;
+        if (!is_around) context.add_fault(body, body.fluid, nothing_around);
     }
     if (takes_part) return;
     for (const char* key : surroundings) {
@@ -34,21 +39,20 @@ void check_parts(const BuildContext& context) {
     }
 }
 
-bool any_gives_fluid(const std::vector<CheckedTable>& tables) {
-    return std::ranges::any_of(tables, [](const CheckedTable& table) { return table.gives("fluid"); });
-}
-
 // Whether waves take their depth from the ground.
 bool gives_depth(const CheckedTable& deck) {
-    const std::vector<CheckedTable>& fluids = deck.tables("fluid");
-    return !deck.tables("wave").empty() && !fluids.empty() && !fluids.front().gives("depth");
+    const auto fluids = tables_of<FluidTable>(deck, fluid_table());
+    return !deck.tables("wave").empty() && !fluids.empty() && !fluids.front().get().depth;
 }
 
 // A ground that only bodies could touch, which they do not.
 void check_ground(const BuildContext& context) {
     const CheckedTable& deck = context.deck;
-    if (any_gives_fluid(deck.tables("section")) || !any_gives_fluid(deck.tables("body")) || gives_depth(deck))
-        return;
+    const bool any_section = std::ranges::any_of(
+        deck.tables("section"), [](const CheckedTable& section) { return section.gives("fluid"); });
+    const bool any_body = std::ranges::any_of(tables_of<BodyTable>(deck, body_table()),
+                                              [](const BodyTable& body) { return body.fluid.has_value(); });
+    if (any_section || !any_body || gives_depth(deck)) return;
     for (const CheckedTable& ground : deck.tables("seabed")) {
         context.faults.add(
             ground.place,
@@ -66,26 +70,29 @@ bool acts_down(const CheckedTable& deck) {
            (!down.is_constant() || down(0.0) < 0.0);
 }
 
-void check_up(const CheckedTable& fluid, const BuildContext& context) {
-    if (!fluid.gives("surface") || acts_down(context.deck)) return;
-    context.add_fault(
-        fluid, "surface", "up is z where water has a surface; expected gravity = [0, 0, -g] with g above 0");
+void check_up(const FluidTable& fluid, const BuildContext& context) {
+    if (!fluid.surface || acts_down(context.deck)) return;
+    context.add_fault(fluid,
+                      fluid.surface,
+                      "up is z where water has a surface; expected gravity = [0, 0, -g] with g above 0");
 }
 
 // Keys of [fluid] that say something of a surface.
-void check_without_surface(const CheckedTable& fluid, const BuildContext& context) {
-    if (fluid.gives("surface")) return;
-    for (const char* key : {"depth", "stretching", "current_stretching", "ramp"}) {
-        if (fluid.gives(key))
-            context.add_fault(fluid, key, "goes with surface: without one there are no waves");
-    }
+void check_without_surface(const FluidTable& fluid, const BuildContext& context) {
+    if (fluid.surface) return;
+    const auto refuse = [&](const auto& field) {
+        if (fluid.gives(field))
+            context.add_fault(fluid, field, "goes with surface: without one there are no waves");
+    };
+    refuse(fluid.depth);
+    refuse(fluid.stretching);
+    refuse(fluid.current_stretching);
+    refuse(fluid.ramp);
 }
 
-void check_no_stretching(const CheckedTable& fluid, const BuildContext& context) {
-    if (!fluid.gives("current_stretching") || !fluid.get<bool>("current_stretching")) return;
-    const std::vector<CheckedTable>& currents = fluid.tables("current");
-    if (!currents.empty() && currents.front().gives("table")) return;
-    context.add_fault(fluid, "current_stretching", "goes with a table of the current");
+void check_no_stretching(const FluidTable& fluid, const BuildContext& context) {
+    if (!fluid.current_stretching.value_or(false) || (fluid.current && fluid.current->table)) return;
+    context.add_fault(fluid, fluid.current_stretching, "goes with a table of the current");
 }
 
 }  // namespace
@@ -93,7 +100,7 @@ void check_no_stretching(const CheckedTable& fluid, const BuildContext& context)
 void check_surroundings(const BuildContext& context) {
     check_parts(context);
     check_ground(context);
-    for (const CheckedTable& fluid : context.deck.tables("fluid")) {
+    for (const FluidTable& fluid : tables_of<FluidTable>(context.deck, fluid_table())) {
         check_up(fluid, context);
         check_without_surface(fluid, context);
         check_no_stretching(fluid, context);

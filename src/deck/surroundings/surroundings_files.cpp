@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "deck/schema/schema_tables.hpp"
+#include "deck/surroundings/surroundings_tables.hpp"
 #include "machine/file_error.hpp"
 #include "machine/printable.hpp"
 
@@ -76,23 +78,23 @@ void check_rising(const std::vector<NumberRow<2>>& rows, const std::string& file
     }
 }
 
-// Reads the file of a table; what is wrong goes to the faults.
+// Reads the file that a field of a table names; what is wrong goes to the faults.
 class FileReader {
   public:
     FileReader(const TableFiles& files, FaultList& faults, std::vector<MeshRecord>& records)
         : files_(files), faults_(faults), records_(records) {}
 
     template <class Value>
-    std::optional<Value> read(const CheckedTable& table,
+    std::optional<Value> read(const TableHead& table,
+                              const std::string& name,
                               Value (*parse)(std::string_view, const std::string&)) const {
-        const std::string& name = table.get<std::string>("file");
         try {
             const std::string bytes = files_.read(name);
             Value value = parse(bytes, name);
             keep_file(name, bytes, records_);
             return value;
         } catch (const FileError& error) {
-            faults_.add(table.place_of("file"), table.path_of("file"), error.what());
+            faults_.add(table.place_of(&name), table.path_of(&name), error.what());
             return std::nullopt;
         }
     }
@@ -163,16 +165,16 @@ SurroundingsFiles read_surroundings_files(const CheckedTable& deck,
                                           std::vector<MeshRecord>& records) {
     const FileReader reader(files, faults, records);
     SurroundingsFiles all;
-    const std::vector<CheckedTable>& waves = deck.tables("wave");
-    for (std::size_t i = 0; i < waves.size(); ++i) {
-        for (const CheckedTable& elevation : waves[i].tables("elevation")) {
-            auto record = reader.read(elevation, read_elevations);
-            if (record) all.waves.emplace(i, std::move(*record));
+    std::size_t index = 0;
+    for (const WaveTable& wave : tables_of<WaveTable>(deck, wave_table())) {
+        if (wave.elevation) {
+            auto record = reader.read(*wave.elevation, wave.elevation->file, read_elevations);
+            if (record) all.waves.emplace(index, std::move(*record));
         }
+        ++index;
     }
-    for (const CheckedTable& seabed : deck.tables("seabed")) {
-        for (const CheckedTable& grid : seabed.tables("grid"))
-            all.ground = reader.read(grid, read_ground_grid);
+    for (const SeabedTable& seabed : tables_of<SeabedTable>(deck, seabed_table())) {
+        if (seabed.grid) all.ground = reader.read(*seabed.grid, seabed.grid->file, read_ground_grid);
     }
     return all;
 }

@@ -68,6 +68,26 @@ std::optional<double> Kind<double>::read(const ValueSource& from) {
 
 std::string Kind<double>::sample(const KeySpec& key) { return print(sample_of(key.range)); }
 
+std::optional<long> Kind<long>::read(const ValueSource& from) {
+    return NumberReader(from.key, from.context).integer(from.node, from.path);
+}
+
+std::string Kind<long>::sample(const KeySpec& key) { return print(std::lround(sample_of(key.range))); }
+
+std::optional<std::string> Kind<std::string>::read(const ValueSource& from) {
+    return read_text(from.node, from.path, from.key, from.context);
+}
+
+std::optional<CheckedPairs> Kind<CheckedPairs>::read(const ValueSource& from) {
+    return RowReader(from.key, from.context).pairs(from.node, from.path);
+}
+
+std::string Kind<CheckedPairs>::print(const CheckedPairs& value) {
+    std::vector<std::string> items;
+    for (const auto& [first, second] : value.rows) items.push_back(fmt::format("[{}, {}]", first, second));
+    return print_list(items);
+}
+
 std::optional<bool> Kind<bool>::read(const ValueSource& from) {
     return NumberReader(from.key, from.context).flag(from.node, from.path);
 }
@@ -180,6 +200,8 @@ std::string Kind<std::variant<Vec3, PointName>>::print(const Value& value) {
     return std::visit([]<class One>(const One& one) { return Kind<One>::print(one); }, value);
 }
 
+std::string Kind<FieldVector>::schema(const KeySpec&) { return schema_of_array(number_schema, 3); }
+
 std::optional<FieldVector> Kind<FieldVector>::read(const ValueSource& from) {
     auto components = FunctionReader(from.key, from.context)
                           .functions<3>(from.node, from.path, &FunctionReader::field_function);
@@ -208,6 +230,12 @@ std::string Kind<CheckedTendonPath>::print(const CheckedTendonPath& value) {
             if (function) items.push_back(Kind<double>::print(function(0.0)));
     }
     return print_list(items);
+}
+
+std::string Kind<StageFunctions>::schema(const KeySpec&) {
+    return fmt::format(
+        R"({{"anyOf": [{0}, {{"type": "object", "patternProperties": {{"^[A-Za-z0-9_-]+$": {0}}}, "additionalProperties": false}}]}})",
+        number_schema);
 }
 
 std::optional<StageFunctions> Kind<StageFunctions>::read(const ValueSource& from) {

@@ -61,6 +61,9 @@ inline constexpr const std::array<Choice<BushingAxes>, 4>& choices_of(BushingAxe
     return bushing_axes_choices;
 }
 
+inline constexpr const std::array<Choice<Stretching>, 4>& choices_of(Stretching) {
+    return stretching_choices;
+}
 inline constexpr const std::array<Choice<TendonEnd>, 2>& choices_of(TendonEnd) { return tendon_end_choices; }
 inline constexpr const std::array<Choice<InputHold>, 2>& choices_of(InputHold) { return input_hold_choices; }
 inline constexpr const std::array<Choice<LoadReference>, 1>& choices_of(LoadReference) {
@@ -81,6 +84,32 @@ struct Kind<double> {
     static std::string print(double value) { return fmt::format("{}", value); }
     static std::string sample(const KeySpec& key);
     static double default_value(double value) { return value; }
+};
+
+template <>
+struct Kind<long> {
+    static constexpr ValueType type = ValueType::integer;
+    static std::optional<long> read(const ValueSource& from);
+    static std::string print(long value) { return fmt::format("{}", value); }
+    static std::string sample(const KeySpec& key);
+    static long default_value(long value) { return value; }
+};
+
+template <>
+struct Kind<std::string> {
+    static constexpr ValueType type = ValueType::text;
+    static std::optional<std::string> read(const ValueSource& from);
+    static std::string print(const std::string& value) { return "\"" + value + "\""; }
+    static std::string sample(const KeySpec&) { return "\"some text\""; }
+    static std::string default_value(const std::string& value) { return value; }
+};
+
+template <>
+struct Kind<CheckedPairs> {
+    static constexpr ValueType type = ValueType::pairs;
+    static std::optional<CheckedPairs> read(const ValueSource& from);
+    static std::string print(const CheckedPairs& value);
+    static std::string sample(const KeySpec&) { return "[[1, 2], [3, 4]]"; }
 };
 
 template <>
@@ -205,7 +234,12 @@ struct Kind<std::variant<Vec3, PointName>> {
 
 template <>
 struct Kind<FieldVector> {
-    static constexpr ValueType type = ValueType::field_vector;
+    static std::string variables() { return "t, x, y and z"; }
+    static std::string words(const KeySpec&) {
+        return "an array of 3 numbers or expressions in " + variables();
+    }
+    static std::string column(const KeySpec&) { return "3 f(t, x, y, z)"; }
+    static std::string schema(const KeySpec&);
     static std::optional<FieldVector> read(const ValueSource& from);
     static std::string print(const FieldVector& value);
     static std::string sample(const KeySpec&) { return "[1.25, 2.5, 3.75]"; }
@@ -226,7 +260,12 @@ struct Kind<CheckedTendonPath> {
 
 template <>
 struct Kind<StageFunctions> {
-    static constexpr ValueType type = ValueType::stage_functions;
+    static std::string words(const KeySpec&) {
+        return "a number or an expression in t, or a table of one for each stage, such as { hang = \"t\", "
+               "swing = 1 }";
+    }
+    static std::string column(const KeySpec&) { return "f(t), or { STAGE = f(t) }"; }
+    static std::string schema(const KeySpec&);
     static std::optional<StageFunctions> read(const ValueSource& from);
     static std::string print(const StageFunctions& value);
     static std::string sample(const KeySpec&) { return "{ first = 1.25, second = 2.5 }"; }

@@ -16,27 +16,40 @@
 // of its key.
 namespace gxrod {
 
+template <class Value>
+concept IsTable = std::is_base_of_v<TableHead, Value>;
+
 // What a field holds: the value itself, or one that the deck may leave out.
 template <class Field>
 struct FieldTraits {
     using Value = Field;
-    static constexpr bool is_list = false;
     static const void* find(const Field& field) { return &field; }
 };
 
 template <class Inner>
 struct FieldTraits<std::optional<Inner>> {
     using Value = Inner;
-    static constexpr bool is_list = false;
+    static constexpr ValueType type = ValueType::table;
     static const void* find(const std::optional<Inner>& field) { return field ? &*field : nullptr; }
+    static void hold(const Inner& table, std::optional<Inner>& field) { field = table; }
 };
 
-template <class Inner>
-    requires std::is_base_of_v<TableHead, Inner>
+// A number, or a table in its place.
+template <IsTable Inner>
+struct FieldTraits<std::optional<std::variant<double, Inner>>> {
+    using Field = std::optional<std::variant<double, Inner>>;
+    using Value = Inner;
+    static constexpr ValueType type = ValueType::number_or_table;
+    static const void* find(const Field& field) { return field ? &*field : nullptr; }
+    static void hold(const Inner& table, Field& field) { field = table; }
+};
+
+template <IsTable Inner>
 struct FieldTraits<std::vector<Inner>> {
     using Value = Inner;
-    static constexpr bool is_list = true;
+    static constexpr ValueType type = ValueType::table_list;
     static const void* find(const std::vector<Inner>& field) { return &field; }
+    static void hold(const Inner& table, std::vector<Inner>& field) { field.push_back(table); }
 };
 
 // T derives from TableHead. What follows a key() is about this key.
@@ -81,23 +94,24 @@ class Table {
         return *this;
     }
 
-    // Adds a table in this table, as an std::optional, or a list of them, as an std::vector.
+    // Adds a table in this table as an std::optional, in place of a number or not, or a list of them as an
+    // std::vector.
     template <class Access>
     Table& key(std::string name, Access access, const TableSpec& inner, std::string sentence) {
         using Traits = FieldTraits<FieldOf<Access>>;
         using Inner = typename Traits::Value;
         Binding binding = bind(access);
         binding.hold = [access](const TableHead& one, TableHead& table) {
-            if constexpr (Traits::is_list) {
-                field(access, table).push_back(static_cast<const Inner&>(one));
-            } else {
-                field(access, table) = static_cast<const Inner&>(one);
-            }
+            Traits::hold(static_cast<const Inner&>(one), field(access, table));
         };
-        add({.name = std::move(name),
-             .type = Traits::is_list ? ValueType::table_list : ValueType::table,
-             .sentence = std::move(sentence),
-             .table = &inner},
+        if constexpr (Traits::type == ValueType::number_or_table) {
+            binding.read = [access](const ValueSource& from, TableHead& table) {
+                const std::optional<double> number = Kind<double>::read(from);
+                if (number) field(access, table) = *number;
+                return number.has_value();
+            };
+        }
+        add({.name = std::move(name), .type = Traits::type, .sentence = std::move(sentence), .table = &inner},
             binding);
         return *this;
     }
@@ -130,9 +144,14 @@ class Table {
         last().default_value = {};
         return *this;
     }
-    // What other programs call the key: words, in lower case.
-    Table& also(const char* words) {
-        spec_.other_names.push_back({last().name, words});
+    // What other programs call the key: words, in lower case; a remark if it is not quite the same.
+    Table& also(const char* words, const char* remark = "") {
+        spec_.other_names.push_back({last().name, words, remark});
+        return *this;
+    }
+    // What other programs have in such a table and this one has in a table in it, as in "wind.velocity".
+    Table& has_as(const char* key, const char* words) {
+        spec_.other_names.push_back({key, words});
         return *this;
     }
     // The words that the key takes.

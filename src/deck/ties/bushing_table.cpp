@@ -48,9 +48,10 @@ const TableSpec& bushing_table() {
     static const TableSpec damping =
         components_table("damping", "force·time/length", "force·length·time/angle");
     static const TableSpec table =
-        Table<T>("[bushing.NAME]",
-                 "Resists displacements and rotations of B against A in all directions: with stiffness about "
-                 "axes only, a torsion spring. It is free of force as it is at t = 0.")
+        Table<T>(
+            "[bushing.NAME]",
+            "Resists displacements and rotations of B against A in all directions: with stiffness about "
+            "axes only, a torsion spring. It is free of force as it is at t = 0.")
             .key("between", &T::between, "What A and B are fixed to: points of rods, bodies, or \"ground\".")
             .required()
             .also("points nodes ends connects")

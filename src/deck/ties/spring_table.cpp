@@ -27,10 +27,11 @@ struct SpringTable : TableHead {
 const TableSpec& spring_table() {
     using T = SpringTable;
     static const TableSpec table =
-        Table<T>("[spring.NAME]",
-                 "A spring and a damper along the line between two points, A and B. Their force is stiffness "
-                 "times (length now - length) plus damping times the rate of the length plus force, tension "
-                 "positive.")
+        Table<T>(
+            "[spring.NAME]",
+            "A spring and a damper along the line between two points, A and B. Their force is stiffness "
+            "times (length now - length) plus damping times the rate of the length plus force, tension "
+            "positive.")
             .key("between",
                  &T::between,
                  "What carries A and B: points of rods, bodies, or \"ground\" for one that does not move.")

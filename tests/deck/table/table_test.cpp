@@ -75,7 +75,7 @@ TEST_CASE("No more than so many tables have keys that are fetched by strings", "
         }
     };
     collect(deck_schema());
-    CHECK(all.size() == 73);
+    CHECK(all.size() == 61);
 }
 
 }  // namespace gxrod::test

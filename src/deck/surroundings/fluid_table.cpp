@@ -1,0 +1,185 @@
+#include "deck/surroundings/build_surroundings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "deck/drives/place_field.hpp"
+#include "deck/schema/schema_tables.hpp"
+#include "deck/surroundings/build_seabed.hpp"
+#include "deck/surroundings/build_waves.hpp"
+#include "deck/surroundings/check_surroundings.hpp"
+
+namespace gxrod {
+namespace {
+
+TableSpec flow_table(const char* path, const char* what) {
+    using T = FlowTable;
+    return Table<T>(path, "")
+        .key(
+            "table",
+            &T::table,
+            "Rows of a height z and the speed there, z rising from row to row: linear between them, constant "
+            "beyond.")
+        .unit("length, length/time")
+        .also("profile rows")
+        .key("direction", &T::direction, "Where it flows to, of any length.")
+        .unit("1")
+        .required()
+        .only_with("table")
+        .key("velocity", &T::velocity, "By time and place, global components.")
+        .unit("length/time")
+        .also("v speed")
+        .key("factor", &T::factor, factor_sentence(what))
+        .unit("1")
+        .otherwise(factor_default)
+        .key("stages", &T::stages, "The stages in which it flows.")
+        .otherwise("all")
+        .names_of({"stage"})
+        .exactly_one_of({"table", "velocity"});
+}
+
+}  // namespace
+
+const TableSpec& fluid_table() {
+    using T = FluidTable;
+    static const TableSpec current = flow_table("fluid.current", "current");
+    static const TableSpec table =
+        Table<T>("[fluid]",
+                 "The water around sections and bodies that have a key `fluid`. [Water, wind and "
+                 "ground](guide/water.md) explains it.")
+            .key("density", &T::density, "Mass per volume.")
+            .unit("mass/length³")
+            .above(0)
+            .required()
+            .also("rho")
+            .key("surface", &T::surface, "z of still water: up is z, and gravity acts down.")
+            .unit("length")
+            .otherwise("none: water everywhere")
+            .also("z level surface_level water_level swl msl sea_level")
+            .key("depth", &T::depth, "Of the water that waves feel.")
+            .unit("length")
+            .above(0)
+            .otherwise("down to a horizontal [seabed]; without one the water is deep")
+            .also("water_depth d")
+            .key("current", &T::current, current, "How it flows without waves; still if left out.")
+            .has_as("current.velocity", "velocity")
+            .key("stretching",
+                 &T::stretching,
+                 "How linear waves reach the moving surface. wheeler: the profile from bed to still water is "
+                 "drawn out to it. vertical: above still water as at it. extrapolate: along the tangent "
+                 "there. none: by the formulas of below.")
+            .also("kinematic_stretching wave_stretching")
+            .key("current_stretching",
+                 &T::current_stretching,
+                 "Whether the table of the current is drawn out to the surface, as by wheeler.")
+            .otherwise("false")
+            .key("ramp",
+                 &T::ramp,
+                 "How long waves take to grow, from the start of the first stage that has them.")
+            .unit("time")
+            .at_least(0)
+            .shown_by(
+                "[fluid]\n"
+                "density = 1025\n"
+                "surface = 20\n"
+                "depth   = 100\n"
+                "current = { table = [[-80, 0.2], [20, 1.2]], direction = [1, 0, 0] }\n"
+                "ramp    = 5\n");
+    return table;
+}
+
+const TableSpec& air_table() {
+    using T = AirTable;
+    static const TableSpec wind = flow_table("air.wind", "wind");
+    static const TableSpec table =
+        Table<T>(
+            "[air]",
+            "The air around sections and bodies that have a key `fluid`, above the water if there is any.")
+            .key("density", &T::density, "Mass per volume.")
+            .unit("mass/length³")
+            .above(0)
+            .required()
+            .also("rho")
+            .key("wind", &T::wind, wind, "How it flows; still if left out.")
+            .has_as("wind.velocity", "velocity speed")
+            .also("profile flow")
+            .shown_by(
+                "[air]\n"
+                "density = 1.225\n"
+                "wind    = { velocity = [\"10*(max(z - 20, 0.1)/10)^0.14\", 0, 0] }\n");
+    return table;
+}
+
+namespace {
+
+std::optional<SpeedProfile> find_profile(const FlowTable& given,
+                                         const Acting& acting,
+                                         const BuildContext& context) {
+    const CheckedPairs& pairs = *given.table;
+    SpeedProfile profile{.heights = {}, .speeds = {}, .direction = given.direction};
+    for (std::size_t i = 0; i < pairs.rows.size(); ++i) {
+        const auto& [height, speed] = pairs.rows[i];
+        if (i > 0 && height <= profile.heights.back()) {
+            context.faults.add(
+                pairs.places[i],
+                fmt::format("{}[{}]", given.path_of(&given.table), i),
+                fmt::format("z must rise from row to row: {} follows {}", height, profile.heights.back()));
+            return std::nullopt;
+        }
+        profile.heights.push_back(height);
+        profile.speeds.push_back(speed);
+    }
+    if (profile.direction.isZero(0.0)) {
+        context.add_fault(given, given.direction, "expected a direction, found a vector of zero length");
+        return std::nullopt;
+    }
+    profile.direction.stableNormalize();
+    profile.factor = acting.apply(TimeFunction(1.0));
+    return profile;
+}
+
+Flow find_flow(const std::optional<FlowTable>& given, const BuildContext& context) {
+    if (!given) return {};
+    const Acting acting = find_acting(*given, context);
+    if (acting.is_absent) return {};
+    Flow flow;
+    if (given->table) {
+        flow.profile = find_profile(*given, acting, context);
+        return flow;
+    }
+    flow.field = [field = make_field(given->velocity->components, acting)](double time,
+                                                                           const Vec3& position) -> Vec3 {
+        const Vec3 uniform(field.uniform[0](time), field.uniform[1](time), field.uniform[2](time));
+        return field.by_place ? Vec3(uniform + field.by_place(time, position)) : uniform;
+    };
+    return flow;
+}
+
+Water find_water(const FluidTable& given, const SurroundingsFiles& files, const BuildContext& context) {
+    Water water{.density = given.density};
+    water.surface = given.surface;
+    water.depth = find_depth(given, context);
+    water.current = find_flow(given.current, context);
+    water.stretching = given.stretching;
+    water.stretches_current = given.current_stretching.value_or(false);
+    set_waves(files, water, context);
+    if (!water.waves.empty()) water.ramp = given.ramp;
+    return water;
+}
+
+}  // namespace
+
+void build_surroundings(const SurroundingsFiles& files, BuildContext& context) {
+    const CheckedTable& deck = context.deck;
+    if (context.stage == 0) check_surroundings(context);
+    Surroundings& around = context.model.surroundings;
+    for (const FluidTable& given : tables_of<FluidTable>(deck, fluid_table()))
+        around.water = find_water(given, files, context);
+    for (const AirTable& given : tables_of<AirTable>(deck, air_table()))
+        around.air = Air{given.density, find_flow(given.wind, context)};
+    for (const SeabedTable& given : tables_of<SeabedTable>(deck, seabed_table()))
+        around.seabed = find_seabed(given, files.ground, context);
+}
+
+}  // namespace gxrod
