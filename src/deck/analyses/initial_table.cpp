@@ -25,15 +25,15 @@ struct InitialTable : TableHead {
 
 const TableSpec& spin_table() {
     using T = SpinTable;
+    // clang-format off
     static const TableSpec table = Table<T>("initial.spin", "")
-                                       .key("axis", &T::axis, "Its direction, of any length.")
-                                       .unit("1")
-                                       .required()
-                                       .key("through", &T::through, "A point of the axis.")
-                                       .unit("length")
-                                       .key("rate", &T::rate, "Right-handed about the axis.")
-                                       .unit("angle/time")
-                                       .required();
+        .key("axis", &T::axis, "Its direction, of any length.")
+            .unit("1").required()
+        .key("through", &T::through, "A point of the axis.")
+            .unit("length")
+        .key("rate", &T::rate, "Right-handed about the axis.")
+            .unit("angle/time").required();
+    // clang-format on
     return table;
 }
 
@@ -41,44 +41,30 @@ const TableSpec& spin_table() {
 
 const TableSpec& initial_table() {
     using T = InitialTable;
-    static const TableSpec table =
-        Table<T>("[[initial]]",
-                   "The velocities of the nodes of rods and bodies at t = 0. For dynamic analyses.")
-            .key("on", &T::on, "The name of a rod or body, or a list of them.")
-            .required()
-            .names_of({"rod", "body"})
-            .also("at rod body part")
-            .key("velocity",
-                 &T::velocity,
-                 "Global components; x, y, z is the place at t = 0, and s the arc length from a rod's start.")
-            .unit("length/time")
-            .otherwise("[0, 0, 0]")
-            .also("v")
-            .key("angular_velocity", &T::angular_velocity, "Global components, in the same variables.")
-            .unit("angle/time")
-            .otherwise("[0, 0, 0]")
-            .also("omega w")
-            .key("spin",
-                 &T::spin,
-                 spin_table(),
-                 "Turns all of them as one rigid body about an axis, in addition to velocity.")
-            .not_here(
-                "displacement",
-                "a deck says where things are at t = 0, so that there is no other displacement: draw the "
-                "rods where they start, and what is not free of stress there comes from a static "
-                "analysis")
-            .not_here("position pos",
-                      "a deck says where things are at t = 0: the line of a rod, the `at` of a body")
-            .not_here(
-                "rotation",
-                "a deck says where things are at t = 0: the line of a rod, the rotation_vector of a body")
-            .not_here("acceleration", "accelerations at t = 0 follow from the loads")
-            .at_least_one_of({"velocity", "angular_velocity", "spin"})
-            .at_most_one_of({"angular_velocity", "spin"})
-            .shown_by(
-                "[[initial]]\n"
-                "on = \"tail\"\n"
-                "angular_velocity = [0, 0, \"2*s\"]\n");
+    // clang-format off
+    static const TableSpec table = Table<T>("[[initial]]",
+            "The velocities of the nodes of rods and bodies at t = 0. For dynamic analyses.")
+        .key("on", &T::on, "The name of a rod or body, or a list of them.")
+            .required().names_of({"rod", "body"}).also("at rod body part")
+        .key("velocity", &T::velocity,
+             "Global components; x, y, z is the place at t = 0, and s the arc length from a rod's start.")
+            .unit("length/time").otherwise("[0, 0, 0]").also("v")
+        .key("angular_velocity", &T::angular_velocity, "Global components, in the same variables.")
+            .unit("angle/time").otherwise("[0, 0, 0]").also("omega w")
+        .key("spin", &T::spin, spin_table(),
+             "Turns all of them as one rigid body about an axis, in addition to velocity.")
+        .not_here("displacement", "a deck says where things are at t = 0, so that there is no other displacement: "
+             "draw the rods where they start, and what is not free of stress there comes from a static analysis")
+        .not_here("position pos", "a deck says where things are at t = 0: the line of a rod, the `at` of a body")
+        .not_here("rotation", "a deck says where things are at t = 0: the line of a rod, the rotation_vector of a body")
+        .not_here("acceleration", "accelerations at t = 0 follow from the loads")
+        .at_least_one_of({"velocity", "angular_velocity", "spin"})
+        .at_most_one_of({"angular_velocity", "spin"})
+        .shown_by(
+            "[[initial]]\n"
+            "on = \"tail\"\n"
+            "angular_velocity = [0, 0, \"2*s\"]\n");
+    // clang-format on
     return table;
 }
 

@@ -32,72 +32,52 @@ TableSpec with_force(Table<T> table) {
 
 const TableSpec& sphere_table() {
     using T = BodySphereTable;
+    // clang-format off
     static const TableSpec table = with_force(Table<T>("body.NAME.sphere", "")
-                                                  .key("radius", &T::radius, "Its own.")
-                                                  .unit("length")
-                                                  .above(0)
-                                                  .required()
-                                                  .key("centre", &T::centre, "From the node, body axes.")
-                                                  .unit("length"));
+        .key("radius", &T::radius, "Its own.")
+            .unit("length").above(0).required()
+        .key("centre", &T::centre, "From the node, body axes.")
+            .unit("length"));
+    // clang-format on
     return table;
 }
 
 const TableSpec& capsule_table() {
     using T = BodyCapsuleTable;
-    static const TableSpec table =
-        with_force(Table<T>("body.NAME.capsule", "")
-                       .key("from", &T::from, "An end of the segment, from the node, body axes.")
-                       .unit("length")
-                       .required()
-                       .key("to", &T::to, "The other one.")
-                       .unit("length")
-                       .required()
-                       .key("radius", &T::radius, "Of what is around the segment.")
-                       .unit("length")
-                       .above(0)
-                       .required());
+    // clang-format off
+    static const TableSpec table = with_force(Table<T>("body.NAME.capsule", "")
+        .key("from", &T::from, "An end of the segment, from the node, body axes.")
+            .unit("length").required()
+        .key("to", &T::to, "The other one.")
+            .unit("length").required()
+        .key("radius", &T::radius, "Of what is around the segment.")
+            .unit("length").above(0).required());
+    // clang-format on
     return table;
 }
 
 const TableSpec& fluid_of_body_table() {
     using T = BodyFluidTable;
-    static const TableSpec table =
-        Table<T>("body.NAME.fluid", "")
-            .key("volume", &T::volume, "That displaces water.")
-            .unit("length³")
-            .at_least(0)
-            .required()
-            .also("displacement v displaced_volume")
-            .key("centre_of_buoyancy",
-                 &T::centre_of_buoyancy,
-                 "From the node, body axes: where buoyancy and the other forces act.")
-            .unit("length")
-            .also("cob center_of_buoyancy")
-            .key("height",
-                 &T::height,
-                 "Over which it sinks in, even along it and half of it below the centre of buoyancy.")
-            .unit("length")
-            .above(0)
-            .otherwise("diameter of a sphere of the volume")
-            .key("drag_area", &T::drag_area, "Seen along x, y and z of the body axes.")
-            .unit("length²")
-            .at_least(0)
-            .also("area areas drag")
-            .key("drag_coefficient", &T::drag_coefficient, "Of these areas.")
-            .unit("1")
-            .at_least(0)
-            .also("cd")
-            .key("added_mass", &T::added_mass, "Along x, y and z of the body axes.")
-            .unit("mass")
-            .at_least(0)
-            .otherwise("[0, 0, 0]")
-            .key("added_mass_matrix",
-                 &T::added_mass_matrix,
-                 "The same with rotations, about the centre of buoyancy, order x y z rx ry rz; symmetric and "
-                 "not negative.")
-            .unit("of inertia")
-            .otherwise("what added_mass says")
-            .at_most_one_of({"added_mass", "added_mass_matrix"});
+    // clang-format off
+    static const TableSpec table = Table<T>("body.NAME.fluid", "")
+        .key("volume", &T::volume, "That displaces water.")
+            .unit("length³").at_least(0).required().also("displacement v displaced_volume")
+        .key("centre_of_buoyancy", &T::centre_of_buoyancy,
+             "From the node, body axes: where buoyancy and the other forces act.")
+            .unit("length").also("cob center_of_buoyancy")
+        .key("height", &T::height, "Over which it sinks in, even along it and half of it below the centre of buoyancy.")
+            .unit("length").above(0).otherwise("diameter of a sphere of the volume")
+        .key("drag_area", &T::drag_area, "Seen along x, y and z of the body axes.")
+            .unit("length²").at_least(0).also("area areas drag")
+        .key("drag_coefficient", &T::drag_coefficient, "Of these areas.")
+            .unit("1").at_least(0).also("cd")
+        .key("added_mass", &T::added_mass, "Along x, y and z of the body axes.")
+            .unit("mass").at_least(0).otherwise("[0, 0, 0]")
+        .key("added_mass_matrix", &T::added_mass_matrix,
+             "The same with rotations, about the centre of buoyancy, order x y z rx ry rz; symmetric and not negative.")
+            .unit("of inertia").otherwise("what added_mass says")
+        .at_most_one_of({"added_mass", "added_mass_matrix"});
+    // clang-format on
     return table;
 }
 
@@ -105,67 +85,47 @@ const TableSpec& fluid_of_body_table() {
 
 const TableSpec& body_table() {
     using T = BodyTable;
-    static const TableSpec table =
-        Table<T>(
-            "[body.NAME]",
-            "A rigid body fixed to a node. Its axes at t = 0 are the global axes turned by "
-            "rotation_vector. `at`, velocities and loads refer to the node, not to the centre of mass.")
-            .key("mass", &T::mass, "Mass.")
-            .unit("mass")
-            .above(0)
-            .otherwise("0 if static, else required")
-            .also("m")
-            .key("inertia",
-                 &T::inertia,
-                 "About the centre of mass, body axes: 3 principal moments or a symmetric 3×3 matrix; no "
-                 "principal moment above the sum of the others. Where the body has a node of its own in a "
-                 "dynamic analysis, positive definite.")
-            .unit("mass·length²")
-            .otherwise("0 if static or at a rod's point, else required")
+    // clang-format off
+    static const TableSpec table = Table<T>("[body.NAME]",
+            "A rigid body fixed to a node. Its axes at t = 0 are the global axes turned by rotation_vector. `at`, "
+            "velocities and loads refer to the node, not to the centre of mass.")
+        .key("mass", &T::mass, "Mass.")
+            .unit("mass").above(0).otherwise("0 if static, else required").also("m")
+        .key("inertia", &T::inertia, "About the centre of mass, body axes: 3 principal moments or a symmetric 3×3 "
+             "matrix; no principal moment above the sum of the others. Where the body has a node of its own in a "
+             "dynamic analysis, positive definite.")
+            .unit("mass·length²").otherwise("0 if static or at a rod's point, else required")
             .also("j i moment_of_inertia moments_of_inertia inertia_tensor")
-            .key("at", &T::at, "Where its node is; or a rod's point, whose node it then shares.")
-            .unit("length")
-            .also("position pos x location origin point node")
-            .key("centre_of_mass", &T::centre_of_mass, "From the node, body axes.")
-            .unit("length")
-            .also("com cog cm center_of_gravity centre_of_gravity")
-            .key("rotation_vector", &T::rotation_vector, "The attitude at t = 0.")
-            .unit("angle")
-            .also("rotation orientation attitude rotation_angle")
-            .key("velocity", &T::velocity, "Of the node at t = 0, global components.")
-            .unit("length/time")
-            .also("v initial_velocity")
-            .key("angular_velocity", &T::angular_velocity, "At t = 0, global components.")
-            .unit("angle/time")
-            .also("omega w spin rotation_rate initial_angular_velocity")
-            .key("angular_velocity_material",
-                 &T::angular_velocity_material,
-                 "At t = 0, components in the body axes.")
-            .unit("angle/time")
-            .otherwise("what angular_velocity says")
-            .key("sphere",
-                 &T::sphere,
-                 sphere_table(),
-                 "With which it touches every [obstacle.NAME], and rods and other bodies if there is "
-                 "[contact].")
-            .key("capsule", &T::capsule, capsule_table(), "The same: all within a radius of a segment.")
-            .key("fluid",
-                 &T::fluid,
-                 fluid_of_body_table(),
-                 "What [fluid] and [air] see of it. Without it they pass it by. The ground does not touch "
-                 "bodies.")
+        .key("at", &T::at, "Where its node is; or a rod's point, whose node it then shares.")
+            .unit("length").also("position pos x location origin point node")
+        .key("centre_of_mass", &T::centre_of_mass, "From the node, body axes.")
+            .unit("length").also("com cog cm center_of_gravity centre_of_gravity")
+        .key("rotation_vector", &T::rotation_vector, "The attitude at t = 0.")
+            .unit("angle").also("rotation orientation attitude rotation_angle")
+        .key("velocity", &T::velocity, "Of the node at t = 0, global components.")
+            .unit("length/time").also("v initial_velocity")
+        .key("angular_velocity", &T::angular_velocity, "At t = 0, global components.")
+            .unit("angle/time").also("omega w spin rotation_rate initial_angular_velocity")
+        .key("angular_velocity_material", &T::angular_velocity_material, "At t = 0, components in the body axes.")
+            .unit("angle/time").otherwise("what angular_velocity says")
+        .key("sphere", &T::sphere, sphere_table(),
+             "With which it touches every [obstacle.NAME], and rods and other bodies if there is [contact].")
+        .key("capsule", &T::capsule, capsule_table(), "The same: all within a radius of a segment.")
+        .key("fluid", &T::fluid, fluid_of_body_table(),
+             "What [fluid] and [air] see of it. Without it they pass it by. The ground does not touch bodies.")
             .also("hydro drag buoyancy volume")
-            .not_here("force moment torque load", "a [[load]] at the body has its forces and moments")
-            .at_most_one_of({"angular_velocity", "angular_velocity_material"})
-            .at_most_one_of({"sphere", "capsule"})
-            .shown_by(
-                "[body.gyroscope]\n"
-                "mass            = 1.0\n"
-                "inertia         = [1.0, 1.0, 0.75]\n"
-                "at              = [0, 0, 0]\n"
-                "centre_of_mass  = [0, 0, 0.5]\n"
-                "rotation_vector = [0, \"pi/3\", 0]\n"
-                "angular_velocity_material = [0, 0, 50]\n");
+        .not_here("force moment torque load", "a [[load]] at the body has its forces and moments")
+        .at_most_one_of({"angular_velocity", "angular_velocity_material"})
+        .at_most_one_of({"sphere", "capsule"})
+        .shown_by(
+            "[body.gyroscope]\n"
+            "mass            = 1.0\n"
+            "inertia         = [1.0, 1.0, 0.75]\n"
+            "at              = [0, 0, 0]\n"
+            "centre_of_mass  = [0, 0, 0.5]\n"
+            "rotation_vector = [0, \"pi/3\", 0]\n"
+            "angular_velocity_material = [0, 0, 50]\n");
+    // clang-format on
     return table;
 }
 

@@ -24,48 +24,32 @@ struct ActuationTable : ActingTable {
 
 const TableSpec& actuation_table() {
     using T = ActuationTable;
-    static const TableSpec table =
-        Table<T>("[[actuation]]",
-                 "Strains that the sections of a rod would take by themselves: those of muscles, growth and "
-                 "heat. They add to the stress-free shape. In section axes; s is the arc length from the "
-                 "rod's start.")
-            .key("on", &T::on, "The name of a rod.")
-            .required()
-            .names_of({"rod"})
-            .also("rod beam along")
-            .key("stretch", &T::stretch, "Along the rod.")
-            .unit("1")
-            .otherwise("0")
-            .also("strain axial extension elongation")
-            .key("shear", &T::shear, "Along y and z.")
-            .unit("1")
-            .otherwise("0")
-            .key("curvature", &T::curvature, "About x (twist), y and z.")
-            .unit("1/length")
-            .otherwise("0")
-            .also("kappa bending")
-            .key("temperature",
-                 &T::temperature,
-                 "Above that of the stress-free shape. It acts by the section's expansion.")
-            .unit("temperature")
-            .otherwise("0")
-            .also("t dt heat")
-            .key("temperature_gradient",
-                 &T::temperature_gradient,
-                 "How fast the temperature rises along y and z.")
-            .unit("temperature/length")
-            .otherwise("0")
-            .key("factor", &T::factor, factor_sentence("value"))
-            .unit("1")
-            .otherwise(factor_default)
-            .key("stages", &T::stages, "The stages in which it acts.")
-            .otherwise("all")
-            .names_of({"stage"})
-            .at_least_one_of({"stretch", "shear", "curvature", "temperature", "temperature_gradient"})
-            .shown_by(
-                "[[actuation]]\n"
-                "on        = \"tail\"\n"
-                "curvature = [0, 0, \"0.1*s*sin(t)\"]\n");
+    // clang-format off
+    static const TableSpec table = Table<T>("[[actuation]]",
+            "Strains that the sections of a rod would take by themselves: those of muscles, growth and heat. They add "
+            "to the stress-free shape. In section axes; s is the arc length from the rod's start.")
+        .key("on", &T::on, "The name of a rod.")
+            .required().names_of({"rod"}).also("rod beam along")
+        .key("stretch", &T::stretch, "Along the rod.")
+            .unit("1").otherwise("0").also("strain axial extension elongation")
+        .key("shear", &T::shear, "Along y and z.")
+            .unit("1").otherwise("0")
+        .key("curvature", &T::curvature, "About x (twist), y and z.")
+            .unit("1/length").otherwise("0").also("kappa bending")
+        .key("temperature", &T::temperature, "Above that of the stress-free shape. It acts by the section's expansion.")
+            .unit("temperature").otherwise("0").also("t dt heat")
+        .key("temperature_gradient", &T::temperature_gradient, "How fast the temperature rises along y and z.")
+            .unit("temperature/length").otherwise("0")
+        .key("factor", &T::factor, factor_sentence("value"))
+            .unit("1").otherwise(factor_default)
+        .key("stages", &T::stages, "The stages in which it acts.")
+            .otherwise("all").names_of({"stage"})
+        .at_least_one_of({"stretch", "shear", "curvature", "temperature", "temperature_gradient"})
+        .shown_by(
+            "[[actuation]]\n"
+            "on        = \"tail\"\n"
+            "curvature = [0, 0, \"0.1*s*sin(t)\"]\n");
+    // clang-format on
     return table;
 }
 

@@ -13,25 +13,21 @@ struct InputKeys : TableHead {
 
 const TableSpec& input_table() {
     using T = InputKeys;
-    static const TableSpec table =
-        Table<T>(
-            "[input.NAME]",
-            "A number that whoever drives the run can change while it goes on: values given as f(t) read "
-            "it by its name, as in \"0.1*NAME\". Results record it in /inputs.")
-            .key("value",
-                 &T::value,
-                 "What it is until it is set: a number, or f(t), so also the rows of a file, through a "
-                 "function.")
+    // clang-format off
+    static const TableSpec table = Table<T>("[input.NAME]",
+            "A number that whoever drives the run can change while it goes on: values given as f(t) read it by its "
+            "name, as in \"0.1*NAME\". Results record it in /inputs.")
+        .key("value", &T::value,
+             "What it is until it is set: a number, or f(t), so also the rows of a file, through a function.")
             .otherwise("0")
-            .key("hold",
-                 &T::hold,
-                 "How it goes from one value to the next. step: at once. linear: on a straight line over the "
-                 "time that is advanced next.")
+        .key("hold", &T::hold, "How it goes from one value to the next. step: at once. linear: on a straight line "
+             "over the time that is advanced next.")
             .otherwise("`\"step\"`")
-            .shown_by(
-                "[input.tendon]\n"
-                "value = 0\n"
-                "hold = \"linear\"\n");
+        .shown_by(
+            "[input.tendon]\n"
+            "value = 0\n"
+            "hold = \"linear\"\n");
+    // clang-format on
     return table;
 }
 

@@ -17,38 +17,27 @@ struct MagneticTable : ActingTable {
 
 const TableSpec& magnetic_table() {
     using T = MagneticTable;
-    static const TableSpec table =
-        Table<T>("[[magnetic]]",
-                 "A rod that is magnetic along its length, in a field: couples μ × B and, where the field "
-                 "changes with the place, forces (∇B)ᵀ μ.")
-            .key("on", &T::on, "The name of a rod.")
-            .required()
-            .names_of({"rod"})
-            .also("rod beam along")
-            .key("moment",
-                 &T::moment,
-                 "Magnetic moment μ per reference length, in section axes; s is the arc length from the "
-                 "rod's start.")
-            .unit("current·length")
-            .required()
-            .also("m magnetization magnetisation mu")
-            .key("field",
-                 &T::field,
-                 "Flux density B, global components; x, y, z is where the section is then.")
-            .unit("mass/(current·time²)")
-            .required()
-            .also("b flux_density")
-            .key("factor", &T::factor, factor_sentence("field"))
-            .unit("1")
-            .otherwise(factor_default)
-            .key("stages", &T::stages, "The stages in which the field acts.")
-            .otherwise("all")
-            .names_of({"stage"})
-            .shown_by(
-                "[[magnetic]]\n"
-                "on     = \"tail\"\n"
-                "moment = [0.5, 0, 0]\n"
-                "field  = [0, \"0.01*sin(10*t)\", \"0.02*z\"]\n");
+    // clang-format off
+    static const TableSpec table = Table<T>("[[magnetic]]",
+            "A rod that is magnetic along its length, in a field: couples μ × B and, where the field changes with the "
+            "place, forces (∇B)ᵀ μ.")
+        .key("on", &T::on, "The name of a rod.")
+            .required().names_of({"rod"}).also("rod beam along")
+        .key("moment", &T::moment,
+             "Magnetic moment μ per reference length, in section axes; s is the arc length from the rod's start.")
+            .unit("current·length").required().also("m magnetization magnetisation mu")
+        .key("field", &T::field, "Flux density B, global components; x, y, z is where the section is then.")
+            .unit("mass/(current·time²)").required().also("b flux_density")
+        .key("factor", &T::factor, factor_sentence("field"))
+            .unit("1").otherwise(factor_default)
+        .key("stages", &T::stages, "The stages in which the field acts.")
+            .otherwise("all").names_of({"stage"})
+        .shown_by(
+            "[[magnetic]]\n"
+            "on     = \"tail\"\n"
+            "moment = [0.5, 0, 0]\n"
+            "field  = [0, \"0.01*sin(10*t)\", \"0.02*z\"]\n");
+    // clang-format on
     return table;
 }
 

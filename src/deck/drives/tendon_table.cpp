@@ -13,87 +13,52 @@
 namespace gxrod {
 const TableSpec& tendon_table() {
     using T = TendonTable;
-    static const TableSpec table =
-        Table<T>("[tendon.NAME]",
-                 "A tendon that slides along a path within a rod, fixed to it at both ends. [Tendons and "
-                 "muscles](guide/tendons.md) explains it.")
-            .key("on", &T::on, "The name of a rod.")
-            .required()
-            .names_of({"rod"})
-            .also("rod beam along")
-            .key(
-                "offset",
-                &T::offset,
-                "Where it passes through the section: y and z, from the line of the rod. Functions of s, the "
-                "arc length from the rod's start; or at fractions of the rod's length, straight between "
-                "them, "
-                "with a node at each.")
+    // clang-format off
+    static const TableSpec table = Table<T>("[tendon.NAME]",
+            "A tendon that slides along a path within a rod, fixed to it at both ends. [Tendons and "
+            "muscles](guide/tendons.md) explains it.")
+        .key("on", &T::on, "The name of a rod.")
+            .required().names_of({"rod"}).also("rod beam along")
+        .key("offset", &T::offset, "Where it passes through the section: y and z, from the line of the rod. Functions "
+             "of s, the arc length from the rod's start; or at fractions of the rod's length, straight between them, "
+             "with a node at each.")
+            .unit("length").required().also("path position route routing")
+        .key("tension", &T::tension, "The same all along; with friction where it is pulled. Below 0 it pushes: −p A "
+             "of a chamber of the area A across, under the pressure p.")
+            .unit("mass·length/time²").also("force pull t")
+        .key("shortening", &T::shortening, "What a winch draws in: by how much the tendon's part within the rod is "
+             "shorter than at t = 0. The tension follows.")
+            .unit("length").also("displacement stroke u move pulled winch")
+        .key("length", &T::length, "The same by the length of that part. A value without t is reached from that at t "
+             "= 0 in the first static stage.")
             .unit("length")
-            .required()
-            .also("path position route routing")
-            .key("tension",
-                 &T::tension,
-                 "The same all along; with friction where it is pulled. Below 0 it pushes: −p A of a chamber "
-                 "of the area A across, under the pressure p.")
-            .unit("mass·length/time²")
-            .also("force pull t")
-            .key("shortening",
-                 &T::shortening,
-                 "What a winch draws in: by how much the tendon's part within the rod is shorter than at "
-                 "t = 0. The tension follows.")
-            .unit("length")
-            .also("displacement stroke u move pulled winch")
-            .key(
-                "length",
-                &T::length,
-                "The same by the length of that part. A value without t is reached from that at t = 0 in the "
-                "first static stage.")
-            .unit("length")
-            .key("stiffness",
-                 &T::stiffness,
-                 "EA of a tendon with a winch, or of one that sticks by friction: a force over the strain "
-                 "that "
-                 "it causes.")
-            .unit("mass·length/time²")
-            .above(0)
-            .otherwise("does not stretch")
-            .also("ea e k")
-            .key("friction",
-                 &T::friction,
-                 "Coefficient μ of a tendon whose tension is given: where the tendon turns by dφ its tension "
-                 "changes by μ T dφ as it slips.")
-            .unit("1")
-            .at_least(0)
-            .also("mu coefficient friction_coefficient capstan")
-            .key("pulled_at",
-                 &T::pulled_at,
-                 "With friction, the end that has the tension; the other one is anchored.")
+        .key("stiffness", &T::stiffness,
+             "EA of a tendon with a winch, or of one that sticks by friction: a force over the strain that it causes.")
+            .unit("mass·length/time²").above(0).otherwise("does not stretch").also("ea e k")
+        .key("friction", &T::friction, "Coefficient μ of a tendon whose tension is given: where the tendon turns by "
+             "dφ its tension changes by μ T dφ as it slips.")
+            .unit("1").at_least(0).also("mu coefficient friction_coefficient capstan")
+        .key("pulled_at", &T::pulled_at, "With friction, the end that has the tension; the other one is anchored.")
             .also("actuator end actuated_at motor")
-            .key("slack",
-                 &T::slack,
-                 "Whether a tendon with a winch hangs loose where it is too long; otherwise it pushes there.")
+        .key("slack", &T::slack,
+             "Whether a tendon with a winch hangs loose where it is too long; otherwise it pushes there.")
             .otherwise("true")
-            .key("from",
-                 &T::from,
-                 "Where it starts, as a fraction of the rod's length, where a node is placed.")
-            .unit("1")
-            .between(0, 1)
-            .key("to", &T::to, "Where it ends, likewise.")
-            .unit("1")
-            .between(0, 1)
-            .key("factor", &T::factor, factor_sentence("tension or shortening"))
-            .unit("1")
-            .otherwise(factor_default)
-            .key("stages", &T::stages, "The stages in which it pulls; in others it hangs loose.")
-            .otherwise("all")
-            .names_of({"stage"})
-            .exactly_one_of({"tension", "shortening", "length"})
-            .shown_by(
-                "[tendon.pull]\n"
-                "on      = \"flyer\"\n"
-                "offset  = [\"0.1*cos(s)\", \"0.1*sin(s)\"]\n"
-                "tension = \"5*pulse(t)\"\n"
-                "to      = 0.75\n");
+        .key("from", &T::from, "Where it starts, as a fraction of the rod's length, where a node is placed.")
+            .unit("1").between(0, 1)
+        .key("to", &T::to, "Where it ends, likewise.")
+            .unit("1").between(0, 1)
+        .key("factor", &T::factor, factor_sentence("tension or shortening"))
+            .unit("1").otherwise(factor_default)
+        .key("stages", &T::stages, "The stages in which it pulls; in others it hangs loose.")
+            .otherwise("all").names_of({"stage"})
+        .exactly_one_of({"tension", "shortening", "length"})
+        .shown_by(
+            "[tendon.pull]\n"
+            "on      = \"flyer\"\n"
+            "offset  = [\"0.1*cos(s)\", \"0.1*sin(s)\"]\n"
+            "tension = \"5*pulse(t)\"\n"
+            "to      = 0.75\n");
+    // clang-format on
     return table;
 }
 

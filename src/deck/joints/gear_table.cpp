@@ -21,32 +21,25 @@ struct GearTable : TableHead {
 
 const TableSpec& gear_table() {
     using T = GearTable;
-    static const TableSpec table =
-        Table<T>("[gear.NAME]",
-                   "Ties the coordinates of two joints: ratio × first + second = 0, both since t = 0.")
-            .key("joints",
-                 &T::joints,
-                 "The first and the second: joints with a turn or a slide. Of a joint with both, "
-                 "\"NAME.turn\" or \"NAME.slide\".")
-            .required()
-            .also("between of shafts coordinates axes")
-            .key(
-                "ratio",
-                &T::ratio,
-                "How far the second goes back while the first goes on by 1: of two turns a number, of a turn "
-                "and the slide of a rack the radius of the pinion.")
-            .unit("second/first")
-            .required()
-            .remark("how far the second goes back while the first goes on by 1")
+    // clang-format off
+    static const TableSpec table = Table<T>("[gear.NAME]",
+            "Ties the coordinates of two joints: ratio × first + second = 0, both since t = 0.")
+        .key("joints", &T::joints, "The first and the second: joints with a turn or a slide. Of a joint with both, "
+             "\"NAME.turn\" or \"NAME.slide\".")
+            .required().also("between of shafts coordinates axes")
+        .key("ratio", &T::ratio, "How far the second goes back while the first goes on by 1: of two turns a number, "
+             "of a turn and the slide of a rack the radius of the pinion.")
+            .unit("second/first").required().remark("how far the second goes back while the first goes on by 1")
             .also("n i gear_ratio transmission radius")
-            .shown_by(
-                "[joint.shaft]\n"
-                "type    = \"hinge\"\n"
-                "between = [\"ground\", \"flyer.end\"]\n"
-                "axis    = [1, 0, 0]\n"
-                "[gear.stage]\n"
-                "joints = [\"pivot\", \"shaft\"]\n"
-                "ratio  = 5.0\n");
+        .shown_by(
+            "[joint.shaft]\n"
+            "type    = \"hinge\"\n"
+            "between = [\"ground\", \"flyer.end\"]\n"
+            "axis    = [1, 0, 0]\n"
+            "[gear.stage]\n"
+            "joints = [\"pivot\", \"shaft\"]\n"
+            "ratio  = 5.0\n");
+    // clang-format on
     return table;
 }
 

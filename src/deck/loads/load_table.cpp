@@ -19,73 +19,52 @@ struct LoadTable : ActingTable {
 
 const TableSpec& load_table() {
     using T = LoadTable;
-    static const TableSpec table =
-        Table<T>("[[load]]", "A force and a moment at a point, or along a rod.")
-            .key("at", &T::at, "A point of a rod, or a body.")
+    // clang-format off
+    static const TableSpec table = Table<T>("[[load]]", "A force and a moment at a point, or along a rod.")
+        .key("at", &T::at, "A point of a rod, or a body.")
             .also("pos position point node location where")
-            .key("on", &T::on, "The name of a rod, for a load along it.")
-            .names_of({"rod"})
-            .also("rod beam along")
-            .key("force",
-                 &T::force,
-                 "Force; x, y, z is where the point is then, vx, vy, vz how fast it moves, global.")
-            .unit("mass·length/time²")
-            .otherwise("[0, 0, 0]")
-            .only_with("at")
-            .also("f value magnitude vector")
-            .key("moment", &T::moment, "Moment.")
-            .unit("mass·length²/time²")
-            .otherwise("[0, 0, 0]")
-            .only_with("at")
-            .also("m torque couple")
-            .key("force_per_length",
-                 &T::force_per_length,
-                 "Force per reference length; s is the arc length from the rod's start.")
-            .unit("mass/time²")
-            .otherwise("[0, 0, 0]")
-            .only_with("on")
+        .key("on", &T::on, "The name of a rod, for a load along it.")
+            .names_of({"rod"}).also("rod beam along")
+        .key("force", &T::force, "Force; x, y, z is where the point is then, vx, vy, vz how fast it moves, global.")
+            .unit("mass·length/time²").otherwise("[0, 0, 0]").only_with("at").also("f value magnitude vector")
+        .key("moment", &T::moment, "Moment.")
+            .unit("mass·length²/time²").otherwise("[0, 0, 0]").only_with("at").also("m torque couple")
+        .key("force_per_length", &T::force_per_length,
+             "Force per reference length; s is the arc length from the rod's start.")
+            .unit("mass/time²").otherwise("[0, 0, 0]").only_with("on")
             .also("q p distributed line_load force_per_unit_length distributed_force")
-            .key("moment_per_length",
-                 &T::moment_per_length,
-                 "Moment per reference length; s is the arc length from the rod's start.")
-            .unit("mass·length/time²")
-            .otherwise("[0, 0, 0]")
-            .only_with("on")
-            .key(
-                "frame",
-                &T::frame,
-                "spatial: fixed in space, a dead load. follower: global components at t = 0, turned with the "
-                "node or section. body: components in the section axes of the point named, or along the rod "
-                "(body axes of a body).")
+        .key("moment_per_length", &T::moment_per_length,
+             "Moment per reference length; s is the arc length from the rod's start.")
+            .unit("mass·length/time²").otherwise("[0, 0, 0]").only_with("on")
+        .key("frame", &T::frame, "spatial: fixed in space, a dead load. follower: global components at t = 0, turned "
+             "with the node or section. body: components in the section axes of the point named, or along the rod "
+             "(body axes of a body).")
             .also("type follower direction")
-            .key("factor", &T::factor, factor_sentence("load"))
-            .unit("1")
-            .otherwise(factor_default)
-            .key("relative_to",
-                 &T::relative_to,
-                 "limit: for a stage with `follow`, where it begins to act: the load is its value times the "
-                 "load factor of the limit point, and without t times t.")
+        .key("factor", &T::factor, factor_sentence("load"))
+            .unit("1").otherwise(factor_default)
+        .key("relative_to", &T::relative_to, "limit: for a stage with `follow`, where it begins to act: the load is "
+             "its value times the load factor of the limit point, and without t times t.")
             .otherwise("nothing")
-            .key("stages", &T::stages, "The stages in which the load acts.")
-            .otherwise("all")
-            .names_of({"stage"})
-            .exactly_one_of({"at", "on"})
-            .at_least_one_of({"force", "moment"}, "at")
-            .at_least_one_of({"force_per_length", "moment_per_length"}, "on")
-            .shown_by(
-                "[[load]]\n"
-                "at     = \"flyer.start\"\n"
-                "force  = [\"pulse(t)/10\", 0, 0]\n"
-                "moment = [0, \"-pulse(t)/2\", \"-pulse(t)\"]\n"
-                "\n"
-                "[[load]]\n"
-                "at    = \"flyer@0.25\"\n"
-                "force = [0, 0, \"push(t)\"]\n"
-                "frame = \"follower\"\n"
-                "\n"
-                "[[load]]\n"
-                "on = \"flyer\"\n"
-                "force_per_length = [0, 0, \"-2*push(t)*(1 - s/10)\"]\n");
+        .key("stages", &T::stages, "The stages in which the load acts.")
+            .otherwise("all").names_of({"stage"})
+        .exactly_one_of({"at", "on"})
+        .at_least_one_of({"force", "moment"}, "at")
+        .at_least_one_of({"force_per_length", "moment_per_length"}, "on")
+        .shown_by(
+            "[[load]]\n"
+            "at     = \"flyer.start\"\n"
+            "force  = [\"pulse(t)/10\", 0, 0]\n"
+            "moment = [0, \"-pulse(t)/2\", \"-pulse(t)\"]\n"
+            "\n"
+            "[[load]]\n"
+            "at    = \"flyer@0.25\"\n"
+            "force = [0, 0, \"push(t)\"]\n"
+            "frame = \"follower\"\n"
+            "\n"
+            "[[load]]\n"
+            "on = \"flyer\"\n"
+            "force_per_length = [0, 0, \"-2*push(t)*(1 - s/10)\"]\n");
+    // clang-format on
     return table;
 }
 

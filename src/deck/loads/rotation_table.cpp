@@ -15,22 +15,18 @@ struct RotationTable : TableHead {
 
 const TableSpec& rotation_table() {
     using T = RotationTable;
-    static const TableSpec table =
-        Table<T>(
-            "[rotation]",
-            "A frame that turns steadily, for stages of kind steady: supports turn with it. Loads must "
-            "follow the structure or point along the axis.")
-            .key("axis", &T::axis, "About which it turns; any length.")
+    // clang-format off
+    static const TableSpec table = Table<T>("[rotation]",
+            "A frame that turns steadily, for stages of kind steady: supports turn with it. Loads must follow the "
+            "structure or point along the axis.")
+        .key("axis", &T::axis, "About which it turns; any length.")
             .unit("1")
-            .key("through", &T::through, "A point of the axis.")
+        .key("through", &T::through, "A point of the axis.")
             .unit("length")
-            .key(
-                "speed",
-                &T::speed,
-                "Angular velocity by the load factor t of a steady stage; without t it is multiplied by t in "
-                "the first stage that takes steps, and stays.")
-            .unit("angle/time")
-            .required();
+        .key("speed", &T::speed, "Angular velocity by the load factor t of a steady stage; without t it is multiplied "
+             "by t in the first stage that takes steps, and stays.")
+            .unit("angle/time").required();
+    // clang-format on
     return table;
 }
 

@@ -20,24 +20,22 @@ struct ConnectTable : TableHead {
 }  // namespace
 
 const TableSpec& connect_table() {
-    static const TableSpec table =
-        Table<ConnectTable>("[[connect]]",
-                              "Points of rods that become one node, a rigid corner. Rods whose points are at "
-                              "one place are not connected otherwise.")
-            .key("points",
-                 &ConnectTable::points,
-                 "Two or more, at one place. The node has the name of the first.")
-            .required()
-            .also("at between nodes ends")
-            .shown_by(
-                "[rod.tail]\n"
-                "section  = \"tube\"\n"
-                "line     = { from = [0, 8, 0], to = [0, 8, -4] }\n"
-                "elements = 4\n"
-                "element  = \"simo\"\n"
-                "\n"
-                "[[connect]]\n"
-                "points = [\"flyer.end\", \"tail.start\"]\n");
+    // clang-format off
+    static const TableSpec table = Table<ConnectTable>("[[connect]]",
+            "Points of rods that become one node, a rigid corner. Rods whose points are at one place are not "
+            "connected otherwise.")
+        .key("points", &ConnectTable::points, "Two or more, at one place. The node has the name of the first.")
+            .required().also("at between nodes ends")
+        .shown_by(
+            "[rod.tail]\n"
+            "section  = \"tube\"\n"
+            "line     = { from = [0, 8, 0], to = [0, 8, -4] }\n"
+            "elements = 4\n"
+            "element  = \"simo\"\n"
+            "\n"
+            "[[connect]]\n"
+            "points = [\"flyer.end\", \"tail.start\"]\n");
+    // clang-format on
     return table;
 }
 

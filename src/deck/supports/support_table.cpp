@@ -40,47 +40,36 @@ TableSpec move_table() {
 const TableSpec& support_table() {
     using T = SupportTable;
     static const TableSpec move = move_table();
-    static const TableSpec table =
-        Table<T>("[[support]]",
-                   "Components of a point that are fixed or move as prescribed. Of the rotations none, all "
-                   "three or exactly two fixed: a hinge about the third axis. Supports of one point add up.")
-            .key("at", &T::at, "A point of a rod, or a body.")
-            .required()
-            .also("pos position point node location where")
-            .key("fix", &T::fix, "position is x y z, rotation is rx ry rz, all is both.")
-            .words(fix_words())
-            .also("type fixed dof dofs constrain constrained restrain components clamped")
-            .key(
-                "move",
-                &T::move,
-                move,
-                "Prescribed motion. Where a rotation is moved, the other two are fixed or moved too, and exp "
-                "of the vector (rx, ry, rz), of any size, is the rotation since t = 0. In a dynamic analysis "
-                "0 at t = 0.")
+    // clang-format off
+    static const TableSpec table = Table<T>("[[support]]",
+            "Components of a point that are fixed or move as prescribed. Of the rotations none, all three or exactly "
+            "two fixed: a hinge about the third axis. Supports of one point add up.")
+        .key("at", &T::at, "A point of a rod, or a body.")
+            .required().also("pos position point node location where")
+        .key("fix", &T::fix, "position is x y z, rotation is rx ry rz, all is both.")
+            .words(fix_words()).also("type fixed dof dofs constrain constrained restrain components clamped")
+        .key("move", &T::move, move, "Prescribed motion. Where a rotation is moved, the other two are fixed or moved "
+             "too, and exp of the vector (rx, ry, rz), of any size, is the rotation since t = 0. In a dynamic "
+             "analysis 0 at t = 0.")
             .also("displacement motion prescribed prescribed_displacement")
-            .key("axes",
-                 &T::axes,
-                 "The support's own x, y and z directions, a row each: of length 1, at right angles, "
-                 "right-handed (to 1e-6). fix and move are along them; they stay.")
-            .unit("1")
-            .otherwise("the global axes")
-            .key("stages",
-                 &T::stages,
-                 "The stages in which the support holds. What it fixes it holds where that is; a move begins "
-                 "where the point is.")
-            .otherwise("all")
-            .names_of({"stage"})
-            .at_least_one_of({"fix", "move"})
-            .shown_by(
-                "[[support]]\n"
-                "at  = \"gyroscope\"\n"
-                "fix = \"position\"\n"
-                "\n"
-                "[[support]]\n"
-                "at   = \"tail.end\"\n"
-                "fix  = [\"y\", \"z\"]\n"
-                "move = { x = \"0.1*sin(t)\" }\n"
-                "axes = [[0, 0, 1], [1, 0, 0], [0, 1, 0]]\n");
+        .key("axes", &T::axes, "The support's own x, y and z directions, a row each: of length 1, at right angles, "
+             "right-handed (to 1e-6). fix and move are along them; they stay.")
+            .unit("1").otherwise("the global axes")
+        .key("stages", &T::stages, "The stages in which the support holds. What it fixes it holds where that is; a "
+             "move begins where the point is.")
+            .otherwise("all").names_of({"stage"})
+        .at_least_one_of({"fix", "move"})
+        .shown_by(
+            "[[support]]\n"
+            "at  = \"gyroscope\"\n"
+            "fix = \"position\"\n"
+            "\n"
+            "[[support]]\n"
+            "at   = \"tail.end\"\n"
+            "fix  = [\"y\", \"z\"]\n"
+            "move = { x = \"0.1*sin(t)\" }\n"
+            "axes = [[0, 0, 1], [1, 0, 0], [0, 1, 0]]\n");
+    // clang-format on
     return table;
 }
 

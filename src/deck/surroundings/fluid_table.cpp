@@ -15,28 +15,21 @@ namespace {
 
 TableSpec flow_table(const char* path, const char* what) {
     using T = FlowTable;
+    // clang-format off
     return Table<T>(path, "")
-        .key(
-            "table",
-            &T::table,
-            "Rows of a height z and the speed there, z rising from row to row: linear between them, constant "
-            "beyond.")
-        .unit("length, length/time")
-        .also("profile rows")
+        .key("table", &T::table,
+             "Rows of a height z and the speed there, z rising from row to row: linear between them, constant beyond.")
+            .unit("length, length/time").also("profile rows")
         .key("direction", &T::direction, "Where it flows to, of any length.")
-        .unit("1")
-        .required()
-        .only_with("table")
+            .unit("1").required().only_with("table")
         .key("velocity", &T::velocity, "By time and place, global components.")
-        .unit("length/time")
-        .also("v speed")
+            .unit("length/time").also("v speed")
         .key("factor", &T::factor, factor_sentence(what))
-        .unit("1")
-        .otherwise(factor_default)
+            .unit("1").otherwise(factor_default)
         .key("stages", &T::stages, "The stages in which it flows.")
-        .otherwise("all")
-        .names_of({"stage"})
+            .otherwise("all").names_of({"stage"})
         .exactly_one_of({"table", "velocity"});
+    // clang-format on
 }
 
 }  // namespace
@@ -44,70 +37,56 @@ TableSpec flow_table(const char* path, const char* what) {
 const TableSpec& fluid_table() {
     using T = FluidTable;
     static const TableSpec current = flow_table("fluid.current", "current");
-    static const TableSpec table =
-        Table<T>("[fluid]",
-                 "The water around sections and bodies that have a key `fluid`. [Water, wind and "
-                 "ground](guide/water.md) explains it.")
-            .key("density", &T::density, "Mass per volume.")
-            .unit("mass/length³")
-            .above(0)
-            .required()
-            .also("rho")
-            .key("surface", &T::surface, "z of still water: up is z, and gravity acts down.")
-            .unit("length")
-            .otherwise("none: water everywhere")
+    // clang-format off
+    static const TableSpec table = Table<T>("[fluid]",
+            "The water around sections and bodies that have a key `fluid`. [Water, wind and ground](guide/water.md) "
+            "explains it.")
+        .key("density", &T::density, "Mass per volume.")
+            .unit("mass/length³").above(0).required().also("rho")
+        .key("surface", &T::surface, "z of still water: up is z, and gravity acts down.")
+            .unit("length").otherwise("none: water everywhere")
             .also("z level surface_level water_level swl msl sea_level")
-            .key("depth", &T::depth, "Of the water that waves feel.")
-            .unit("length")
-            .above(0)
-            .otherwise("down to a horizontal [seabed]; without one the water is deep")
+        .key("depth", &T::depth, "Of the water that waves feel.")
+            .unit("length").above(0).otherwise("down to a horizontal [seabed]; without one the water is deep")
             .also("water_depth d")
-            .key("current", &T::current, current, "How it flows without waves; still if left out.")
-            .has_as("current.velocity", "velocity")
-            .key("stretching",
-                 &T::stretching,
-                 "How linear waves reach the moving surface. wheeler: the profile from bed to still water is "
-                 "drawn out to it. vertical: above still water as at it. extrapolate: along the tangent "
-                 "there. none: by the formulas of below.")
+        .key("current", &T::current, current, "How it flows without waves; still if left out.")
+        .has_as("current.velocity", "velocity")
+        .key("stretching", &T::stretching, "How linear waves reach the moving surface. wheeler: the profile from bed "
+             "to still water is drawn out to it. vertical: above still water as at it. extrapolate: along the tangent "
+             "there. none: by the formulas of below.")
             .also("kinematic_stretching wave_stretching")
-            .key("current_stretching",
-                 &T::current_stretching,
-                 "Whether the table of the current is drawn out to the surface, as by wheeler.")
+        .key("current_stretching", &T::current_stretching,
+             "Whether the table of the current is drawn out to the surface, as by wheeler.")
             .otherwise("false")
-            .key("ramp",
-                 &T::ramp,
-                 "How long waves take to grow, from the start of the first stage that has them.")
-            .unit("time")
-            .at_least(0)
-            .shown_by(
-                "[fluid]\n"
-                "density = 1025\n"
-                "surface = 20\n"
-                "depth   = 100\n"
-                "current = { table = [[-80, 0.2], [20, 1.2]], direction = [1, 0, 0] }\n"
-                "ramp    = 5\n");
+        .key("ramp", &T::ramp, "How long waves take to grow, from the start of the first stage that has them.")
+            .unit("time").at_least(0)
+        .shown_by(
+            "[fluid]\n"
+            "density = 1025\n"
+            "surface = 20\n"
+            "depth   = 100\n"
+            "current = { table = [[-80, 0.2], [20, 1.2]], direction = [1, 0, 0] }\n"
+            "ramp    = 5\n");
+    // clang-format on
     return table;
 }
 
 const TableSpec& air_table() {
     using T = AirTable;
     static const TableSpec wind = flow_table("air.wind", "wind");
-    static const TableSpec table =
-        Table<T>(
-            "[air]",
+    // clang-format off
+    static const TableSpec table = Table<T>("[air]",
             "The air around sections and bodies that have a key `fluid`, above the water if there is any.")
-            .key("density", &T::density, "Mass per volume.")
-            .unit("mass/length³")
-            .above(0)
-            .required()
-            .also("rho")
-            .key("wind", &T::wind, wind, "How it flows; still if left out.")
-            .has_as("wind.velocity", "velocity speed")
+        .key("density", &T::density, "Mass per volume.")
+            .unit("mass/length³").above(0).required().also("rho")
+        .key("wind", &T::wind, wind, "How it flows; still if left out.")
+        .has_as("wind.velocity", "velocity speed")
             .also("profile flow")
-            .shown_by(
-                "[air]\n"
-                "density = 1.225\n"
-                "wind    = { velocity = [\"10*(max(z - 20, 0.1)/10)^0.14\", 0, 0] }\n");
+        .shown_by(
+            "[air]\n"
+            "density = 1.225\n"
+            "wind    = { velocity = [\"10*(max(z - 20, 0.1)/10)^0.14\", 0, 0] }\n");
+    // clang-format on
     return table;
 }
 

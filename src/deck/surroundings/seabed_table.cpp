@@ -9,49 +9,40 @@ namespace {
 
 const TableSpec& plane_table() {
     using T = BedPlaneTable;
+    // clang-format off
     static const TableSpec table = Table<T>("seabed.plane", "")
-                                       .key("point", &T::point, "A point of the ground.")
-                                       .unit("length")
-                                       .required()
-                                       .key("normal", &T::normal, "Out of the ground, of any length.")
-                                       .unit("1")
-                                       .required();
+        .key("point", &T::point, "A point of the ground.")
+            .unit("length").required()
+        .key("normal", &T::normal, "Out of the ground, of any length.")
+            .unit("1").required();
+    // clang-format on
     return table;
 }
 
 const TableSpec& grid_table() {
-    static const TableSpec table =
-        Table<BedGridTable>("seabed.grid", "")
-            .key("file",
-                 &BedGridTable::file,
-                 "A CSV file of three columns, x, y and z, a row for each point of a grid in x and y, in any "
-                 "order; relative to the deck's folder.")
+    // clang-format off
+    static const TableSpec table = Table<BedGridTable>("seabed.grid", "")
+        .key("file", &BedGridTable::file, "A CSV file of three columns, x, y and z, a row for each point of a grid in "
+             "x and y, in any order; relative to the deck's folder.")
             .required();
+    // clang-format on
     return table;
 }
 
 const TableSpec& bed_friction_table() {
     using T = BedFrictionTable;
-    static const TableSpec table =
-        Table<T>("seabed.friction", "")
-            .key("axial", &T::axial, "Coulomb's coefficient along a rod.")
-            .unit("1")
-            .at_least(0)
-            .required()
-            .key("lateral", &T::lateral, "Across it.")
-            .unit("1")
-            .at_least(0)
-            .required()
-            .key("stiffness", &T::stiffness, "Force per area and displacement until it slides.")
-            .unit("mass/(length²·time²)")
-            .above(0)
-            .otherwise("stiffness of the ground")
-            .key("stages",
-                 &T::stages,
-                 "The stages in which it acts; in others what lies slides freely, and friction that begins "
-                 "later holds it where it is then.")
-            .otherwise("all but a first static one that others follow")
-            .names_of({"stage"});
+    // clang-format off
+    static const TableSpec table = Table<T>("seabed.friction", "")
+        .key("axial", &T::axial, "Coulomb's coefficient along a rod.")
+            .unit("1").at_least(0).required()
+        .key("lateral", &T::lateral, "Across it.")
+            .unit("1").at_least(0).required()
+        .key("stiffness", &T::stiffness, "Force per area and displacement until it slides.")
+            .unit("mass/(length²·time²)").above(0).otherwise("stiffness of the ground")
+        .key("stages", &T::stages, "The stages in which it acts; in others what lies slides freely, and friction that "
+             "begins later holds it where it is then.")
+            .otherwise("all but a first static one that others follow").names_of({"stage"});
+    // clang-format on
     return table;
 }
 
@@ -59,40 +50,28 @@ const TableSpec& bed_friction_table() {
 
 const TableSpec& seabed_table() {
     using T = SeabedTable;
-    static const TableSpec table =
-        Table<T>("[seabed]",
-                 "Ground, under water or not, that sections and bodies with a key `fluid` lie on.")
-            .key("z", &T::z, "The height of a horizontal plane.")
-            .unit("length")
-            .also("height level depth")
-            .key("plane", &T::plane, plane_table(), "A plane that is not.")
-            .key("grid", &T::grid, grid_table(), "Heights on a grid, linear between its points.")
+    // clang-format off
+    static const TableSpec table = Table<T>("[seabed]",
+            "Ground, under water or not, that sections and bodies with a key `fluid` lie on.")
+        .key("z", &T::z, "The height of a horizontal plane.")
+            .unit("length").also("height level depth")
+        .key("plane", &T::plane, plane_table(), "A plane that is not.")
+        .key("grid", &T::grid, grid_table(), "Heights on a grid, linear between its points.")
             .also("file bathymetry table")
-            .key("stiffness",
-                 &T::stiffness,
-                 "Force per area and depth; the area is the diameter times the length.")
-            .unit("mass/(length²·time²)")
-            .above(0)
-            .required()
-            .also("k kb kbot normal_stiffness")
-            .key("damping", &T::damping, "Force per area and speed, into the ground only.")
-            .unit("mass/(length²·time)")
-            .at_least(0)
-            .also("c cb cbot")
-            .key("friction",
-                 &T::friction,
-                 bed_friction_table(),
-                 "Coulomb's. A number is the coefficient along and across a rod.")
-            .unit("1")
-            .at_least(0)
-            .otherwise("0")
-            .also("mu friction_coefficient")
-            .exactly_one_of({"z", "plane", "grid"})
-            .shown_by(
-                "[seabed]\n"
-                "z         = -80\n"
-                "stiffness = 1e5\n"
-                "friction  = { axial = 0.3, lateral = 0.6 }\n");
+        .key("stiffness", &T::stiffness, "Force per area and depth; the area is the diameter times the length.")
+            .unit("mass/(length²·time²)").above(0).required().also("k kb kbot normal_stiffness")
+        .key("damping", &T::damping, "Force per area and speed, into the ground only.")
+            .unit("mass/(length²·time)").at_least(0).also("c cb cbot")
+        .key("friction", &T::friction, bed_friction_table(),
+             "Coulomb's. A number is the coefficient along and across a rod.")
+            .unit("1").at_least(0).otherwise("0").also("mu friction_coefficient")
+        .exactly_one_of({"z", "plane", "grid"})
+        .shown_by(
+            "[seabed]\n"
+            "z         = -80\n"
+            "stiffness = 1e5\n"
+            "friction  = { axial = 0.3, lateral = 0.6 }\n");
+    // clang-format on
     return table;
 }
 

@@ -16,78 +16,54 @@ namespace {
 
 const TableSpec& airy_table() {
     using T = AiryTable;
-    static const TableSpec table =
-        Table<T>("wave.airy", "")
-            .key("height", &T::height, "From trough to crest.")
-            .unit("length")
-            .above(0)
-            .required()
-            .also("h wave_height")
-            .also("amplitude a", "twice the amplitude")
-            .key("period", &T::period, "Of a point at rest.")
-            .unit("time")
-            .above(0)
-            .required()
-            .also("t wave_period")
-            .key(
-                "phase",
-                &T::phase,
-                "At the origin the surface is height/2 cos(phase − ω t), t from the start of the first stage "
-                "with time.")
+    // clang-format off
+    static const TableSpec table = Table<T>("wave.airy", "")
+        .key("height", &T::height, "From trough to crest.")
+            .unit("length").above(0).required().also("h wave_height").also("amplitude a", "twice the amplitude")
+        .key("period", &T::period, "Of a point at rest.")
+            .unit("time").above(0).required().also("t wave_period")
+        .key("phase", &T::phase,
+             "At the origin the surface is height/2 cos(phase − ω t), t from the start of the first stage with time.")
             .unit("angle");
+    // clang-format on
     return table;
 }
 
 const TableSpec& jonswap_table() {
     using T = JonswapTable;
-    static const TableSpec table =
-        Table<T>("wave.jonswap", "")
-            .key("Hs", &T::significant_height, "Significant height: 4 √(variance).")
-            .unit("length")
-            .above(0)
-            .required()
-            .also("significant_height hm0 h height")
-            .key("Tp", &T::peak_period, "Period of the peak.")
-            .unit("time")
-            .above(0)
-            .required()
-            .also("peak_period t period")
-            .key("gamma", &T::gamma, "Peak enhancement; 1 is the spectrum of Pierson and Moskowitz.")
-            .unit("1")
-            .at_least(1)
-            .key("components", &T::components, "How many waves of equal energy.")
-            .between(1, 100000)
-            .also("n count waves")
-            .key("seed", &T::seed, "Of the random phases: the same seed is the same sea on every machine.")
+    // clang-format off
+    static const TableSpec table = Table<T>("wave.jonswap", "")
+        .key("Hs", &T::significant_height, "Significant height: 4 √(variance).")
+            .unit("length").above(0).required().also("significant_height hm0 h height")
+        .key("Tp", &T::peak_period, "Period of the peak.")
+            .unit("time").above(0).required().also("peak_period t period")
+        .key("gamma", &T::gamma, "Peak enhancement; 1 is the spectrum of Pierson and Moskowitz.")
+            .unit("1").at_least(1)
+        .key("components", &T::components, "How many waves of equal energy.")
+            .between(1, 100000).also("n count waves")
+        .key("seed", &T::seed, "Of the random phases: the same seed is the same sea on every machine.")
             .between(0, 1e15)
-            .key("spreading",
-                 &T::spreading,
-                 "s: directions spread about the given one as cos^2s of half the angle between.")
-            .unit("1")
-            .at_least(0)
-            .otherwise("none: all of one direction");
+        .key("spreading", &T::spreading,
+             "s: directions spread about the given one as cos^2s of half the angle between.")
+            .unit("1").at_least(0).otherwise("none: all of one direction");
+    // clang-format on
     return table;
 }
 
 const TableSpec& elevation_table() {
     using T = ElevationTable;
-    static const TableSpec table =
-        Table<T>("wave.elevation", "")
-            .key("file",
-                 &T::file,
-                 "A CSV file of two columns, t and the height of the surface above still water, t rising in "
-                 "equal steps; relative to the deck's folder.")
+    // clang-format off
+    static const TableSpec table = Table<T>("wave.elevation", "")
+        .key("file", &T::file, "A CSV file of two columns, t and the height of the surface above still water, t "
+             "rising in equal steps; relative to the deck's folder.")
             .required()
-            .key("at", &T::at, "Where it was measured; its height says nothing.")
+        .key("at", &T::at, "Where it was measured; its height says nothing.")
             .unit("length")
-            .key("shortest_period", &T::shortest_period, "Shorter waves are left out.")
-            .unit("time")
-            .above(0)
-            .otherwise("two steps of the record")
-            .key("longest_period", &T::longest_period, "Longer waves are left out.")
-            .unit("time")
-            .above(0)
-            .otherwise("the length of the record");
+        .key("shortest_period", &T::shortest_period, "Shorter waves are left out.")
+            .unit("time").above(0).otherwise("two steps of the record")
+        .key("longest_period", &T::longest_period, "Longer waves are left out.")
+            .unit("time").above(0).otherwise("the length of the record");
+    // clang-format on
     return table;
 }
 
@@ -95,26 +71,25 @@ const TableSpec& elevation_table() {
 
 const TableSpec& wave_table() {
     using T = WaveTable;
-    static const TableSpec table =
-        Table<T>("[[wave]]",
-                 "Linear waves on the surface of [fluid], in stages that have time. Several add up.")
-            .key("airy", &T::airy, airy_table(), "One regular wave.")
+    // clang-format off
+    static const TableSpec table = Table<T>("[[wave]]",
+            "Linear waves on the surface of [fluid], in stages that have time. Several add up.")
+        .key("airy", &T::airy, airy_table(), "One regular wave.")
             .also("regular linear height period")
-            .key("jonswap", &T::jonswap, jonswap_table(), "A sea by its spectrum.")
+        .key("jonswap", &T::jonswap, jonswap_table(), "A sea by its spectrum.")
             .also("spectrum irregular hs tp sea")
-            .key("elevation", &T::elevation, elevation_table(), "A record of the surface.")
+        .key("elevation", &T::elevation, elevation_table(), "A record of the surface.")
             .also("record file table time_series")
-            .key("direction", &T::direction, "Where they go, horizontal and of any length.")
-            .unit("1")
-            .also("heading dir")
-            .key("stages", &T::stages, "The stages with waves, of those that have time.")
-            .otherwise("all")
-            .names_of({"stage"})
-            .exactly_one_of({"airy", "jonswap", "elevation"})
-            .shown_by(
-                "[[wave]]\n"
-                "airy      = { height = 2, period = 8 }\n"
-                "direction = [0, 1, 0]\n");
+        .key("direction", &T::direction, "Where they go, horizontal and of any length.")
+            .unit("1").also("heading dir")
+        .key("stages", &T::stages, "The stages with waves, of those that have time.")
+            .otherwise("all").names_of({"stage"})
+        .exactly_one_of({"airy", "jonswap", "elevation"})
+        .shown_by(
+            "[[wave]]\n"
+            "airy      = { height = 2, period = 8 }\n"
+            "direction = [0, 1, 0]\n");
+    // clang-format on
     return table;
 }
 

@@ -47,61 +47,47 @@ const TableSpec& bushing_table() {
     static const TableSpec stiffness = components_table("stiffness", "force/length", "force·length/angle");
     static const TableSpec damping =
         components_table("damping", "force·time/length", "force·length·time/angle");
-    static const TableSpec table =
-        Table<T>(
-            "[bushing.NAME]",
-            "Resists displacements and rotations of B against A in all directions: with stiffness about "
-            "axes only, a torsion spring. It is free of force as it is at t = 0.")
-            .key("between", &T::between, "What A and B are fixed to: points of rods, bodies, or \"ground\".")
-            .required()
-            .also("points nodes ends connects")
-            .key("at", &T::at, "Where it is at t = 0, global. Rigid arms join it to the nodes.")
-            .unit("length")
-            .otherwise("where the nodes are, which must be at one place")
+    // clang-format off
+    static const TableSpec table = Table<T>("[bushing.NAME]",
+            "Resists displacements and rotations of B against A in all directions: with stiffness about axes only, a "
+            "torsion spring. It is free of force as it is at t = 0.")
+        .key("between", &T::between, "What A and B are fixed to: points of rods, bodies, or \"ground\".")
+            .required().also("points nodes ends connects")
+        .key("at", &T::at, "Where it is at t = 0, global. Rigid arms join it to the nodes.")
+            .unit("length").otherwise("where the nodes are, which must be at one place")
             .also("pos position place point location")
-            .key("axes",
-                 &T::axes,
-                 "Its x, y and z directions at t = 0, a row each: of length 1, at right angles, "
-                 "right-handed (to 1e-6). They turn with A and B, half way between. Or what they "
-                 "turn with: A, B, nothing (`ground`) or both. A bearing's axes do not turn with "
-                 "the shaft: take the word of what carries the bearing. Then a rotation that is "
-                 "free of stiffness can be of any size.")
-            .unit("1")
-            .otherwise("the global axes, `between`")
-            .also("frame carrier turns_with")
-            .key("directions",
-                 &T::directions,
-                 "Its x, y and z directions at t = 0, likewise, where `axes` is a word.")
-            .unit("1")
-            .otherwise("the global axes")
-            .only_with("axes")
-            .also("orientation triad")
-            .key("stiffness", &T::stiffness, stiffness, "Force per displacement and moment per rotation.")
+        .key("axes", &T::axes, "Its x, y and z directions at t = 0, a row each: of length 1, at right angles, "
+             "right-handed (to 1e-6). They turn with A and B, half way between. Or what they turn with: A, B, nothing "
+             "(`ground`) or both. A bearing's axes do not turn with the shaft: take the word of what carries the "
+             "bearing. Then a rotation that is free of stiffness can be of any size.")
+            .unit("1").otherwise("the global axes, `between`").also("frame carrier turns_with")
+        .key("directions", &T::directions, "Its x, y and z directions at t = 0, likewise, where `axes` is a word.")
+            .unit("1").otherwise("the global axes").only_with("axes").also("orientation triad")
+        .key("stiffness", &T::stiffness, stiffness, "Force per displacement and moment per rotation.")
             .also("k rate spring_constant")
-            .key("stiffness_matrix",
-                 &T::stiffness_matrix,
-                 "The same as a full matrix, order x y z rx ry rz: symmetric, no energy negative.")
-            .unit("of both")
-            .also("matrix")
-            .key("damping", &T::damping, damping, "Force and moment per rate.")
+        .key("stiffness_matrix", &T::stiffness_matrix,
+             "The same as a full matrix, order x y z rx ry rz: symmetric, no energy negative.")
+            .unit("of both").also("matrix")
+        .key("damping", &T::damping, damping, "Force and moment per rate.")
             .also("c d viscosity kelvin_voigt")
-            .key("damping_matrix", &T::damping_matrix, "The same as a full matrix, likewise.")
+        .key("damping_matrix", &T::damping_matrix, "The same as a full matrix, likewise.")
             .unit("of both")
-            .at_least_one_of({"stiffness", "stiffness_matrix", "damping", "damping_matrix"})
-            .at_most_one_of({"stiffness", "stiffness_matrix"})
-            .at_most_one_of({"damping", "damping_matrix"})
-            .shown_by(
-                "[bushing.mount]\n"
-                "between   = [\"ground\", \"gyroscope\"]\n"
-                "at        = [0, 0, 0]\n"
-                "stiffness = { x = 1e3, y = 1e3, z = 4e3, rx = 20, ry = 20 }\n"
-                "damping   = { z = 30 }\n"
-                "\n"
-                "[bushing.bearing]\n"
-                "between   = [\"ground\", \"gyroscope\"]\n"
-                "at        = [0, 0, 0]\n"
-                "axes      = \"ground\"\n"
-                "stiffness = { x = 1e4, y = 1e4, z = 1e4, rx = 50, ry = 50 }\n");
+        .at_least_one_of({"stiffness", "stiffness_matrix", "damping", "damping_matrix"})
+        .at_most_one_of({"stiffness", "stiffness_matrix"})
+        .at_most_one_of({"damping", "damping_matrix"})
+        .shown_by(
+            "[bushing.mount]\n"
+            "between   = [\"ground\", \"gyroscope\"]\n"
+            "at        = [0, 0, 0]\n"
+            "stiffness = { x = 1e3, y = 1e3, z = 4e3, rx = 20, ry = 20 }\n"
+            "damping   = { z = 30 }\n"
+            "\n"
+            "[bushing.bearing]\n"
+            "between   = [\"ground\", \"gyroscope\"]\n"
+            "at        = [0, 0, 0]\n"
+            "axes      = \"ground\"\n"
+            "stiffness = { x = 1e4, y = 1e4, z = 1e4, rx = 50, ry = 50 }\n");
+    // clang-format on
     return table;
 }
 

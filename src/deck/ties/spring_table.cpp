@@ -26,60 +26,41 @@ struct SpringTable : TableHead {
 
 const TableSpec& spring_table() {
     using T = SpringTable;
-    static const TableSpec table =
-        Table<T>(
-            "[spring.NAME]",
-            "A spring and a damper along the line between two points, A and B. Their force is stiffness "
-            "times (length now - length) plus damping times the rate of the length plus force, tension "
-            "positive.")
-            .key("between",
-                 &T::between,
-                 "What carries A and B: points of rods, bodies, or \"ground\" for one that does not move.")
-            .required()
-            .also("points nodes ends at connects")
-            .key("at_a", &T::at_a, "Where A is at t = 0, global. A rigid arm joins it to its node.")
-            .unit("length")
-            .otherwise("where its node is; of the ground required")
-            .also("from point_a position_a")
-            .key("at_b", &T::at_b, "Where B is at t = 0, likewise.")
-            .unit("length")
-            .otherwise("where its node is; of the ground required")
-            .also("to point_b position_b")
-            .key("stiffness", &T::stiffness, "Force per elongation.")
-            .unit("force/length")
-            .at_least(0)
-            .also("k rate spring_constant spring_rate")
-            .key("damping", &T::damping, "Force per rate of elongation.")
-            .unit("force·time/length")
-            .at_least(0)
-            .also("c d damper viscosity damping_constant")
-            .key("force",
-                 &T::force,
-                 "A force in addition, tension positive; length is the distance of A and B then, rate how "
-                 "fast that grows. A table is a [function.NAME] of the length.")
-            .unit("force")
-            .otherwise("0")
-            .also("law function force_law tension")
-            .key("length",
-                 &T::length,
-                 "At which stiffness pulls and pushes nothing; 0 for one that always pulls.")
-            .unit("length")
-            .at_least(0)
-            .otherwise("as it is at t = 0")
+    // clang-format off
+    static const TableSpec table = Table<T>("[spring.NAME]",
+            "A spring and a damper along the line between two points, A and B. Their force is stiffness times (length "
+            "now - length) plus damping times the rate of the length plus force, tension positive.")
+        .key("between", &T::between,
+             "What carries A and B: points of rods, bodies, or \"ground\" for one that does not move.")
+            .required().also("points nodes ends at connects")
+        .key("at_a", &T::at_a, "Where A is at t = 0, global. A rigid arm joins it to its node.")
+            .unit("length").otherwise("where its node is; of the ground required").also("from point_a position_a")
+        .key("at_b", &T::at_b, "Where B is at t = 0, likewise.")
+            .unit("length").otherwise("where its node is; of the ground required").also("to point_b position_b")
+        .key("stiffness", &T::stiffness, "Force per elongation.")
+            .unit("force/length").at_least(0).also("k rate spring_constant spring_rate")
+        .key("damping", &T::damping, "Force per rate of elongation.")
+            .unit("force·time/length").at_least(0).also("c d damper viscosity damping_constant")
+        .key("force", &T::force, "A force in addition, tension positive; length is the distance of A and B then, rate "
+             "how fast that grows. A table is a [function.NAME] of the length.")
+            .unit("force").otherwise("0").also("law function force_law tension")
+        .key("length", &T::length, "At which stiffness pulls and pushes nothing; 0 for one that always pulls.")
+            .unit("length").at_least(0).otherwise("as it is at t = 0")
             .also("rest_length free_length natural_length unstretched_length l0 l")
-            .at_least_one_of({"stiffness", "damping", "force"})
-            .shown_by(
-                "[spring.strut]\n"
-                "between   = [\"flyer.start\", \"gyroscope\"]\n"
-                "at_b      = [0, 0, 1]\n"
-                "stiffness = 500.0\n"
-                "damping   = 2.0\n"
-                "length    = 0.3\n"
-                "\n"
-                "[spring.stop]\n"
-                "between = [\"ground\", \"gyroscope\"]\n"
-                "at_a    = [0, 0, -2]\n"
-                "force   = \"length < 0.5 ? 1e4*(length - 0.5) + 20*rate : 0\"\n");
+        .at_least_one_of({"stiffness", "damping", "force"})
+        .shown_by(
+            "[spring.strut]\n"
+            "between   = [\"flyer.start\", \"gyroscope\"]\n"
+            "at_b      = [0, 0, 1]\n"
+            "stiffness = 500.0\n"
+            "damping   = 2.0\n"
+            "length    = 0.3\n"
+            "\n"
+            "[spring.stop]\n"
+            "between = [\"ground\", \"gyroscope\"]\n"
+            "at_a    = [0, 0, -2]\n"
+            "force   = \"length < 0.5 ? 1e4*(length - 0.5) + 20*rate : 0\"\n");
+    // clang-format on
     return table;
 }
 
