@@ -87,10 +87,10 @@ void set_contact(const CheckedTable& table, HistoryRequest& request, const Build
     const Model& model = context.model;
     auto* body = std::get_if<WatchedBody>(&request.target);
     auto* rod = std::get_if<WatchedContacts>(&request.target);
-    const bool is_body = body != nullptr && asks_for(request, [&](const Quantity& one) {
-                             return part_of(one) == Part::contact &&
-                                    explain_missing(one.word, request.target, model).empty();
-                         });
+    const bool is_body =
+        body != nullptr && asks_for(request, [&](const Quantity& one) {
+            return part_of(one) == Part::contact && explain_missing(one.word, request.target, model).empty();
+        });
     if (rod == nullptr && !is_body) {
         if (table.gives("with"))
             context.add_fault(table,
@@ -156,7 +156,8 @@ void set_contact(const CheckedTable& table, HistoryRequest& request, const Build
 // elsewhere; "" if nothing is meant.
 std::string suggest_quantity(const std::string& word, const Watched& target, const Model& model) {
     std::vector<std::string> there = list_quantity_words();
-    std::erase_if(there, [&](const std::string& one) { return !explain_missing(one, target, model).empty(); });
+    std::erase_if(there,
+                  [&](const std::string& one) { return !explain_missing(one, target, model).empty(); });
     const std::string meant = find_choice(word, there);
     return meant.empty() ? "" : fmt::format("; did you mean \"{}\"?", meant);
 }
@@ -179,9 +180,8 @@ void add_quantities(const CheckedTable& table, HistoryRequest& request, const Bu
 }
 
 HistoryRequest build_history(const CheckedTable& table, const Watched& target, const BuildContext& context) {
-    HistoryRequest request{.name = table.get<std::string>("name"),
-                           .at = table.get<std::string>("at"),
-                           .target = target};
+    HistoryRequest request{
+        .name = table.get<std::string>("name"), .at = table.get<std::string>("at"), .target = target};
     set_reference(table, request, context);
     add_quantities(table, request, context);
     set_about(table, request, context);

@@ -90,8 +90,11 @@ HistoryTable::HistoryTable(const Hdf5Handle& histories,
     std::erase_if(ended, [](const std::string& name) { return !is_history_name(name); });
     for (std::size_t i = 0; i < requests.size(); ++i) {
         std::erase(ended, requests[i].name);
-        add_history(
-            require_group(histories, requests[i].name), model, HistoryWatch(model, requests, i), requests[i], rows);
+        add_history(require_group(histories, requests[i].name),
+                    model,
+                    HistoryWatch(model, requests, i),
+                    requests[i],
+                    rows);
     }
     for (const std::string& name : ended) add_ended(require_group(histories, name), {}, rows);
 }
