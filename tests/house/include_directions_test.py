@@ -37,11 +37,12 @@ DIRECT = {
     "analyses": ["check"],
     "sensitivity": ["analyses"],
     "run": ["analyses", "results"],
+    "face": ["run", "deck", "sensitivity"],
     "batch": ["run", "deck"],
     "report": ["loads", "results", "deck"],
     "study": ["run", "deck"],
     "verification": ["study"],
-    "apps": ["verification", "report", "sensitivity"],
+    "apps": ["verification", "report", "face"],
 }
 # Rooms that a room may include without what those include.
 ALONE = {"report": ["batch"]}

@@ -55,8 +55,8 @@ class Installed(unittest.TestCase):
                 if path.is_relative_to(share) and path.suffix in (".md", ".png", ".toml"):
                     self.assertTrue(path.is_file(), f"{page.relative_to(share)} links to {target}")
 
-    def test_another_program_uses_the_library(self):
-        build = self.folder / "swing"
+    def test_other_programs_use_the_library(self):
+        build = self.folder / "library"
         run("cmake", "-S", SOURCE / "docs" / "howto" / "library", "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
             f"-DCMAKE_PREFIX_PATH={self.prefix}")
         run("cmake", "--build", build)
@@ -66,7 +66,16 @@ class Installed(unittest.TestCase):
         with h5py.File(results) as file:
             self.assertAlmostEqual(lowest, file["histories/tip/position"][:, 1].min(), delta=1e-6)
         failed = subprocess.run([build / "swing", DECK, "top"], text=True, capture_output=True)
-        self.assertEqual((failed.returncode, failed.stderr), (2, "no [[history]] at a node is named top\n"))
+        self.assertEqual((failed.returncode, failed.stderr),
+                         (2, 'there is no history "top"; did you mean "tip"? there are tip, pin\n'))
+        springs = re.findall(r"stiffness (\S+), of handbooks (\S+)", run(build / "conical_spring"))
+        self.assertEqual(len(springs), 3)
+        for found, expected in springs:
+            self.assertAlmostEqual(float(found) / float(expected), 1.0, delta=0.003)
+        laws = re.findall(r"(\w+) (\S+), exact (\S+)", run(build / "own_laws"))
+        self.assertEqual([name for name, *_ in laws], ["cord", "strut"])
+        for _, found, exact in laws:
+            self.assertAlmostEqual(float(found), float(exact), delta=1e-8)
 
     def test_no_header_needs_the_source_tree(self):
         headers = sorted((self.prefix / "include" / "gxrod").rglob("*.hpp"))

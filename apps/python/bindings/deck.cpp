@@ -1,10 +1,7 @@
 #include <nanobind/stl/filesystem.h>
-#include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include "check/findings/plausibility.hpp"
-#include "check/model_examination.hpp"
 #include "model.hpp"
 #include "module.hpp"
 
@@ -22,16 +19,6 @@ nb::dict describe_rods(const BuiltModel& model) {
     return rods;
 }
 
-std::vector<std::string> list_findings(const BuiltModel& model) {
-    std::vector<std::string> lines;
-    const Problem& problem = model.problem;
-    for (const auto& list :
-         {examine_stages(problem.model, problem.stages), question_model(problem.model, problem.stages)}) {
-        for (const Finding& finding : list) lines.push_back(describe(finding));
-    }
-    return lines;
-}
-
 std::vector<std::string> list_inputs(const BuiltModel& model) {
     std::vector<std::string> names;
     for (const std::shared_ptr<Input>& input : model.problem.model.inputs) names.push_back(input->name());
@@ -47,13 +34,19 @@ std::vector<std::string> list_histories(const BuiltModel& model) {
 }  // namespace
 
 void bind_deck(nb::module_& module) {
-    nb::class_<DeckTemplate>(module, "Deck", "A deck that was read once and is built many times.")
+    nb::class_<Deck>(module, "Deck", "A deck that was read once and is built many times.")
         .def(nb::init<const std::filesystem::path&>(), "path"_a)
-        .def(nb::init<std::string, const std::filesystem::path&>(), "text"_a, "file"_a)
-        .def_prop_ro("text", &DeckTemplate::text)
-        .def_prop_ro("file", &DeckTemplate::file);
+        .def(
+            "__init__",
+            [](Deck* place, std::string text, const std::filesystem::path& file) {
+                new (place) Deck(Deck::from_text(std::move(text), file));
+            },
+            "text"_a,
+            "file"_a)
+        .def_prop_ro("text", &Deck::text)
+        .def_prop_ro("file", &Deck::file);
     nb::class_<BuiltModel>(module, "Model", "A deck that was checked and built.")
-        .def(nb::init<std::shared_ptr<DeckTemplate>, std::vector<std::string>>(), "deck"_a, "overrides"_a)
+        .def(nb::init<const Deck&, const std::vector<std::string>&>(), "deck"_a, "overrides"_a)
         .def_prop_ro("text", [](const BuiltModel& model) { return model.problem.record.text; })
         .def_prop_ro("notes", [](const BuiltModel& model) { return model.problem.notes; })
         .def_prop_ro("nodes", [](const BuiltModel& model) { return model.problem.model.nodes.size(); })
@@ -68,7 +61,7 @@ void bind_deck(nb::module_& module) {
             "{name: node}.")
         .def_prop_ro("inputs", &list_inputs)
         .def_prop_ro("histories", &list_histories)
-        .def("examine", &list_findings);
+        .def("examine", [](const BuiltModel& model) { return check(model.problem); });
 }
 
 }  // namespace gxrod::python

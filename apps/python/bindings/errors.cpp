@@ -2,6 +2,8 @@
 #include <nanobind/stl/vector.h>
 
 #include "deck/text/fault.hpp"
+#include "face/convergence_error.hpp"
+#include "face/unknown_name_error.hpp"
 #include "machine/file_error.hpp"
 #include "model/evaluation_error.hpp"
 #include "module.hpp"
@@ -24,6 +26,17 @@ nb::object list_faults(const DeckError& error) {
     return nb::make_tuple(nb::tuple(faults));
 }
 
+nb::object list_failure(const ConvergenceError& error) {
+    const std::optional<Failure>& failure = error.failure;
+    if (!failure) return nb::str(error.what());
+    return nb::make_tuple(error.what(),
+                          failure->time,
+                          failure->time_step,
+                          name_of(failure->outcome),
+                          failure->places,
+                          advise(*failure));
+}
+
 }  // namespace
 
 void bind_errors(nb::module_&) {
@@ -36,6 +49,10 @@ void bind_errors(nb::module_&) {
             set_error("FileError", nb::str(error.what()));
         } catch (const EvaluationError& error) {
             set_error("EvaluationError", nb::str(error.what()));
+        } catch (const ConvergenceError& error) {
+            set_error("ConvergenceError", list_failure(error));
+        } catch (const UnknownNameError& error) {
+            set_error("UnknownNameError", nb::str(error.what()));
         } catch (const SensitivityError& error) {
             set_error("Error", nb::str(error.what()));
         }

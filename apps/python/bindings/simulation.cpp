@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "assembly/state_matrices.hpp"
 #include "driven.hpp"
 #include "module.hpp"
 #include "results/restart/restart_form.hpp"
@@ -35,44 +34,8 @@ nb::object copy_whole(const std::vector<std::int64_t>& values) {
     return copy_array(std::move(numbers), 0).attr("astype")("int64");
 }
 
-const char* name_of(Outcome outcome) {
-    switch (outcome) {
-        case Outcome::out_of_iterations:
-            return "out of iterations";
-        case Outcome::singular:
-            return "singular";
-        case Outcome::not_finite:
-            return "not finite";
-        case Outcome::rotation_too_large:
-            return "rotation too large";
-        case Outcome::element_too_turned:
-            return "element too turned";
-        case Outcome::error_too_large:
-            return "error too large";
-        case Outcome::energy_out_of_reach:
-            return "energy out of reach";
-        case Outcome::joints_open:
-            return "joints open";
-        case Outcome::control_turned:
-            return "control turned";
-        case Outcome::path_crawls:
-            return "path crawls";
-        case Outcome::lost_stability:
-            return "lost stability";
-        default:
-            return "converged";
-    }
-}
-
-nb::object describe_step_failure(const Driven& driven) {
-    const std::optional<Failure>& failure = driven.simulation().summary().failure;
-    if (!failure) return nb::none();
-    return nb::make_tuple(
-        failure->time, failure->time_step, name_of(failure->outcome), failure->places, advise(*failure));
-}
-
 nb::dict make_ledger(const Driven& driven) {
-    const LedgerRow row = driven.simulation().analysis().ledger_row();
+    const LedgerRow row = driven.ledger();
     nb::dict ledger;
     for (const LedgerColumn& column : ledger_columns) {
         if (column.is_of_statics) continue;
@@ -102,7 +65,7 @@ nb::dict make_ledgers(const Driven& driven) {
 }
 
 nb::dict make_elements(Driven& driven) {
-    const Snapshot snapshot = driven.simulation().take_snapshot(true);
+    const Snapshot snapshot = driven.stepped_run().take_snapshot(true);
     nb::dict elements;
     const auto add = [&](const char* name, Vec3 SectionValues::*member) {
         std::vector<double> values;
@@ -131,18 +94,16 @@ nb::tuple make_matrix(const System& system, const std::vector<double>& values) {
 }
 
 nb::tuple make_matrices(const Driven& driven) {
-    const SteppedAnalysis& analysis = driven.simulation().analysis();
-    State state = analysis.state();
-    undo_trial(state);
-    const StateMatrices matrices = compute_state_matrices(analysis.system(), state, state.time);
-    return nb::make_tuple(make_matrix(analysis.system(), matrices.stiffness),
-                          make_matrix(analysis.system(), matrices.damping),
-                          make_matrix(analysis.system(), matrices.mass));
+    const System& system = driven.stepped_run().analysis().system();
+    const StateMatrices matrices = driven.matrices();
+    return nb::make_tuple(make_matrix(system, matrices.stiffness),
+                          make_matrix(system, matrices.damping),
+                          make_matrix(system, matrices.mass));
 }
 
 // Of each unknown its node and component, 0 … 5; the latter −1 of multipliers.
 nb::object list_unknowns(const Driven& driven) {
-    const EquationNumbers& equations = driven.simulation().analysis().system().equations();
+    const EquationNumbers& equations = driven.stepped_run().analysis().system().equations();
     std::vector<double> unknowns;
     for (std::int64_t i = 0; i < equations.count(); ++i) {
         const EquationNumbers::Unknown unknown = equations.unknown(i);
@@ -153,7 +114,7 @@ nb::object list_unknowns(const Driven& driven) {
 }
 
 // The numbers of a checkpoint, and its lists of rows, in the order of the restart table.
-nb::tuple freeze(const SavedState& checkpoint) {
+nb::tuple freeze(const Checkpoint& checkpoint) {
     RestartPlace place{checkpoint.record, static_cast<std::uint64_t>(checkpoint.rows), 0};
     std::vector<double> numbers;
     visit_numbers(place, [&](const char*, auto& number) { numbers.push_back(static_cast<double>(number)); });
@@ -166,8 +127,8 @@ nb::tuple freeze(const SavedState& checkpoint) {
     return nb::make_tuple(numbers, lists);
 }
 
-void thaw(SavedState& checkpoint, const nb::tuple& frozen) {
-    new (&checkpoint) SavedState();
+void thaw(Checkpoint& checkpoint, const nb::tuple& frozen) {
+    new (&checkpoint) Checkpoint();
     const auto numbers = nb::cast<std::vector<double>>(frozen[0]);
     const auto lists = nb::cast<nb::list>(frozen[1]);
     RestartPlace place;
@@ -188,11 +149,9 @@ void thaw(SavedState& checkpoint, const nb::tuple& frozen) {
     checkpoint.rows = static_cast<std::int64_t>(place.steps);
 }
 
-using VariedList = std::vector<std::tuple<std::array<const BuiltModel*, 4>, double>>;
-
-std::vector<Driven::Varied> list_varied(const VariedList& varied) {
-    std::vector<Driven::Varied> all;
-    for (const auto& [models, step] : varied) all.push_back({models, step});
+std::vector<Variation> vary_all(const BuiltModel& model, const std::vector<std::string>& numbers) {
+    std::vector<Variation> all;
+    for (const std::string& number : numbers) all.push_back(vary(model.deck, number));
     return all;
 }
 
@@ -204,7 +163,7 @@ void bind_views(nb::class_<Driven>& type) {
             name,
             [quantity](nb::handle_t<Driven> self) {
                 auto& driven = nb::cast<Driven&>(self);
-                return driven.views().get(quantity, driven.nodes(), self);
+                return driven.views.get(quantity, driven.nodes(), self);
             },
             nb::for_getter(nb::sig(signature.c_str())),
             quantity == StateViews::orientation ? "A read-only view [N,4]: w x y z."
@@ -222,18 +181,13 @@ void bind_views(nb::class_<Driven>& type) {
 }  // namespace
 
 void bind_simulation(nb::module_& module) {
-    nb::class_<SavedState>(module,
+    nb::class_<Checkpoint>(module,
                            "Checkpoint",
                            "An accepted state to return to: `sim.save()` makes it, `sim.restore` returns to "
                            "it; it can be pickled.")
         .def("__getstate__", &freeze)
         .def("__setstate__", &thaw)
-        .def_prop_ro(
-            "time",
-            [](const SavedState& checkpoint) {
-                return checkpoint.record.axis_start + checkpoint.record.steps.time;
-            },
-            "Of the state, on the axis of sim.time.");
+        .def_prop_ro("time", &Checkpoint::time, "Of the state, on the axis of sim.time.");
     nb::class_<Driven> type(module, "Simulation", "A run that is driven from outside.");
     type.def(
             "__init__",
@@ -241,65 +195,60 @@ void bind_simulation(nb::module_& module) {
                const BuiltModel& model,
                const std::string& results,
                int threads,
-               bool keeps_ledger,
-               std::vector<std::size_t> histories,
-               const VariedList& varied) {
+               std::vector<std::string> record,
+               const std::vector<std::string>& sensitivities) {
                 const nb::gil_scoped_release release;
                 new (place) Driven(
-                    model, results, threads, {keeps_ledger, std::move(histories)}, list_varied(varied));
+                    model.deck.build(),
+                    Simulation::Options{results, threads, std::move(record), vary_all(model, sensitivities)});
             },
             "model"_a,
             "results"_a,
             "threads"_a,
-            "keeps_ledger"_a,
-            "histories"_a,
-            "varied"_a)
-        .def("start",
-             &Driven::start,
-             ReleaseGil(),
-             "To the accepted state at t = 0; False if the run cannot start.")
-        .def("step", &Driven::step, ReleaseGil(), "False if no step was accepted.")
-        .def("advance",
-             &Driven::advance,
-             "until"_a.none(),
-             "most_steps"_a,
-             ReleaseGil(),
-             "The number of steps that were accepted.")
+            "record"_a,
+            "sensitivities"_a)
         .def(
-            "close", [](Driven& driven) { driven.simulation().close(); }, ReleaseGil())
-        .def("interrupt", [](Driven& driven) { driven.simulation().interrupt(); })
+            "step",
+            [](Driven& driven) { return driven.follow([&] { return driven.step(); }); },
+            ReleaseGil(),
+            "False if no step was accepted.")
+        .def(
+            "advance",
+            [](Driven& driven, std::optional<double> until, long most_steps) {
+                return driven.follow([&] { return driven.advance(until, most_steps); });
+            },
+            "until"_a.none(),
+            "most_steps"_a,
+            ReleaseGil(),
+            "The number of steps that were accepted.")
+        .def("close", &Driven::close, ReleaseGil())
+        .def("interrupt", &Driven::interrupt)
         .def("save", &Driven::save)
-        .def("restore", &Driven::restore, "checkpoint"_a)
         .def(
-            "set_input",
-            [](Driven& driven, const std::string& name, double value, double until) {
-                driven.simulation().set_input(name, value, until);
+            "restore",
+            [](Driven& driven, const Checkpoint& checkpoint) {
+                driven.follow([&] { driven.restore(checkpoint); });
             },
-            "name"_a,
-            "value"_a,
-            "until"_a)
-        .def(
-            "input",
-            [](const Driven& driven, std::size_t index) {
-                return (*driven.problem().model.inputs.at(index))(
-                    driven.simulation().analysis().state().time);
-            },
-            "input"_a)
-        .def("history", &Driven::compute_history, "history"_a, "quantity"_a)
-        .def("derivative", &Driven::differentiate_history, "number"_a, "history"_a, "quantity"_a)
+            "checkpoint"_a)
+        .def("set", &Driven::set, "input"_a, "value"_a, "It counts from the next step on.")
+        .def("input", &Driven::input, "name"_a)
+        .def("history", &Driven::compute, "history"_a, "quantity"_a)
+        .def("derivative", &Driven::differentiate, "number"_a, "history"_a, "quantity"_a)
         .def(
             "gradient",
-            [](Driven& driven,
+            [](const Driven& driven,
                const std::vector<std::tuple<std::size_t, std::size_t, std::vector<double>>>& sum,
-               const VariedList& varied) {
+               const BuiltModel& model,
+               const std::vector<std::string>& numbers) {
                 const nb::gil_scoped_release release;
-                std::vector<Driven::Weighted> all;
+                std::vector<WeightedQuantity> all;
                 for (const auto& [history, quantity, weights] : sum)
                     all.push_back({history, quantity, weights});
-                return driven.find_gradient(all, list_varied(varied));
+                return find_gradient(driven.stepped_run(), all, vary_all(model, numbers));
             },
             "sum"_a,
-            "varied"_a)
+            "model"_a,
+            "numbers"_a)
         .def("quantities", &Driven::list_quantities, "history"_a)
         .def("ledger", &make_ledger, "{name: number or array [3]}.")
         .def(
@@ -327,42 +276,28 @@ void bind_simulation(nb::module_& module) {
              &list_unknowns,
              nb::sig("def unknowns(self) -> numpy.typing.NDArray[numpy.int64]"),
              "Node and component of each [n,2].")
-        .def("failure",
-             &describe_step_failure,
-             nb::sig("def failure(self) -> tuple[float, float, str, list[str], list[str]] | None"),
-             "(time, time_step, outcome, places, advice) of the step that failed.")
         .def(
             "summary",
             [](const Driven& driven) {
-                return describe_summary(driven.simulation().summary(), driven.problem().record.name, "")
+                return describe_summary(driven.summary(), driven.problem().record.name, "")
                     .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
             },
             "As JSON.")
-        .def_prop_ro("time", [](const Driven& driven) { return driven.simulation().time(); })
-        .def_prop_ro("next_time",
-                     [](const Driven& driven) {
-                         const SteppedAnalysis& analysis = driven.simulation().analysis();
-                         return driven.simulation().stages().axis_start() + analysis.steps().next_time();
-                     })
-        .def_prop_ro("ended", [](const Driven& driven) { return driven.simulation().has_ended(); })
-        .def_prop_ro(
-            "status",
-            [](const Driven& driven) { return gxrod::name_of(driven.simulation().summary().status); })
-        .def_prop_ro("reason", [](const Driven& driven) { return driven.simulation().summary().reason; })
-        .def_prop_ro("is_deck_fault",
-                     [](const Driven& driven) { return driven.simulation().summary().deck_fault; })
+        .def_prop_ro("time", &Driven::time)
+        .def_prop_ro("ended", &Driven::finished)
+        .def_prop_ro("reason", [](const Driven& driven) { return driven.summary().reason; })
         .def_prop_ro(
             "last_step",
             [](const Driven& driven) {
-                const SolverRow& row = driven.simulation().analysis().solver_row();
+                const SolverRow& row = driven.last_step();
                 return nb::make_tuple(
-                    driven.simulation().time(), row.time_step, row.newton_iterations, row.rejected_steps);
+                    driven.time(), row.time_step, row.newton_iterations, row.rejected_steps);
             },
             nb::for_getter(nb::sig("def last_step(self, /) -> tuple[float, float, int, int]")),
             "Its time, time step, Newton iterations and rejected steps.")
         .def_prop_ro("part_done",
-                     [](const Driven& driven) { return driven.simulation().stages().part_done(); })
-        .def_prop_ro("stage", [](const Driven& driven) { return driven.simulation().stages().name(); });
+                     [](const Driven& driven) { return driven.stepped_run().stages().part_done(); })
+        .def_prop_ro("stage", &Driven::stage);
     bind_views(type);
 }
 

@@ -25,7 +25,7 @@ Vec3 vector_of(const NodeMotion& node, int quantity) {
 
 }  // namespace
 
-void StateViews::fill(int quantity, const std::vector<NodeMotion>& nodes) {
+void StateViews::fill(int quantity, std::span<const NodeMotion> nodes) {
     double* next = values_[static_cast<std::size_t>(quantity)].data();
     for (const NodeMotion& node : nodes) {
         if (quantity == orientation) {
@@ -37,13 +37,13 @@ void StateViews::fill(int quantity, const std::vector<NodeMotion>& nodes) {
     }
 }
 
-void StateViews::follow(const std::vector<NodeMotion>& nodes) {
+void StateViews::follow(std::span<const NodeMotion> nodes) {
     for (int quantity = 0; quantity < count; ++quantity) {
         if (!values_[static_cast<std::size_t>(quantity)].empty()) fill(quantity, nodes);
     }
 }
 
-nb::object StateViews::get(Quantity quantity, const std::vector<NodeMotion>& nodes, nb::handle owner) {
+nb::object StateViews::get(Quantity quantity, std::span<const NodeMotion> nodes, nb::handle owner) {
     const std::size_t width = quantity == orientation ? 4 : 3;
     std::vector<double>& values = values_[quantity];
     if (values.empty()) {

@@ -3,6 +3,7 @@
 #include <nanobind/ndarray.h>
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "module.hpp"
@@ -25,12 +26,12 @@ class StateViews {
         count
     };
 
-    void follow(const std::vector<NodeMotion>& nodes);
+    void follow(std::span<const NodeMotion> nodes);
     // [N, 3], or [N, 4] of orientations; read-only, owned by `owner`.
-    nb::object get(Quantity quantity, const std::vector<NodeMotion>& nodes, nb::handle owner);
+    nb::object get(Quantity quantity, std::span<const NodeMotion> nodes, nb::handle owner);
 
   private:
-    void fill(int quantity, const std::vector<NodeMotion>& nodes);
+    void fill(int quantity, std::span<const NodeMotion> nodes);
 
     std::array<std::vector<double>, count> values_;
 };

@@ -74,10 +74,7 @@ class Checkpoint:
 class Simulation:
     """A run that is driven from outside."""
 
-    def __init__(self, model: Model, results: str, threads: int, keeps_ledger: bool, histories: Sequence[int], varied: Sequence[tuple[Sequence[Model], float]]) -> None: ...
-
-    def start(self) -> bool:
-        """To the accepted state at t = 0; False if the run cannot start."""
+    def __init__(self, model: Model, results: str, threads: int, record: Sequence[str], sensitivities: Sequence[str]) -> None: ...
 
     def step(self) -> bool:
         """False if no step was accepted."""
@@ -93,15 +90,16 @@ class Simulation:
 
     def restore(self, checkpoint: Checkpoint) -> None: ...
 
-    def set_input(self, name: str, value: float, until: float) -> None: ...
+    def set(self, input: str, value: float) -> None:
+        """It counts from the next step on."""
 
-    def input(self, input: int) -> float: ...
+    def input(self, name: str) -> float: ...
 
     def history(self, history: int, quantity: int) -> list[float]: ...
 
     def derivative(self, number: int, history: int, quantity: int) -> list[float]: ...
 
-    def gradient(self, sum: Sequence[tuple[int, int, Sequence[float]]], varied: Sequence[tuple[Sequence[Model], float]]) -> list[float]: ...
+    def gradient(self, sum: Sequence[tuple[int, int, Sequence[float]]], model: Model, numbers: Sequence[str]) -> list[float]: ...
 
     def quantities(self, history: int) -> list[str]: ...
 
@@ -128,9 +126,6 @@ class Simulation:
     def unknowns(self) -> numpy.typing.NDArray[numpy.int64]:
         """Node and component of each [n,2]."""
 
-    def failure(self) -> tuple[float, float, str, list[str], list[str]] | None:
-        """(time, time_step, outcome, places, advice) of the step that failed."""
-
     def summary(self) -> str:
         """As JSON."""
 
@@ -138,19 +133,10 @@ class Simulation:
     def time(self) -> float: ...
 
     @property
-    def next_time(self) -> float: ...
-
-    @property
     def ended(self) -> bool: ...
 
     @property
-    def status(self) -> str: ...
-
-    @property
     def reason(self) -> str: ...
-
-    @property
-    def is_deck_fault(self) -> bool: ...
 
     @property
     def last_step(self, /) -> tuple[float, float, int, int]:

@@ -14,11 +14,10 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from .decks import Deck, Model, add_points, schema
-from .errors import ConvergenceError, Error, EvaluationError, unknown_name
+from .errors import Error, unknown_name
 from .installing import pip_install
 from .results.display import Shown
 from .typed import AnyPath, Array, Names, WholeArray
-from .variations import vary_all
 
 if TYPE_CHECKING:
     import scipy.sparse
@@ -99,19 +98,12 @@ class Simulation(Shown):
         for name in self._recorded:
             if name != "ledger" and name not in self._names:
                 raise unknown_name("history", name, ["ledger", *self._names])
-        histories = [self._names.index(name) for name in self._recorded if name != "ledger"]
         self._varied = list_names(sensitivities)
-        varied = vary_all(self.model, self._varied)
+        self._wall = time.perf_counter()
         try:
-            self._core = _core.Simulation(self.model._core, "" if results is None else str(results), threads, "ledger" in self._recorded, histories,
-                                          varied)
+            self._core = _core.Simulation(self.model._core, "" if results is None else str(results), threads, self._recorded, self._varied)
         except ValueError as error:
             raise Error(f"sensitivities by {', '.join(self._varied)}: {error}") from error
-        self._writes = results is not None
-        self._pending: dict[str, float] = {}
-        self._wall = time.perf_counter()
-        if not self._core.start():
-            raise self._failure()
 
     # Stepping.
 
@@ -122,12 +114,8 @@ class Simulation(Shown):
         accepted one.
         """
         self._check_open()
-        self._set_inputs(self._core.next_time)
         if not self._core.step():
-            self._raise_failure()
-            self._complete()
             return None  # a stage without steps was the last
-        self._complete()
         return Step(*self._core.last_step)
 
     def advance(self, until: float | None = None, steps: int | None = None) -> Step:
@@ -141,18 +129,15 @@ class Simulation(Shown):
         if until is not None and not until > self.time:
             raise Error(f"advance: until is {until}, which is not after t = {self.time}")
         self._check_open()
-        self._set_inputs(self._core.next_time if until is None else until)
         left, size = math.inf if steps is None else steps, 1
         while left > 0 and not self.finished and (until is None or self.time < until):
             begin = time.perf_counter()
             done = self._core.advance(until, int(min(size, left)))
-            self._raise_failure()
             if done == 0:
                 break  # a time that differs from this one by rounding
             left -= done
             if time.perf_counter() - begin < 0.5 * LONGEST_CALL:
                 size *= 2
-        self._complete()
         return Step(*self._core.last_step)
 
     def run(self, progress: bool = False, on_step: Callable[[Simulation], object] | None = None) -> Summary:
@@ -169,18 +154,12 @@ class Simulation(Shown):
                 else:
                     if self.step() is not None and is_false(on_step(self)):
                         self._core.interrupt()
-                        self._complete()
                 if shown:
                     shown(self._core.part_done)
         finally:
             if shown:
                 shown(None)
         return self.summary
-
-    def _complete(self):
-        """The results of a run that has ended are whole, be it closed or not."""
-        if self._writes and self._core.ended:
-            self._core.close()
 
     @property
     def time(self) -> float:
@@ -261,7 +240,7 @@ class Simulation(Shown):
             index = self._names.index(name)
             total.append((index, self._core.quantities(index).index(quantity), weight.tolist()))
         try:
-            return np.array(self._core.gradient(total, vary_all(self.model, list_names(parameters))))
+            return np.array(self._core.gradient(total, self.model._core, list_names(parameters)))
         except (ValueError, RuntimeError) as error:
             raise Error(f"adjoint: {error}") from error
 
@@ -306,8 +285,6 @@ class Simulation(Shown):
             self._core.restore(checkpoint)
         except (ValueError, RuntimeError) as error:
             raise Error(str(error)) from error
-        self._pending.clear()
-
     # Matrices.
 
     def tangent(self) -> scipy.sparse.csc_matrix:
@@ -341,21 +318,6 @@ class Simulation(Shown):
     def _check_open(self):
         if self.finished:
             raise Error("the run is finished: " + (self._core.reason or f"t = {self.time} is its end"))
-
-    def _set_inputs(self, until):
-        for name, value in self._pending.items():
-            self._core.set_input(name, value, until)
-        self._pending.clear()
-
-    def _raise_failure(self):
-        if self._core.status == "failed":
-            raise self._failure()
-
-    def _failure(self):
-        failure = self._core.failure()
-        if failure is None:
-            return (EvaluationError if self._core.is_deck_fault else ConvergenceError)(self._core.reason)
-        return ConvergenceError(self._core.reason, *failure)
 
     def _headline(self):
         state = "finished" if self.finished else "at"
@@ -502,15 +464,14 @@ class Inputs(Shown, MutableMapping):
         names = self._simulation.model.inputs
         if name not in names:
             raise unknown_name("input", name, names)
-        pending = self._simulation._pending
-        return pending[name] if name in pending else self._simulation._core.input(names.index(name))
+        return self._simulation._core.input(name)
 
     def __setitem__(self, name: str, value: float) -> None:
         self[name]  # whether there is one
         value = float(value)
         if not math.isfinite(value):
             raise Error(f"input {name} cannot be {value}")
-        self._simulation._pending[name] = value
+        self._simulation._core.set(name, value)
 
     def __delitem__(self, name: str) -> None:
         raise TypeError("inputs of a deck cannot be removed")

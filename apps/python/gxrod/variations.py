@@ -8,21 +8,6 @@ import numpy as np
 from .decks import Model
 from .errors import Error, unknown_name
 
-RELATIVE_STEP = 5e-4  # of differences along derivatives that are carried along, whose errors are its fourth power
-
-
-def vary_all(model, names):
-    """Of each name the arguments of the compiled part."""
-    return [([each._core for each in models], step) for models, step in (vary(model, name) for name in names)]
-
-
-def vary(model, name):
-    """Models for a number of the deck plus and minus a step, plus and minus twice the step; and the step."""
-    key = key_of(model, name)
-    value = find_number(model, key, name)
-    step = RELATIVE_STEP * (abs(value) or 1.0)
-    return [change(model, key, value + steps * step) for steps in (1, -1, 2, -2)], step
-
 
 def key_of(model, name):
     return f"parameters.{name}" if name in model.deck._tables.get("parameters", {}) else name

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "face/variation.hpp"
+#include "run/stepped_run.hpp"
+#include "sensitivity/sensitivities.hpp"
+
+namespace gxrod {
+
+// Computes a quantity of a history of `problem` from a system and its trial motions.
+std::vector<double> compute_history(const Problem& problem,
+                                    const System& system,
+                                    const State& state,
+                                    std::size_t history,
+                                    std::size_t quantity);
+
+// Derivatives of histories by numbers of the deck, carried along from step to step.
+class Derivatives {
+  public:
+    // `run` must outlive it, and so must its problem. Throws std::invalid_argument if the run has none.
+    Derivatives(const SteppedRun& run, std::vector<Variation> variations);
+
+    void start() { sensitivities_->start(); }
+    // Must be called before each step, and after it has been accepted.
+    void note_before() { sensitivities_->note_before(); }
+    void advance() {
+        if (is_known_) sensitivities_->advance();
+    }
+
+    std::vector<std::string> numbers() const;
+    // Throws std::logic_error after a return to a state that was saved without derivatives.
+    std::vector<double> differentiate(std::size_t number, std::size_t history, std::size_t quantity) const;
+
+    // Returns a record to return to, nullptr if the derivatives are not known.
+    std::shared_ptr<const Sensitivities::Record> save() const;
+    // Follows the run to a state to which it has returned; without a record, derivatives are not known there.
+    void restore(const Sensitivities::Record* record);
+
+  private:
+    const SteppedRun& run_;
+    std::vector<Variation> variations_;
+    std::unique_ptr<Sensitivities> sensitivities_;
+    bool is_known_ = true;  // whether derivatives of the accepted state are known
+};
+
+// A quantity of a history, and what each of its numbers counts in a sum.
+struct WeightedQuantity {
+    std::size_t history, quantity;
+    std::vector<double> weights;
+};
+
+// Finds derivatives of a weighted sum at the accepted equilibrium of a static run, by multipliers. Throws
+// std::invalid_argument if there are none.
+std::vector<double> find_gradient(const SteppedRun& run,
+                                  const std::vector<WeightedQuantity>& sum,
+                                  const std::vector<Variation>& variations);
+
+}  // namespace gxrod
