@@ -45,6 +45,7 @@
 #include "machine/file_error.hpp"
 #include "machine/machine_memory.hpp"
 #include "model/settings/frame_interval.hpp"
+#include "model/settings/scheme_card.hpp"
 
 namespace gxrod {
 namespace {
@@ -112,7 +113,7 @@ std::string list_integrators(const std::vector<StagePlan>& stages) {
         if (dynamic == nullptr || !dynamic->has_inertia) continue;
         if (!text.empty()) text += ", ";
         if (!stage.name.empty()) text += stage.name + ": ";
-        text += word_of(scheme_choices, dynamic->scheme);
+        text += card_of(dynamic->scheme).word;
     }
     return text;
 }

@@ -8,6 +8,7 @@
 
 #include "deck/schema/suggestion.hpp"
 #include "deck/text/fault.hpp"
+#include "model/settings/scheme_card.hpp"
 
 namespace gxrod {
 namespace {
@@ -38,7 +39,7 @@ Part& find(std::vector<Part>& parts,
 void check_scheme(const Problem& problem, const std::string& key) {
     for (const StagePlan& stage : problem.stages) {
         const auto* dynamic = std::get_if<DynamicSettings>(&stage.analysis);
-        if (dynamic == nullptr || dynamic->scheme != Scheme::energy_momentum) continue;
+        if (dynamic == nullptr || !card_of(dynamic->scheme).conserves_energy) continue;
         refuse(problem,
                key,
                "\"energy-momentum\" keeps nothing with a law or force of the program; expected another "

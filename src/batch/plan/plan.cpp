@@ -68,8 +68,7 @@ std::optional<Collection> read_collection(const CheckedTable& table, FaultList& 
     take_word("history", [&](const std::string& word) { collection.history = word; });
     if (table.gives("history")) {
         is_right = is_right && table.gives("quantity");
-        take_word("quantity",
-                  [&](const std::string& word) { collection.quantity = word; });
+        take_word("quantity", [&](const std::string& word) { collection.quantity = word; });
     }
     take_word("ledger", [&](const std::string& word) {
         collection.ledger = std::find_if(ledger_columns.begin(),

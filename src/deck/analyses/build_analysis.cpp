@@ -12,6 +12,7 @@
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "machine/printable.hpp"
+#include "model/settings/scheme_card.hpp"
 #include "model/settings/scheme_choice.hpp"
 
 namespace gxrod {
@@ -95,7 +96,7 @@ void check_paper_tangent(const CheckedTable& newton, const std::string& user, co
                           "tangent",
                           fmt::format("\"{}\" belongs to integrator \"{}\", not to {}",
                                       paper,
-                                      word_of(scheme_choices, Scheme::newmark_simplified),
+                                      card_of(Scheme::newmark_simplified).word,
                                       user));
     }
     if (!context.deck.tables("rod").empty()) {
@@ -110,13 +111,14 @@ void check_coupled_tangent(const CheckedTable& newton,
                            bool is_open,
                            const BuildContext& context) {
     const TangentKind tangent = settings.newton.tangent;
-    const bool is_coupled = settings.scheme == Scheme::radau_5 || settings.scheme == Scheme::gauss_4;
-    if (!is_coupled || tangent == TangentKind::automatic || tangent == TangentKind::consistent) return;
+    const SchemeCard& card = card_of(settings.scheme);
+    if (!card.couples_stages || tangent == TangentKind::automatic || tangent == TangentKind::consistent)
+        return;
     context.add_fault(
         newton,
         "tangent",
         fmt::format("\"{}\" {}; expected \"{}\"",
-                    is_open ? open_scheme_word : word_of(scheme_choices, settings.scheme),
+                    is_open ? open_scheme_word : card.word,
                     is_open ? "chooses the tangent, too"
                             : "finds the stages of a step together and has a tangent of its own",
                     word_of(tangent_choices, TangentKind::automatic)));
@@ -144,11 +146,10 @@ LinearSolverKind find_linear_solver(const CheckedTable& table) {
     return value_of(linear_solver_choices, table.get<std::string>("linear_solver"));
 }
 
-// By the scheme of order 4, whose last stage is the equilibrium at the end of the step.
 DynamicSettings build_quasi_static(const CheckedTable& table, const BuildContext& context) {
     DynamicSettings settings;
     settings.has_inertia = false;
-    settings.scheme = Scheme::sdirk_4;
+    settings.scheme = quasi_static_scheme;
     settings.end_time = table.get<double>("end_time");
     settings.steps = find_steps(table, settings.end_time, context);
     settings.adaptive = build_adaptive(table, context);
@@ -159,7 +160,7 @@ DynamicSettings build_quasi_static(const CheckedTable& table, const BuildContext
 }
 
 Scheme find_scheme(const CheckedTable& table, const BuildContext& context) {
-    if (leaves_scheme_open(table)) return Scheme::radau_5;  // until the model is known
+    if (leaves_scheme_open(table)) return accurate_scheme;
     const Scheme scheme = value_of(scheme_choices, table.get<std::string>("integrator"));
     if (!table.gives("accuracy") || table.gives("integrator")) return scheme;
     for (const char* key : {"beta", "gamma"}) {
@@ -169,9 +170,9 @@ Scheme find_scheme(const CheckedTable& table, const BuildContext& context) {
             key,
             fmt::format("accuracy without an integrator takes \"{}\", which does not use this key; give the "
                         "integrator",
-                        word_of(scheme_choices, Scheme::radau_5)));
+                        card_of(accurate_scheme).word));
     }
-    return Scheme::radau_5;
+    return accurate_scheme;
 }
 
 DynamicSettings build_dynamic(const CheckedTable& table, const BuildContext& context) {
@@ -185,7 +186,7 @@ DynamicSettings build_dynamic(const CheckedTable& table, const BuildContext& con
     settings.projects_start = table.get<std::string>("start") == "project";
     settings.adaptive = build_adaptive(table, context);
     if (settings.adaptive) note_first_step(settings, table, context);
-    const bool is_papers_scheme = settings.scheme == Scheme::newmark_simplified;
+    const bool is_papers_scheme = card_of(settings.scheme).has_paper_tangent;
     const std::string user = "\"" + table.get<std::string>("integrator") + "\"";
     read_newton(table, is_papers_scheme ? "" : user, context, settings.newton);
     if (table.gives("newton") && table.tables("newton").front().gives("tangent"))

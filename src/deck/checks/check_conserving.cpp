@@ -6,6 +6,7 @@
 
 #include "deck/schema/choices.hpp"
 #include "model/parts.hpp"
+#include "model/settings/scheme_card.hpp"
 
 namespace gxrod {
 namespace {
@@ -56,7 +57,7 @@ std::string find_obstacle(const Model& model) {
 
 void check_conserving(const BuildContext& context) {
     const auto* dynamic = std::get_if<DynamicSettings>(&context.analysis());
-    if (dynamic == nullptr || dynamic->scheme != Scheme::energy_momentum) return;
+    if (dynamic == nullptr || !card_of(dynamic->scheme).conserves_energy) return;
     const std::string obstacle = find_obstacle(context.model);
     if (obstacle.empty()) return;
     const std::vector<CheckedTable>& stages = context.deck.tables("stage");
@@ -67,9 +68,9 @@ void check_conserving(const BuildContext& context) {
         "integrator",
         fmt::format("\"{}\" is for one free elastic body of rods, without supports, joints or damping; this "
                     "model has {}; expected another integrator, such as \"{}\"",
-                    word_of(scheme_choices, Scheme::energy_momentum),
+                    card_of(dynamic->scheme).word,
                     obstacle,
-                    word_of(scheme_choices, Scheme::gauss_4)));
+                    card_of(Scheme::gauss_4).word));
 }
 
 }  // namespace gxrod

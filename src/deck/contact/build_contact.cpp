@@ -13,6 +13,7 @@
 #include "deck/loads/acting.hpp"
 #include "deck/rods/build_centreline.hpp"
 #include "deck/schema/choices.hpp"
+#include "model/settings/scheme_card.hpp"
 
 namespace gxrod {
 namespace {
@@ -189,7 +190,7 @@ void check_stage(const CheckedTable& table,
             table, "kind", "contact does not turn with a frame; expected a stage without [rotation]");
     const auto* timed = std::get_if<DynamicSettings>(&analysis);
     if (timed == nullptr || !timed->has_inertia) return;
-    if (timed->scheme == Scheme::newmark_simplified) {
+    if (card_of(timed->scheme).takes_contact) {
         // docs/theory/contact.md#time
         constexpr double rounding = 1e-12;
         if (std::abs(timed->beta - 0.5 * timed->gamma) > rounding)

@@ -9,6 +9,7 @@
 #include "deck/loads/acting.hpp"
 #include "deck/places/part.hpp"
 #include "deck/schema/schema_tables.hpp"
+#include "model/settings/scheme_card.hpp"
 
 namespace gxrod {
 const TableSpec& tendon_table() {
@@ -84,7 +85,7 @@ void check_path(const TendonTable& given, const Tendon& tendon, const BuildConte
 
 bool is_explicit(const AnalysisSettings& analysis) {
     const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
-    return dynamic != nullptr && dynamic->scheme == Scheme::runge_kutta_4;
+    return dynamic != nullptr && card_of(dynamic->scheme).is_explicit;
 }
 
 // Keys that need a winch, or do not go with one.

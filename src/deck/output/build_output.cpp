@@ -87,10 +87,10 @@ void set_contact(const CheckedTable& table, HistoryRequest& request, const Build
     const Model& model = context.model;
     auto* body = std::get_if<WatchedBody>(&request.target);
     auto* rod = std::get_if<WatchedContacts>(&request.target);
-    const bool is_body =
-        body != nullptr && asks_for(request, [&](const Quantity& one) {
-            return part_of(one) == Part::contact && explain_missing(one.word, request.target, model).empty();
-        });
+    const bool is_body = body != nullptr && asks_for(request, [&](const Quantity& one) {
+                             return part_of(one) == SnapshotPart::contact &&
+                                    explain_missing(one.word, request.target, model).empty();
+                         });
     if (rod == nullptr && !is_body) {
         if (table.gives("with"))
             context.add_fault(table,

@@ -10,6 +10,7 @@
 #include "laws/plastic_law.hpp"
 #include "laws/strain_part.hpp"
 #include "model/model.hpp"
+#include "model/settings/scheme_card.hpp"
 #include "model/settings/settings.hpp"
 
 // The words of a deck and their meaning, each pair stated once.
@@ -81,15 +82,12 @@ inline constexpr std::array<Choice<Interpolation>, 3> interpolation_choices{
 inline constexpr std::array<Choice<Linearization>, 2> linearization_choices{
     {{"elastic", Linearization::elastic}, {"loading", Linearization::loading}}};
 
-inline constexpr std::array<Choice<Scheme>, 8> scheme_choices{
-    {{"newmark-simplified", Scheme::newmark_simplified},
-     {"newmark-ibrahimbegovic", Scheme::newmark_ibrahimbegovic},
-     {"generalized-alpha", Scheme::generalized_alpha},
-     {"sdirk-4", Scheme::sdirk_4},
-     {"radau-5", Scheme::radau_5},
-     {"gauss-4", Scheme::gauss_4},
-     {"energy-momentum", Scheme::energy_momentum},
-     {"runge-kutta-4", Scheme::runge_kutta_4}}};
+inline constexpr auto scheme_choices = [] {
+    std::array<Choice<Scheme>, scheme_cards.size()> choices{};
+    for (std::size_t i = 0; i < choices.size(); ++i)
+        choices[i] = {scheme_cards[i].word, scheme_cards[i].scheme};
+    return choices;
+}();
 
 // Of an integrator that the model decides (model/settings/scheme_choice.hpp).
 inline constexpr const char* open_scheme_word = "auto";

@@ -2,6 +2,7 @@
 
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
+#include "model/settings/scheme_card.hpp"
 #include "watch/quantities.hpp"
 
 // [analysis], [output] and [[history]].
@@ -15,40 +16,35 @@ const Condition with_steps{"kind", {"dynamic", "quasi-static", "static", "path",
 const Condition path_only{"kind", {"path"}};
 const Condition modes_only{"kind", {"modes"}};
 
-std::vector<Condition> for_schemes(const std::vector<Scheme>& schemes) {
+template <class Takes>
+std::vector<Condition> for_schemes(const Takes& takes) {
     Condition condition{"integrator", {}};
-    for (const Scheme scheme : schemes) condition.words.push_back(word_of(scheme_choices, scheme));
+    for (const SchemeCard& card : scheme_cards) {
+        if (takes(card)) condition.words.emplace_back(card.word);
+    }
     return {dynamic_only, condition};
 }
 
+std::vector<Condition> for_schemes_with(SchemeParameters parameters) {
+    return for_schemes([parameters](const SchemeCard& card) { return card.parameters == parameters; });
+}
+
 // And for one that the model decides, which is implicit and estimates errors.
-Condition for_schemes_and_open(const std::vector<Scheme>& schemes) {
-    Condition condition = for_schemes(schemes).back();
+template <class Takes>
+Condition for_schemes_and_open(const Takes& takes) {
+    Condition condition = for_schemes(takes).back();
     condition.words.emplace_back(open_scheme_word);
     return condition;
 }
 
 // Newton's method is for equilibria and implicit integrators.
 std::vector<Condition> for_equilibria() {
-    return {with_steps,
-            for_schemes_and_open({Scheme::newmark_simplified,
-                                  Scheme::newmark_ibrahimbegovic,
-                                  Scheme::generalized_alpha,
-                                  Scheme::sdirk_4,
-                                  Scheme::radau_5,
-                                  Scheme::gauss_4,
-                                  Scheme::energy_momentum})};
+    return {with_steps, for_schemes_and_open([](const SchemeCard& card) { return !card.is_explicit; })};
 }
 
 // Schemes that estimate the error of a step.
 std::vector<Condition> for_estimated_steps() {
-    return {timed,
-            for_schemes_and_open({Scheme::newmark_simplified,
-                                  Scheme::newmark_ibrahimbegovic,
-                                  Scheme::generalized_alpha,
-                                  Scheme::sdirk_4,
-                                  Scheme::radau_5,
-                                  Scheme::energy_momentum})};
+    return {timed, for_schemes_and_open([](const SchemeCard& card) { return card.estimates_errors; })};
 }
 
 const TableSpec& newton_table() {
@@ -116,12 +112,11 @@ const TableSpec& adaptive_table() {
 
 std::vector<KeySpec> scheme_keys() {
     const DynamicSettings defaults;
-    const std::vector<Condition> newmark =
-        for_schemes({Scheme::newmark_simplified, Scheme::newmark_ibrahimbegovic});
+    const std::vector<Condition> newmark = for_schemes_with(SchemeParameters::newmark);
     return {
         {.name = "integrator",
          .type = ValueType::choice,
-         .default_value = word_of(scheme_choices, defaults.scheme),
+         .default_value = std::string(card_of(defaults.scheme).word),
          .sentence = "How time advances; with accuracy, radau-5 unless another one is given. auto: by the "
                      "model, see [which scheme](guide/solving.md#which-scheme).",
          .choices = scheme_words(),
@@ -147,7 +142,7 @@ std::vector<KeySpec> scheme_keys() {
          .default_value = defaults.spectral_radius,
          .sentence =
              "At infinite frequency: 1 keeps the amplitude of every frequency, 0 removes the highest.",
-         .only_for = for_schemes({Scheme::generalized_alpha})},
+         .only_for = for_schemes_with(SchemeParameters::spectral_radius)},
         {.name = "start",
          .type = ValueType::choice,
          .default_value = "given",
