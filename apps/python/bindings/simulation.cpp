@@ -121,7 +121,7 @@ nb::tuple freeze(const Checkpoint& checkpoint) {
     nb::list lists;
     visit_lists(place.record, [&](const DatasetLabel&, auto& rows) {
         using Row = typename std::remove_cvref_t<decltype(rows)>::value_type;
-        Table table = table_of<Row>(rows);
+        RestartNumbers table = table_of<Row>(rows);
         lists.append(copy_array(std::move(table.values), 0).attr("tobytes")());
     });
     return nb::make_tuple(numbers, lists);
@@ -140,7 +140,7 @@ void thaw(Checkpoint& checkpoint, const nb::tuple& frozen) {
     visit_lists(place.record, [&](const DatasetLabel&, auto& rows) {
         using Row = typename std::remove_cvref_t<decltype(rows)>::value_type;
         const auto bytes = nb::cast<nb::bytes>(lists[index++]);
-        Table table{count_columns<Row>()};
+        RestartNumbers table{count_columns<Row>()};
         const auto* first = static_cast<const double*>(bytes.data());
         table.values.assign(first, first + bytes.size() / sizeof(double));
         rows = rows_of<Row>(table);
