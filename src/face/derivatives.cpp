@@ -81,18 +81,18 @@ std::vector<double> compute_history(const Problem& problem,
     return {row.begin(), row.begin() + asked.columns};
 }
 
-Derivatives::Derivatives(const SteppedRun& run, std::vector<Variation> variations)
+Derivatives::Derivatives(const SteppedRun& run, std::vector<VariedNumber> variations)
     : run_(run), variations_(std::move(variations)) {
     if (run.problem().stages.size() > 1)
         throw std::invalid_argument("derivatives are there for analyses of one stage");
     std::vector<VariedModels> models;
-    for (const Variation& variation : variations_) models.push_back(variation.models());
+    for (const VariedNumber& variation : variations_) models.push_back(variation.models());
     sensitivities_ = std::make_unique<Sensitivities>(run.analysis(), run.problem().analysis(), models);
 }
 
 std::vector<std::string> Derivatives::numbers() const {
     std::vector<std::string> names;
-    for (const Variation& variation : variations_) names.push_back(variation.name);
+    for (const VariedNumber& variation : variations_) names.push_back(variation.name);
     return names;
 }
 
@@ -122,7 +122,7 @@ void Derivatives::restore(const Sensitivities::Record* record) {
 
 std::vector<double> find_gradient(const SteppedRun& run,
                                   const std::vector<WeightedQuantity>& sum,
-                                  const std::vector<Variation>& variations) {
+                                  const std::vector<VariedNumber>& variations) {
     const Problem& base = run.problem();
     const auto* settings = std::get_if<StaticSettings>(&base.analysis());
     if (settings == nullptr || base.stages.size() > 1)
@@ -136,7 +136,7 @@ std::vector<double> find_gradient(const SteppedRun& run,
     }
     std::ranges::sort(nodes);
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    const Variation* varied = nullptr;
+    const VariedNumber* varied = nullptr;
     const auto add_up = [&](const System& system, const State& state, int side) {
         const Problem& problem = side < 0 ? base : varied->problems[static_cast<std::size_t>(side)];
         double total = 0.0;
@@ -151,7 +151,7 @@ std::vector<double> find_gradient(const SteppedRun& run,
     const EquilibriumAdjoint adjoint(
         analysis.system(), analysis.state(), analysis.state().time, settings->linear_solver, nodes, add_up);
     std::vector<double> gradient;
-    for (const Variation& one : variations) {
+    for (const VariedNumber& one : variations) {
         varied = &one;
         gradient.push_back(adjoint.differentiate(one.models(), add_up));
     }

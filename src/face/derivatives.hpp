@@ -21,7 +21,7 @@ std::vector<double> compute_history(const Problem& problem,
 class Derivatives {
   public:
     // `run` must outlive it, and so must its problem. Throws std::invalid_argument if the run has none.
-    Derivatives(const SteppedRun& run, std::vector<Variation> variations);
+    Derivatives(const SteppedRun& run, std::vector<VariedNumber> variations);
 
     void start() { sensitivities_->start(); }
     // Must be called before each step, and after it has been accepted.
@@ -41,7 +41,7 @@ class Derivatives {
 
   private:
     const SteppedRun& run_;
-    std::vector<Variation> variations_;
+    std::vector<VariedNumber> variations_;
     std::unique_ptr<Sensitivities> sensitivities_;
     bool is_known_ = true;  // whether derivatives of the accepted state are known
 };
@@ -56,6 +56,6 @@ struct WeightedQuantity {
 // std::invalid_argument if there are none.
 std::vector<double> find_gradient(const SteppedRun& run,
                                   const std::vector<WeightedQuantity>& sum,
-                                  const std::vector<Variation>& variations);
+                                  const std::vector<VariedNumber>& variations);
 
 }  // namespace gxrod

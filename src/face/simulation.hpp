@@ -43,7 +43,7 @@ class Simulation {
         // Names of histories, and "ledger": what is kept in memory of each step. Without it, all of them.
         std::optional<std::vector<std::string>> record = {};
         // Numbers of the deck by which derivatives are carried along.
-        std::vector<Variation> sensitivities = {};
+        std::vector<VariedNumber> sensitivities = {};
     };
 
     // Builds the system and finds the state at t = 0. Throws ConvergenceError or EvaluationError if it cannot

@@ -49,7 +49,7 @@ class Values {
     // Returns any of them by its name: run["strut"]["elongation"].
     Value operator[](const std::string& quantity) const { return {*simulation_, history_, quantity, by_}; }
     std::vector<std::string> names() const;
-    // Returns their derivatives by a number of the deck; the simulation has a Variation of this name.
+    // Returns their derivatives by a number of the deck; the simulation has a VariedNumber of this name.
     Values derivative(const std::string& number) const;
 
     // Often used ones.

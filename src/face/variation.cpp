@@ -64,7 +64,7 @@ std::pair<std::string, double> find_number(const Deck& deck, const std::string& 
 
 }  // namespace
 
-Variation vary(const Deck& deck, const std::string& number) {
+VariedNumber vary(const Deck& deck, const std::string& number) {
     const auto [key, value] = find_number(deck, number);
     const double step = relative_step * (value != 0.0 ? std::abs(value) : 1.0);
     const auto build = [&](double steps) { return Deck(deck).set(key, value + steps * step).build(); };

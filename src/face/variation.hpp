@@ -11,7 +11,7 @@ namespace gxrod {
 class Deck;
 
 // Problems of a deck in which one number differs, for derivatives by it.
-struct Variation {
+struct VariedNumber {
     std::string name;
     std::array<Problem, 4> problems;  // with the number plus and minus a step, plus and minus twice the step
     double step = 0.0;
@@ -25,6 +25,6 @@ struct Variation {
 // Builds the problems next to the one that the deck builds. `number`: one of [parameters], or another key
 // with a number. Throws UnknownNameError if the deck has none of this name, std::invalid_argument
 // if it is not a number.
-Variation vary(const Deck& deck, const std::string& number);
+VariedNumber vary(const Deck& deck, const std::string& number);
 
 }  // namespace gxrod

@@ -182,7 +182,7 @@ TEST_CASE("a step that fails is an exception, and the state stays", "[face]") {
 
 TEST_CASE("derivatives are carried along by the names of numbers", "[face]") {
     const Deck deck = deck_of(moves);
-    std::vector<Variation> variations;
+    std::vector<VariedNumber> variations;
     variations.push_back(vary(deck, "EI"));
     variations.push_back(vary(deck, "load[0].force[0]"));
     Simulation run(deck.build(), {.sensitivities = std::move(variations)});
@@ -198,7 +198,7 @@ TEST_CASE("derivatives are carried along by the names of numbers", "[face]") {
     CHECK_THROWS_AS(run["tip"].derivative("EJ"), UnknownNameError);
     CHECK_THROWS_WITH(vary(deck, "EJ"), Contains("no number of the deck \"EJ\""));
     CHECK_THROWS_WITH(vary(deck, "section.s.stiffness.EIy"), Contains("not a number"));
-    std::vector<Variation> of_stages;
+    std::vector<VariedNumber> of_stages;
     of_stages.push_back(vary(deck_of(stages), "EI"));
     CHECK_THROWS_WITH(Simulation(deck_of(stages).build(), {.sensitivities = std::move(of_stages)}),
                       Contains("one stage"));

@@ -149,8 +149,8 @@ void thaw(Checkpoint& checkpoint, const nb::tuple& frozen) {
     checkpoint.rows = static_cast<std::int64_t>(place.steps);
 }
 
-std::vector<Variation> vary_all(const BuiltModel& model, const std::vector<std::string>& numbers) {
-    std::vector<Variation> all;
+std::vector<VariedNumber> vary_all(const BuiltModel& model, const std::vector<std::string>& numbers) {
+    std::vector<VariedNumber> all;
     for (const std::string& number : numbers) all.push_back(vary(model.deck, number));
     return all;
 }
