@@ -18,8 +18,8 @@ constexpr std::size_t block_bytes = 3;        // of padding, at most, a block of
 constexpr std::size_t vector_bytes = 3 * sizeof(float);
 
 // All, or which of them are left where there is no room for all.
-Quantities quantities_at(int level, bool is_static) {
-    Quantities quantities{{"displacement", "rotation_vector"}, {}};
+ListedQuantities quantities_at(int level, bool is_static) {
+    ListedQuantities quantities{{"displacement", "rotation_vector"}, {}};
     if (level == 0 && !is_static) {
         quantities.node_data.insert(quantities.node_data.end(), {"velocity", "angular_velocity"});
     }
@@ -91,7 +91,7 @@ class Planner {
     void set(const std::vector<DrawnCell>& cells, int level) {
         plan_.cells = cells;
         plan_.nodes = nodes_of(cells, marked_);
-        const Quantities quantities = quantities_at(level, content_.is_static);
+        const ListedQuantities quantities = quantities_at(level, content_.is_static);
         plan_.node_data = quantities.node_data;
         plan_.cell_data = cells.empty() ? std::vector<std::string>{} : quantities.cell_data;
     }
