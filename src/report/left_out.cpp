@@ -33,7 +33,7 @@ void add_missing(const std::vector<std::string>& all,
 }  // namespace
 
 std::vector<std::string> list_left_out(const ReportPlan& plan,
-                                       const Quantities& all,
+                                       const ListedQuantities& all,
                                        const ReportContent& content,
                                        bool is_sampled) {
     std::vector<std::string> sentences;

@@ -8,13 +8,13 @@
 namespace gxrod {
 
 // Datasets of /VTKHDF/PointData and CellData.
-struct Quantities {
+struct ListedQuantities {
     std::vector<std::string> node_data, cell_data;
 };
 
 // Lists what a plan leaves out, a sentence each. `is_sampled`: whether elements are missing, not only joined.
 std::vector<std::string> list_left_out(const ReportPlan& plan,
-                                       const Quantities& all,
+                                       const ListedQuantities& all,
                                        const ReportContent& content,
                                        bool is_sampled);
 
