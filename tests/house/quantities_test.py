@@ -14,9 +14,11 @@ TABLES = "src/watch/*_quantities.cpp"
 LINE = re.compile(r'Quantity\(\s*"(\w+)"')
 TEXT = re.compile(r'"(\w+)"')
 # What reads, records, compares and shows histories, whatever they are of.
-READERS = ("src/deck/output", "src/results/histories", "src/run", "src/batch", "src/study", "src/sensitivity", "apps/python/bindings/driven.cpp")
-# A deck without histories is judged by these.
-NAMED = {"src/study/motion_trace.cpp": {"position", "orientation"}}
+READERS = ("src/deck/output", "src/results/histories", "src/run", "src/batch", "src/study", "src/sensitivity", "src/face")
+# Words that a reader may name: what decks without histories are judged by, and what C++ programs can ask for by a function.
+NAMED = {"src/study/motion_trace.cpp": {"position", "orientation"},
+         "src/face/value.cpp": {"position", "displacement", "rotation_vector", "orientation", "quaternion", "velocity", "angular_velocity",
+                                "acceleration", "force", "moment"}}
 
 
 def find_words(root):
