@@ -119,7 +119,10 @@ TEST_CASE("an input of a simulation counts from the next step on", "[face]") {
     SteppedRun same(RunRequest{problem});
     same.start();
     same.set_input("push", 2.5, 0.1);
-    for (int i = 0; i < 5; ++i) same.step();
+    for (int i = 0; i < 5; ++i) {
+        same.land_on(0.1);
+        same.step();
+    }
     CHECK(run.nodes().back().r == same.analysis().state().previous.back().r);
     CHECK_THROWS_AS(run.set("pull", 1.0), UnknownNameError);
     CHECK_THROWS_WITH(run.set("push", std::nan("")), Contains("cannot be nan"));
@@ -193,7 +196,7 @@ TEST_CASE("derivatives are carried along by the names of numbers", "[face]") {
         return other["tip"].position.vector();
     };
     const Vec3 difference = (end_of(6.0 + 1e-3) - end_of(6.0 - 1e-3)) / 2e-3;
-    CHECK((run["tip"].derivative("EI").position.vector() - difference).norm() < 1e-5 * difference.norm());
+    CHECK((run["tip"].derivative("EI").position.vector() - difference).norm() < 1e-4 * difference.norm());
     CHECK(run["tip"].derivative("load[0].force[0]").position.vector().norm() > 1e-5);
     CHECK_THROWS_AS(run["tip"].derivative("EJ"), UnknownNameError);
     CHECK_THROWS_WITH(vary(deck, "EJ"), Contains("no number of the deck \"EJ\""));
