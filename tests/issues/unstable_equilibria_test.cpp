@@ -13,17 +13,17 @@ namespace {
 
 using Catch::Contains;
 
-struct Watched {
+struct WatchedRun {
     std::vector<std::string> warnings;
     double critical = 0.0;    // the first load factor with a negative pivot; 0 without any
     std::int64_t pivots = 0;  // at the end
     State state;
 };
 
-Watched run(const Problem& problem) {
+WatchedRun run(const Problem& problem) {
     StaticAnalysis analysis(problem.model, std::get<StaticSettings>(problem.analysis()));
     REQUIRE(analysis.start().converged());
-    Watched watched;
+    WatchedRun watched;
     while (!analysis.finished()) {
         const EquilibriumReport report = analysis.advance();
         if (!report.converged()) FAIL(describe_failure(analysis.explain(report)));
@@ -35,7 +35,7 @@ Watched run(const Problem& problem) {
     return watched;
 }
 
-Vec3 displacement_of(const Problem& problem, const Watched& watched, int rod) {
+Vec3 displacement_of(const Problem& problem, const WatchedRun& watched, int rod) {
     const auto node =
         static_cast<std::size_t>(problem.model.rods[static_cast<std::size_t>(rod)].nodes.back());
     return watched.state.trial[node].r - problem.model.nodes[node].position;
@@ -66,7 +66,7 @@ const std::string clamped = "[[support]]\nat = \"b.start\"\nfix = \"all\"\n";
 
 // Such a deck is one that the run speaks of, as soon as its load factor passes `critical`.
 void check_warned(const std::string& deck, double critical, const std::string& shape) {
-    const Watched watched = run(read(deck));
+    const WatchedRun watched = run(read(deck));
     CHECK(watched.critical == Approx(critical).margin(0.1 / 256.0 + 2e-3 * critical));
     CHECK(watched.pivots > 0);
     REQUIRE(watched.warnings.size() >= 2);
@@ -81,7 +81,7 @@ TEST_CASE("A column with a little load sideways goes where the elastica is", "[i
 at = "b.end"
 force = ["-1.5*pi^2*500/400", "1.5e-4*pi^2*500/400", 0]
 )"));
-    const Watched watched = run(problem);
+    const WatchedRun watched = run(problem);
     CHECK(watched.warnings.empty());
     CHECK(displacement_of(problem, watched, 0).y() == Approx(7.886).margin(2e-3));
 }
@@ -163,7 +163,7 @@ name = "joint"
 at = "b4.start"
 quantities = ["displacement","rotation_vector"]
 )deck");
-    const Watched watched = run(problem);
+    const WatchedRun watched = run(problem);
     CHECK(watched.warnings.empty());
     const Vec3 expected(-2.457667495, -4.031143519, 6.649219683);
     CHECK((displacement_of(problem, watched, 3) - expected).norm() < 1e-6);

@@ -39,7 +39,7 @@ Model make_column(double factor, double side, const Mesh& mesh = {20, 2}) {
     return model;
 }
 
-struct Watched {
+struct WatchedRun {
     std::vector<std::string> warnings;
     std::vector<std::int64_t> pivots;  // of each step
     std::vector<double> times;
@@ -56,9 +56,9 @@ struct Watched {
     }
 };
 
-Watched watch(const Model& model, const StaticSettings& settings) {
+WatchedRun watch(const Model& model, const StaticSettings& settings) {
     StaticAnalysis analysis(model, settings);
-    Watched watched;
+    WatchedRun watched;
     REQUIRE(analysis.start().converged());
     while (!analysis.finished()) {
         const EquilibriumReport report = analysis.advance();
@@ -118,7 +118,7 @@ TEST_CASE("a straight column loses stability at each Euler load", "[check]") {
     for (const LinearSolverKind solver : {LinearSolverKind::automatic, LinearSolverKind::klu}) {
         for (const ElementKind kind : {ElementKind::objective, ElementKind::simo}) {
             CAPTURE(static_cast<int>(solver), static_cast<int>(kind));
-            const Watched run = watch(make_column(9.5, 0.0, {20, 2, kind}), settings_of(solver));
+            const WatchedRun run = watch(make_column(9.5, 0.0, {20, 2, kind}), settings_of(solver));
             CHECK(run.first_with(1) * 9.5 == Approx(1.0).margin(9.5 / 2560.0 + 1e-3));
             CHECK(run.first_with(2) * 9.5 == Approx(8.0).margin(9.5 / 2560.0 + 8e-3));
             CHECK(run.first_with(3) * 9.5 == Approx(9.0).margin(9.5 / 2560.0 + 9e-3));
@@ -136,7 +136,7 @@ TEST_CASE("a straight column loses stability at each Euler load", "[check]") {
 }
 
 TEST_CASE("below its Euler load a column is stable", "[check]") {
-    const Watched run = watch(make_column(0.99, 0.0), make_static_settings(10, 1e-10));
+    const WatchedRun run = watch(make_column(0.99, 0.0), make_static_settings(10, 1e-10));
     CHECK(run.warnings.empty());
     CHECK_FALSE(run.is_unstable);
     CHECK(run.rejected_steps == 0);
@@ -152,7 +152,7 @@ TEST_CASE("with a little load sideways a column goes where the elastica is", "[c
     for (const long steps : {5, 10, 50}) {
         for (const double side : {1e-4, -1e-4}) {
             CAPTURE(steps, side);
-            const Watched run = watch(make_column(1.5, side), make_static_settings(steps, 1e-10));
+            const WatchedRun run = watch(make_column(1.5, side), make_static_settings(steps, 1e-10));
             CHECK(run.warnings.empty());
             CHECK_FALSE(run.is_unstable);
             CHECK(run.state.trial.back().r.y() == Approx(side > 0.0 ? sideways : -sideways).epsilon(1e-3));
@@ -172,7 +172,7 @@ TEST_CASE("with a load that follows only divergence is reported", "[check]") {
     model.supports = {start, end};
     push(model, end.node, {-6.0 * euler, 0.0, 0.0}, Frame::follower);
     CHECK(find_load_without_potential(model) == "load[0] follows its point");
-    const Watched run = watch(model, make_static_settings(10, 1e-10));
+    const WatchedRun run = watch(model, make_static_settings(10, 1e-10));
     CHECK(run.is_unstable);
     REQUIRE(run.warnings.size() == 1);
     CHECK_THAT(run.warnings[0], Contains("the determinant of the tangent became negative"));
@@ -209,7 +209,7 @@ TEST_CASE("where round-off hides what bends, no pivots are counted", "[check]") 
     end.fixed = {true, true, true, false, false, false};
     model.supports.push_back(end);
     for (int node = 1; node < end.node; ++node) push(model, node, {0.0, 0.0, -10.0});
-    const Watched run = watch(model, make_static_settings(10, 1e-8));
+    const WatchedRun run = watch(model, make_static_settings(10, 1e-8));
     CHECK(run.warnings == std::vector<std::string>{});
     CHECK(run.pivots == std::vector<std::int64_t>(run.pivots.size(), -1));
 }
@@ -221,16 +221,16 @@ TEST_CASE("what rods hold by contact is as stable as with a support", "[check][t
         CAPTURE(static_cast<int>(solver));
         StaticSettings settings = make_static_settings(100, 1e-10);
         settings.linear_solver = solver;
-        const Watched alone = watch(make_held_column(2.0 * free, 0.1), settings);
+        const WatchedRun alone = watch(make_held_column(2.0 * free, 0.1), settings);
         CHECK(alone.first_with(1) * 2.0 == Approx(1.01).margin(0.01 + 3e-3));
         CHECK_THAT(alone.warnings.at(0), Contains("rod column, column.end: bending about z"));
 
-        const Watched stable = watch(make_held_column(0.97 * pinned, 0.0), settings);
+        const WatchedRun stable = watch(make_held_column(0.97 * pinned, 0.0), settings);
         CHECK(stable.warnings.empty());
         CHECK(stable.pivots == std::vector<std::int64_t>(100, 0));
 
         // By contact about z, a fiftieth from the end, and by the support about y.
-        const Watched held = watch(make_held_column(1.2 * pinned, 0.0), settings);
+        const WatchedRun held = watch(make_held_column(1.2 * pinned, 0.0), settings);
         CHECK(held.first_with(1) * 1.2 == Approx(1.006).margin(0.006 + 0.02));
         CHECK(held.pivots.back() == 2);
         CHECK_THAT(held.warnings.at(0), Contains("became unstable (the tangent has 1 negative pivot)"));
@@ -248,7 +248,7 @@ TEST_CASE("contact has a potential unless it rubs", "[check][touch]") {
 
 TEST_CASE("with friction of contact only divergence is reported", "[check][touch]") {
     const double free = std::numbers::pi * std::numbers::pi * flexural / 4.0;
-    const Watched run =
+    const WatchedRun run =
         watch(make_held_column(2.0 * free, 0.1, "friction = 0.1\n"), make_static_settings(100, 1e-10));
     REQUIRE(run.warnings.size() == 1);
     CHECK(end_of_change(run.warnings[0]) * 2.0 == Approx(1.01).margin(0.01 + 3e-3));
