@@ -183,6 +183,7 @@ lx = { ledger = "angular_momentum", component = "x", take = "max" }
 TEST_CASE("What a column holds is said in words", "[batch]") {
     Collection collection;
     collection.history = "tip";
+    collection.quantity = "position";
     collection.component = Component::z;
     collection.take = Take::largest;
     CHECK(describe(collection) == "largest z of position of tip");
