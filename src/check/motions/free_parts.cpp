@@ -67,6 +67,7 @@ class TiedParts {
             if (model_.sleeves[index].slide.stiffness > 0.0)
                 add(carry(compute_slide_gradient(model_, index)));
         }
+        if (count == 0) return Eigen::MatrixXd::Identity(unknowns(), unknowns());
         Eigen::MatrixXd all(count, unknowns());
         Eigen::Index row = 0;
         for (const Eigen::MatrixXd& rows : blocks) {

@@ -104,6 +104,16 @@ TEST_CASE("parts that move together are all named", "[check]") {
                                                       "body b: move along z"});
 }
 
+TEST_CASE("parts that a damper alone ties are free", "[check]") {
+    Model model;
+    const int a = add_body(model, "a", Vec3::Zero());
+    const int b = add_body(model, "b", Vec3(1.0, 0.0, 0.0));
+    add_spring(model, {a}, {b});
+    model.springs[0].stiffness = 0.0;
+    model.springs[0].damping = 1.0;
+    CHECK(count_free_motions(model) == 12);
+}
+
 TEST_CASE("a body on springs to a clamped rod is held by it", "[check]") {
     Model model = make_rod_model(along_x, 1.0, {2}, make_section({1.0, 1.0, 1.0, 1.0, 1.0, 1.0}));
     const int tip = last_node(model);
