@@ -18,6 +18,7 @@
 #include "check/motions/unconnected_points.hpp"
 #include "check/summaries/rod_lines.hpp"
 #include "check/surroundings/surroundings_findings.hpp"
+#include "elements/spring_line.hpp"
 #include "model/body_moments.hpp"
 #include "model/parts.hpp"
 #include "model/settings/analysis_traits.hpp"
@@ -25,7 +26,6 @@
 #include "model/settings/scheme_card.hpp"
 #include "model/settings/scheme_choice.hpp"
 #include "numerics/eigenvalues.hpp"
-#include "elements/spring_line.hpp"
 
 namespace gxrod {
 namespace {

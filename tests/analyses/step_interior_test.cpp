@@ -3,11 +3,11 @@
 
 #include "deck/decks.hpp"
 #include "integrators/scheme_samples.hpp"
-#include "watch/history_watch.hpp"
 #include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/run.hpp"
 #include "verification/rubin2007_problem.hpp"
+#include "watch/history_watch.hpp"
 
 // What lies between the ends of a step: against motions that are known, and against fine steps.
 
