@@ -29,8 +29,8 @@ struct SchemeCard {
     bool takes_contact = false;      // takes the impulses of contact
     bool conserves_energy = false;   // by means that only free elastic bodies of rods have
     // Advice for steps that do not resolve the highest frequencies, and for steps that had to be cut.
-    std::string_view if_unresolved = "";
-    std::string_view if_cut = "";
+    std::string_view if_unresolved = {};
+    std::string_view if_cut = {};
 };
 
 inline constexpr std::string_view damp_if_cut =
