@@ -209,4 +209,23 @@ TEST_CASE("A run says that statics relaxed, and its energies balance", "[issues]
     CHECK_THAT(summary.findings[0], Contains("statics relaxed to the equilibrium at t = 0.05 in "));
 }
 
+TEST_CASE("A body on a hinge that starts level falls until it hangs", "[issues]") {
+    const Problem problem = read(R"deck(gravity = [0, 0, -9.81]
+[body.b]
+mass = 1
+inertia = [0.1, 0.1, 0.1]
+at = [1, 0, 0]
+[joint.pivot]
+type = "hinge"
+between = ["ground", "b"]
+at = [0, 0, 0]
+axis = [0, 1, 0]
+[analysis]
+kind = "static"
+)deck");
+    const Ended ended = run(problem);
+    const Vec3& place = ended.state.trial[static_cast<std::size_t>(problem.model.bodies[0].node)].r;
+    CHECK((place - Vec3(0.0, 0.0, -1.0)).norm() < 1e-8);
+}
+
 }  // namespace gxrod::test
