@@ -91,6 +91,13 @@ struct Quantity {
     bool is_about = false;             // a moment that can be about any point
     bool is_searched = false;          // takes a search where nothing is near
 
+    template <class Member>
+    constexpr Quantity with(Member Quantity::*member, std::type_identity_t<Member> changed) const {
+        Quantity line = *this;
+        line.*member = changed;
+        return line;
+    }
+
     // Takes the value as a lambda without captures, whose result sets the number of columns.
     template <class Value>
     constexpr Quantity(const char* its_word,
@@ -135,12 +142,6 @@ struct Quantity {
         constexpr bool is_quaternion = std::is_same_v<Result, Quat>;
         static_assert(is_number || is_quaternion || std::is_same_v<Result, Vec3>);
         return is_number ? 1 : is_quaternion ? 4 : 3;
-    }
-    template <class Member>
-    constexpr Quantity with(Member Quantity::*member, std::type_identity_t<Member> changed) const {
-        Quantity line = *this;
-        line.*member = changed;
-        return line;
     }
 };
 

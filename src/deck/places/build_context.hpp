@@ -24,10 +24,10 @@ struct PlacedPoint {
     int rod = -1;             // index in Model::rods, or -1
     int position_in_rod = 0;  // index in Rod::nodes
     int body = -1;            // index in Model::bodies, or -1
-    // Of an end of a rod that comes back to its node: its first or last element; -1 elsewhere.
+    // The first or last element, at an end of a rod that comes back to its node; -1 elsewhere.
     int end_element = -1;
     bool is_end_of_rod = false;  // the end, not the start
-    // Of a fraction at which there is no node: `node` is the nearest one then.
+    // The place on the rod if it lies between nodes; `node` is then the nearest one.
     std::optional<RodPoint> between = {};
 };
 
@@ -39,7 +39,7 @@ struct VelocitySetting {
         0.0;  // the largest velocity that the key gives to any node: what its round-off is compared with
 };
 
-// What the builders of a model share. Tables of rods and bodies have the order of Model::rods and
+// The data that the builders of a model share. Tables of rods and bodies have the order of Model::rods and
 // Model::bodies. A builder adds errors to `faults` and continues with the rest; where a rod or body
 // could not be built, its place in the model is kept and its points have no node.
 struct BuildContext {
@@ -54,7 +54,7 @@ struct BuildContext {
     std::vector<std::vector<double>> rod_twists = {};     // of their sections there, by rod_fractions
     std::vector<std::vector<int>> rod_nodes = {};         // at those fractions, after build_connections
     std::vector<int> body_nodes = {};                     // of each body; -1 for one without
-    // Of each node: of its velocity and of its angular velocity.
+    // The settings of each node: of its velocity and of its angular velocity.
     std::vector<std::array<VelocitySetting, 2>> velocity_settings = {};
     std::map<std::string, std::shared_ptr<const TriangleMesh>> obstacle_meshes = {};  // by obstacle
 
@@ -73,8 +73,8 @@ struct BuildContext {
 
     // `field` is a member of the table.
     template <class Field>
-    void add_fault(const TableHead& table, const Field& field, std::string message) const {
-        faults.add(table.place_of(&field), table.path_of(&field), std::move(message));
+    void add_fault(const TableHead& table, const Field& field, const std::string& message) const {
+        faults.add(table.place_of(&field), table.path_of(&field), message);
     }
 
     // The error of an expression as a fault of its value; the error names the key, which a fault does too.

@@ -41,7 +41,7 @@ struct TableNames {
 struct WordList {
     std::vector<CheckedWord> words;
 };
-// What the two points of a spring or bushing are fixed to: points, or the ground.
+// The two carriers of a spring or bushing: points, or the ground.
 struct Ends : std::array<CheckedWord, 2> {};
 // The coordinates of two joints.
 struct JointNames : std::array<CheckedWord, 2> {};

@@ -19,7 +19,7 @@ namespace gxrod {
 template <class Value>
 concept IsTable = std::is_base_of_v<TableHead, Value>;
 
-// What a field holds: the value itself, or one that the deck may leave out.
+// The type that a field holds: the value itself, or one that the deck may leave out.
 template <class Field>
 struct FieldTraits {
     using Value = Field;
@@ -69,7 +69,7 @@ class Table {
 
     // `access` is a member pointer, or takes a T& and returns a reference to one of its fields.
     template <class Access>
-    Table& key(std::string name, Access access, std::string sentence) {
+    Table& key(const std::string& name, Access access, const std::string& sentence) {
         using Traits = FieldTraits<FieldOf<Access>>;
         using Value = typename Traits::Value;
         Binding binding = bind(access);
@@ -83,8 +83,7 @@ class Table {
             const void* found = Traits::find(field(access, table));
             return found == nullptr ? "" : Kind<Value>::print(*static_cast<const Value*>(found));
         };
-        add({.name = std::move(name), .type = value_kind<Value>.type, .sentence = std::move(sentence)},
-            binding);
+        add({.name = name, .type = value_kind<Value>.type, .sentence = sentence}, binding);
         if constexpr (requires { Kind<Value>::choices(); }) last().choices = Kind<Value>::choices();
         if constexpr (std::is_same_v<Value, FieldOf<Access>> &&
                       requires(Value value) { Kind<Value>::default_value(value); }) {
@@ -97,7 +96,7 @@ class Table {
     // Adds a table in this table as an std::optional, in place of a number or not, or a list of them as an
     // std::vector.
     template <class Access>
-    Table& key(std::string name, Access access, const TableSpec& inner, std::string sentence) {
+    Table& key(const std::string& name, Access access, const TableSpec& inner, const std::string& sentence) {
         using Traits = FieldTraits<FieldOf<Access>>;
         using Inner = typename Traits::Value;
         Binding binding = bind(access);
@@ -111,13 +110,12 @@ class Table {
                 return number.has_value();
             };
         }
-        add({.name = std::move(name), .type = Traits::type, .sentence = std::move(sentence), .table = &inner},
-            binding);
+        add({.name = name, .type = Traits::type, .sentence = sentence, .table = &inner}, binding);
         return *this;
     }
 
-    Table& unit(std::string dimension) {
-        last().dimension = std::move(dimension);
+    Table& unit(const std::string& dimension) {
+        last().dimension = dimension;
         return *this;
     }
     Table& at_least(double bound) {
@@ -138,40 +136,40 @@ class Table {
         last().default_value = {};
         return *this;
     }
-    // What the key is if it is not given, in words.
-    Table& otherwise(std::string text) {
-        last().default_text = std::move(text);
+    // Describes the value of a key that is not given.
+    Table& otherwise(const std::string& text) {
+        last().default_text = text;
         last().default_value = {};
         return *this;
     }
-    // What other programs call the key: words, in lower case; a remark if it is not quite the same.
+    // Names the key as other programs do: words, in lower case; a remark if it is not quite the same.
     Table& also(const char* words, const char* remark = "") {
         spec_.other_names.push_back({last().name, words, remark});
         return *this;
     }
-    // What other programs have in such a table and this one has in a table in it, as in "wind.velocity".
+    // Names what other programs have in such a table and this one in a table in it, as in "wind.velocity".
     Table& has_as(const char* key, const char* words) {
         spec_.other_names.push_back({key, words});
         return *this;
     }
     // The words that the key takes.
-    Table& words(std::vector<std::string> choices) {
-        last().choices = std::move(choices);
+    Table& words(const std::vector<std::string>& choices) {
+        last().choices = choices;
         return *this;
     }
-    // The tables of which the key takes names.
-    Table& names_of(std::vector<std::string> kinds) {
-        last().refers_to = std::move(kinds);
+    // The kinds of tables whose names the key takes.
+    Table& names_of(const std::vector<std::string>& kinds) {
+        last().refers_to = kinds;
         return *this;
     }
     // The key goes with another one, and is of no use without it.
-    Table& only_with(std::string key) {
-        last().only_with = std::move(key);
+    Table& only_with(const std::string& key) {
+        last().only_with = key;
         return *this;
     }
     // Ends messages that the key is missing or out of range.
-    Table& remark(std::string text) {
-        last().remark = std::move(text);
+    Table& remark(const std::string& text) {
+        last().remark = text;
         return *this;
     }
 
@@ -185,8 +183,8 @@ class Table {
     Table& at_most_one_of(std::vector<std::string> keys) {
         return group(GroupRule::at_most_one, std::move(keys));
     }
-    // What other programs have in such a table and this one has elsewhere, or not: the remark says what to
-    // do.
+    // Names what other programs have in such a table and this one has elsewhere, or not: the remark says what
+    // to do.
     Table& not_here(const char* words, const char* remark) {
         spec_.other_names.push_back({"", words, remark});
         return *this;
