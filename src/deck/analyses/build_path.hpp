@@ -6,10 +6,10 @@
 
 namespace gxrod {
 
-// What the keys of a path ask for, without Newton's method and what waits for nodes.
+// Builds the settings of a path, without Newton's method and without what needs nodes.
 PathSettings build_path(const CheckedTable& table, const BuildContext& context);
 
-// Of the last of these stages, whose table this is, if it follows a limit point of an earlier one.
+// Lets the last of these stages, whose table this is, follow a limit point of an earlier one, if it asks to.
 void build_follow(const CheckedTable& table, std::span<StagePlan> stages, const BuildContext& context);
 
 // Where paths must have equilibria; once points have nodes and stages have supports.

@@ -11,7 +11,7 @@ namespace gxrod {
 
 using MotionComponent = decltype(MotionExpression::by_motion);
 
-// What the values of one table are multiplied by, and when they are taken.
+// The factor of the values of one table, and the stages in which they act.
 struct Acting {
     bool is_absent = false;  // does not act in this stage
     bool grows = false;      // a value without t is multiplied by t
@@ -25,7 +25,7 @@ struct Acting {
 
     TimeFunction apply(const TimeFunction& value) const;
     LineFunction apply(const LineExpression& value) const;
-    // Of a component that depends on the motion; an empty one if it does not act.
+    // The function of a component that depends on the motion; an empty one if it does not act.
     MotionComponent apply(const MotionExpression& value) const;
 
   private:
@@ -42,14 +42,14 @@ struct ActingTable : TableHead {
     std::optional<LoadReference> relative_to;
 };
 
-// What a key `factor` means, of what `what` calls it, and without it.
+// Describes the key `factor` of the values that `what` names, and its default.
 std::string factor_sentence(const std::string& what);
 inline constexpr const char* factor_default =
     "1; t in the first stage if that is static and the value has no t";
 
-// Of gravity and moves, which have no factor.
+// Finds how gravity and moves act, which have no factor.
 Acting find_acting(const BuildContext& context);
-// Of a [[load]], or of what acts from inside.
+// Finds how a [[load]] acts, or an action from inside.
 Acting find_acting(const ActingTable& load, const BuildContext& context);
 
 // Whether a table concerns the stage at hand, going by its key `stages`.

@@ -5,7 +5,7 @@
 
 namespace gxrod {
 
-// What [output] and [[history]] ask for. After build_supports.
+// Builds the settings of [output] and [[history]]. After build_supports.
 OutputSettings build_output(const BuildContext& context);
 
 }  // namespace gxrod

@@ -48,7 +48,7 @@ inline constexpr std::array<Choice<TendonEnd>, 2> tendon_end_choices{
 inline constexpr std::array<Choice<Frame>, 3> frame_choices{
     {{"spatial", Frame::spatial}, {"follower", Frame::follower}, {"body", Frame::body}}};
 
-// What a load can be relative to.
+// The loads to which the load of a path can be relative.
 enum class LoadReference { limit };
 inline constexpr std::array<Choice<LoadReference>, 1> load_reference_choices{
     {{"limit", LoadReference::limit}}};
@@ -89,7 +89,7 @@ inline constexpr auto scheme_choices = [] {
     return choices;
 }();
 
-// Of an integrator that the model decides (model/settings/scheme_choice.hpp).
+// The word of an integrator that the model decides (model/settings/scheme_choice.hpp).
 inline constexpr const char* open_scheme_word = "auto";
 
 inline constexpr std::array<Choice<TangentKind>, 5> tangent_choices{
@@ -127,7 +127,7 @@ inline constexpr std::array<Choice<bool>, 2> hysteresis_choices{{{"none", false}
 inline constexpr std::array<Choice<int>, 6> resultant_choices{
     {{"N", 0}, {"Vy", 1}, {"Vz", 2}, {"T", 3}, {"My", 4}, {"Mz", 5}}};
 
-// Of a displacement.
+// The components of a displacement.
 inline constexpr std::array<Choice<int>, 3> direction_choices{{{"x", 0}, {"y", 1}, {"z", 2}}};
 
 inline constexpr std::array<Choice<Compression>, 2> compression_choices{
@@ -140,7 +140,7 @@ std::vector<std::string> words_of(const std::array<Choice<Value>, count>& choice
     return words;
 }
 
-// Of all integrators, and that which leaves it open.
+// Lists the words of all integrators, and the word that leaves the choice open.
 inline std::vector<std::string> scheme_words() {
     std::vector<std::string> words = words_of(scheme_choices);
     words.emplace_back(open_scheme_word);

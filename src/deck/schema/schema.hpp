@@ -15,7 +15,7 @@
 // the same way (batch/plan/plan_schema.hpp).
 namespace gxrod {
 
-// What a key takes. "Number" means a finite number, or an expression whose value is one.
+// The type of a value that a key takes. "Number" means a finite number, or an expression whose value is one.
 enum class ValueType {
     bound,  // what the kind of the field says to which the key is bound (deck/table/binding.hpp)
     text,
@@ -61,7 +61,7 @@ enum class ValueType {
 
 enum class Bound { closed, open };
 
-// Of a number or of every component. `lower` is open at -infinity, `upper` at +infinity.
+// The range of a number, or of every component. `lower` is open at -infinity, `upper` at +infinity.
 struct Range {
     double lower = -std::numeric_limits<double>::infinity();
     Bound at_lower = Bound::closed;
@@ -75,7 +75,7 @@ struct Range {
 // A required key is required where it is used.
 enum class Presence { optional, required };
 
-// What is used only where another key of its table has one of these words.
+// A condition: the key is used only where another key of its table has one of these words.
 struct Condition {
     std::string key;
     std::vector<std::string> words;
@@ -114,7 +114,7 @@ struct KeyGroup {
     std::string only_with = {};
 };
 
-// What other programs call a key, or have where a table has something else.
+// The names that other programs give a key, or have where a table has something else.
 struct OtherNames {
     std::string key;    // of the table, or "a.b" of a table in it; "" if `remark` says it all
     std::string words;  // lower case, with blanks between
@@ -157,7 +157,7 @@ std::string variables_of(const KeySpec& key);
 // A key as messages that list keys say it: a table by its heading.
 std::string spell(const KeySpec& key);
 
-// What a key takes, as messages say it: "a number greater than 0 or an expression".
+// Describes the value that a key takes, as messages say it: "a number greater than 0 or an expression".
 std::string describe_expected(const KeySpec& key);
 
 // JSON Schema, draft 2020-12, for editors; no line end at its end.

@@ -46,7 +46,7 @@ std::vector<KeySpec> shape_keys();
 // For the response to forces that swing.
 std::vector<KeySpec> response_keys();
 
-// Of a table of numbers: from … to, so many of them, or a list; and the group that says so.
+// The keys of a table of numbers: from … to, so many of them, or a list; and the group that says so.
 std::vector<KeySpec> value_keys(const char* dimension, const Range& range, long count);
 KeyGroup value_group();
 

@@ -8,7 +8,7 @@
 
 #include "deck/schema/schema.hpp"
 
-// What users of other programs type, and what it is here.
+// The words that users of other programs type, and their names here.
 namespace gxrod {
 
 // OtherNames of the table of this path, if it does not declare them itself (TableSpec::other_names).
