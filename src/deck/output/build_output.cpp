@@ -83,6 +83,47 @@ std::optional<int> find_touching(const std::string& name, const Model& model) {
     return static_cast<int>(model.rods.size()) + *body;
 }
 
+// Sets the only thing that counts as touching the rod or body `name`: the key `with`.
+void set_other(const CheckedTable& table,
+               const std::string& name,
+               bool is_body,
+               ContactWatch& contact,
+               const BuildContext& context) {
+    const Model& model = context.model;
+    const std::string& with = table.get<std::string>("with");
+    if (const std::optional<int> obstacle = find_tie(model.contact.obstacles, with)) {
+        contact.other = -1 - *obstacle;
+        if (is_left_out(model.contact, contact.rod, -1 - *obstacle))
+            context.add_fault(
+                table,
+                "with",
+                fmt::format("\"{}\" does not touch \"{}\": [[contact.pair]] leaves it out", name, with));
+    } else if (const std::optional<int> other = find_touching(with, model)) {
+        contact.other = *other;
+        const bool is_itself = *other == contact.rod;
+        const bool is_off = is_left_out(model.contact, contact.rod, *other);
+        if (is_itself && is_body)
+            context.add_fault(table, "with", "a body does not touch itself");
+        else if (is_off || (is_itself ? !model.contact.within_rods : !model.contact.between_rods))
+            context.add_fault(table,
+                              "with",
+                              fmt::format("\"{}\" does not touch {}: {} leaves it out",
+                                          name,
+                                          is_itself ? "itself"
+                                          : is_off  ? "\"" + with + "\""
+                                                    : "other rods",
+                                          is_off ? "[[contact.pair]]" : "[contact]"));
+    } else {
+        std::vector<std::string> names;
+        for (const Obstacle& one : model.contact.obstacles) names.push_back(one.name);
+        for (const Rod& one : model.rods) names.push_back(one.name);
+        for (const ContactBody& one : model.contact.bodies)
+            names.push_back(model.bodies[static_cast<std::size_t>(one.body)].name);
+        context.add_fault(
+            table, "with", fmt::format("no obstacle and no rod \"{}\"{}", with, did_you_mean(with, names)));
+    }
+}
+
 void set_contact(const CheckedTable& table, HistoryRequest& request, const BuildContext& context) {
     const Model& model = context.model;
     auto* body = std::get_if<WatchedBody>(&request.target);
@@ -116,40 +157,7 @@ void set_contact(const CheckedTable& table, HistoryRequest& request, const Build
     contact.wants_gap = asks_for(request, [](const Quantity& one) { return one.is_searched; });
     if (!table.gives("with")) return;
     request.with = table.get<std::string>("with");
-    if (const std::optional<int> obstacle = find_tie(model.contact.obstacles, request.with)) {
-        contact.other = -1 - *obstacle;
-        if (is_left_out(model.contact, index, -1 - *obstacle))
-            context.add_fault(
-                table,
-                "with",
-                fmt::format(
-                    "\"{}\" does not touch \"{}\": [[contact.pair]] leaves it out", name, request.with));
-    } else if (const std::optional<int> other = find_touching(request.with, model)) {
-        contact.other = *other;
-        const bool is_itself = *other == index;
-        const bool is_off = is_left_out(model.contact, index, *other);
-        if (is_itself && is_body)
-            context.add_fault(table, "with", "a body does not touch itself");
-        else if (is_off || (is_itself ? !model.contact.within_rods : !model.contact.between_rods))
-            context.add_fault(table,
-                              "with",
-                              fmt::format("\"{}\" does not touch {}: {} leaves it out",
-                                          name,
-                                          is_itself ? "itself"
-                                          : is_off  ? "\"" + request.with + "\""
-                                                    : "other rods",
-                                          is_off ? "[[contact.pair]]" : "[contact]"));
-    } else {
-        std::vector<std::string> names;
-        for (const Obstacle& one : model.contact.obstacles) names.push_back(one.name);
-        for (const Rod& one : model.rods) names.push_back(one.name);
-        for (const ContactBody& one : model.contact.bodies)
-            names.push_back(model.bodies[static_cast<std::size_t>(one.body)].name);
-        context.add_fault(
-            table,
-            "with",
-            fmt::format("no obstacle and no rod \"{}\"{}", request.with, did_you_mean(request.with, names)));
-    }
+    set_other(table, name, is_body, contact, context);
 }
 
 // '; did you mean "axial_force"?', of what the thing has instead of a word that means something else
