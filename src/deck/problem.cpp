@@ -39,6 +39,7 @@
 #include "deck/surroundings/build_surroundings.hpp"
 #include "deck/text/further_faults.hpp"
 #include "deck/text/overrides.hpp"
+#include "deck/text/program_laws.hpp"
 #include "deck/text/resumption.hpp"
 #include "deck/text/text_file.hpp"
 #include "deck/ties/ties.hpp"
@@ -365,6 +366,14 @@ Problem DeckTemplate::build(const std::vector<std::string>& overrides) const {
 Problem read_resumption(const DeckRecord& before,
                         const std::filesystem::path& deck,
                         const std::vector<std::string>& overrides) {
+    if (before.text.starts_with(program_laws_note)) {
+        throw DeckError({{before.name,
+                          0,
+                          0,
+                          "",
+                          "was run by a program with laws or functions of its own, which its results do not "
+                          "have; continue the run in that program, from a checkpoint"}});
+    }
     if (deck.empty()) {
         const MeshFiles kept(before.meshes);
         Problem problem =

@@ -5,6 +5,7 @@
 #include "check/findings/plausibility.hpp"
 #include "check/model_examination.hpp"
 #include "deck/text/overrides.hpp"
+#include "deck/text/program_laws.hpp"
 #include "face/own_laws.hpp"
 
 namespace gxrod {
@@ -93,9 +94,7 @@ Problem Deck::build() const {
             return varied;
         };
     }
-    problem.record.text =
-        "# A program ran this deck with laws or functions of its own, which are not in it.\n" +
-        problem.record.text;
+    problem.record.text = std::string(program_laws_note) + problem.record.text;
     return problem;
 }
 

@@ -184,4 +184,12 @@ TEST_CASE("results of a program with laws of its own say that the deck lacks the
     CHECK_THAT(deck.build().record.text, Catch::StartsWith("# A program ran this deck with laws"));
 }
 
+TEST_CASE("a run with laws of a program is not resumed without them", "[face]") {
+    Deck deck = Deck::from_text(swing);
+    CHECK_NOTHROW(read_resumption(deck.build().record, {}, {}));
+    deck.set_law("s", respond_linearly);
+    CHECK_THROWS_WITH(read_resumption(deck.build().record, {}, {}),
+                      Catch::Contains("laws or functions of its own"));
+}
+
 }  // namespace gxrod::test
