@@ -4,6 +4,7 @@
 
 #include "deck/decks.hpp"
 #include "face/gxrod.hpp"
+#include "model/settings/scheme_card.hpp"
 #include "tools/catch.hpp"
 
 namespace gxrod::test {
@@ -110,6 +111,37 @@ TEST_CASE("a linear law of a program is the linear section", "[face]") {
         return response;
     });
     CHECK((end_of(deck) - linear).norm() > 0.01);
+}
+
+TEST_CASE("a linear law of a program goes with every scheme, analysis and surrounding", "[face]") {
+    const auto end_with = [](const std::vector<std::string>& overrides, bool has_own_law) {
+        Deck deck = Deck::from_text(swing);
+        deck.set_all(overrides);
+        if (has_own_law) deck.set_law("s", respond_linearly);
+        return end_of(deck);
+    };
+    const Vec3 plain = end_with({}, false);
+    std::vector<std::vector<std::string>> cases{
+        {"analysis={kind=\"static\", steps=4}", "load[0].force=[0, 0.5, 0.2]", "gravity=[0, 0, -0.5]"},
+        {"analysis={kind=\"path\", until={t=1.0}}", "load[0].force=[0, 0.5, 0.2]", "gravity=[0, 0, 0]"},
+        {"fluid={density=100.0}", "section.s.fluid={outer_diameter=0.1}"},
+        {"obstacle={floor={plane={point=[0, 0, -0.3], normal=[0, 0, 1]}}}", "section.s.radius=0.05"},
+        {"tendon={t={on=\"r\", offset=[0.1, 0], tension=2.0}}"},
+        {"section.s.damping={kelvin_voigt=0.01}"},
+        {"rod.r.order=3"},
+        {"rod.r.element=\"simo\""},
+    };
+    for (const SchemeCard& card : scheme_cards) {
+        if (card.conserves_energy) continue;  // of a section's stiffness alone
+        cases.push_back({"analysis.integrator=" + std::string(card.word), "analysis.end_time=0.02"});
+        if (card.is_explicit) cases.back().push_back("analysis.time_step=5e-5");
+    }
+    for (const auto& overrides : cases) {
+        INFO(overrides.front());
+        const Vec3 expected = end_with(overrides, false);
+        CHECK((end_with(overrides, true) - expected).norm() < 1e-9);
+        CHECK((expected - plain).norm() > 1e-9);
+    }
 }
 
 TEST_CASE("a law of a program remembers as a built-in law does", "[face]") {
