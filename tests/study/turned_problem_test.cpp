@@ -195,7 +195,7 @@ quantities = ["angle", "slide", "slide_rate", "force", "friction", "drive"]
 [[history]]
 name = "sleeve"
 at = "sleeve"
-quantities = ["slide", "slide_rate", "force"]
+quantities = ["slide", "slide_rate", "force", "force_a"]
 [[history]]
 name = "gear"
 at = "reduction"

@@ -36,9 +36,9 @@ constexpr double end_tolerance = 1e-9;
 SleeveRows::SleeveRows(const Model& model, const Sleeve& sleeve)
     : sleeve_(&sleeve),
       name_("joint " + sleeve.name),
-      rod_(model.rods[sleeve.rod].name),
-      nodes_(model.rods[sleeve.rod].nodes),
-      line_(arc_lengths_of_nodes(model.rods[sleeve.rod])) {}
+      rod_(&model.rods[sleeve.rod]),
+      nodes_(rod_->nodes),
+      line_(arc_lengths_of_nodes(*rod_)) {}
 
 std::vector<std::vector<int>> SleeveRows::list_groups() const {
     const int owner = has_node() ? sleeve_->point.node : nodes_.front();
@@ -335,6 +335,22 @@ double SleeveRows::compute_driving_power(const WidePlace& place,
     return forces[1] * slide.rate + forces[3] * differentiate(sleeve_->slide.rest, place.time, step);
 }
 
+// The section's y axis is interpolated between the nodes on both sides, and made perpendicular to the line.
+Mat3 SleeveRows::compute_force_axes(const Situation& at, const std::vector<NodeMotion>& nodes) const {
+    const auto y_axis_at = [&](int position) -> Vec3 {
+        return nodes[nodes_[position]].Lambda * (rod_->triad_at(position) * Vec3::UnitY());
+    };
+    const int piece = line_.find_piece(at.place);
+    const SmoothLine::Piece& between = *at.points.piece;
+    const double u = std::clamp((at.place - between.start) / between.length, 0.0, 1.0);
+    const Vec3 y = (1.0 - u) * y_axis_at(piece) + u * y_axis_at(piece + 1);
+    const Vec3 along = compute_tangent(at.points, at.place).normalized();
+    const Vec3 across = (y - y.dot(along) * along).normalized();
+    Mat3 axes;
+    axes << along, across, along.cross(across);
+    return axes;
+}
+
 JointValues SleeveRows::compute_joint_values(const WidePlace& place,
                                              const Eigen::VectorXd& multipliers) const {
     const Situation at = find_situation(place);
@@ -343,11 +359,7 @@ JointValues SleeveRows::compute_joint_values(const WidePlace& place,
     values.slide = slide.value;
     values.slide_rate = slide.rate;
     values.force = compute_force_on_point(at, place, multipliers);
-    // The line's direction, and two across it.
-    const Vec3 along = compute_tangent(at.points, at.place).normalized();
-    Mat3 axes;
-    axes << along, find_across(along);
-    values.force_in_joint = axes.transpose() * values.force;
+    values.force_in_joint = compute_force_axes(at, place.nodes).transpose() * values.force;
     values.drive_slide =
         sleeve_->slide.motion ? multipliers[SleeveMotion::slide] : sleeve_->slide.drive(place.time);
     values.friction =
@@ -362,7 +374,7 @@ void SleeveRows::check_range(const WidePlace& place) const {
     const bool is_end = s > line_.end();
     std::ostringstream time;
     time << place.time;
-    throw EvaluationError(name() + " runs off the " + (is_end ? "end" : "start") + " of rod " + rod_ +
+    throw EvaluationError(name() + " runs off the " + (is_end ? "end" : "start") + " of rod " + rod_->name +
                           " at t = " + time.str() + "; end the run before, or stop it there: limits = { " +
                           (is_end ? "upper" : "lower") + " = …, stiffness = … }");
 }

@@ -80,6 +80,8 @@ class SleeveRows : public WideRows {
                       double before,
                       SleeveMotion::Points& points) const;
     Situation find_situation(const WidePlace& place) const;
+    // Returns axes of the force: the line's direction, and two across it that turn with the rod's section.
+    Mat3 compute_force_axes(const Situation& at, const std::vector<NodeMotion>& nodes) const;
     ScalarJet compute_slide(const Situation& at, ConstraintLevel level) const;
     CoordinateForce compute_law(const Situation& at, const WidePlace& place) const;
     SleeveMotion::Weights weigh(const Eigen::VectorXd& multipliers) const;
@@ -101,7 +103,7 @@ class SleeveRows : public WideRows {
 
     const Sleeve* sleeve_;
     std::string name_;  // "joint collar"
-    std::string rod_;
+    const Rod* rod_;
     std::vector<int> nodes_;  // nodes of the rod, from start to end
     SmoothLine line_;
 };

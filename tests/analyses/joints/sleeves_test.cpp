@@ -218,3 +218,17 @@ TEST_CASE("An eye holds a rod as a support does", "[analyses][joints][sleeve]") 
     const std::vector<double> by_support = deflect("[[support]]\nat = \"bar@0.5\"\nfix = [\"y\", \"z\"]\n");
     for (std::size_t i = 1; i < 3; ++i) CHECK(by_eye[i] == Approx(by_support[i]).epsilon(1e-6));
 }
+
+TEST_CASE("An eye's force is given along the rod, and across it in the axes of the section",
+          "[analyses][joints][sleeve]") {
+    std::string deck = replaced(resting_rod, "elements = 1", "elements = 6\ny_axis = [0, 0.6, 0.8]");
+    deck = deck.substr(0, deck.find("[[support]]\nat = \"bar.end\"")) +
+           "[joint.eye]\ntype = \"sleeve\"\nbetween = [\"bar\", \"ground\"]\nat = [1, 0, 0]\n"
+           "[[load]]\nat = \"bar.end\"\nforce = [0, -1e-5, 2e-5]\n[analysis]\nkind = \"static\"\n"
+           "[[history]]\nname = \"eye\"\nat = \"eye\"\nquantities = [\"force\", \"force_a\"]\n";
+    const Motion motion(deck);
+    const std::vector<double> global = motion.at(1.0, "eye/force"), own = motion.at(1.0, "eye/force_a");
+    CHECK(std::abs(own[0]) < 1e-15);
+    CHECK(own[1] == Approx(0.6 * global[1] + 0.8 * global[2]).epsilon(1e-4));
+    CHECK(own[2] == Approx(-0.8 * global[1] + 0.6 * global[2]).epsilon(1e-4));
+}
