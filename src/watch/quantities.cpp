@@ -119,7 +119,7 @@ std::string explain_missing(std::string_view word, const Watched& target, const 
     const WatchedKind& kind = kind_of(target);
     const QuantityTable& other = table_of(*find_quantity(word));
     if (&other == &quantities_of_tendons) return "only tendons have it";
-    if (&other == &quantities_of_obstacles)
+    if (&other == &quantities_of_obstacles && !std::holds_alternative<WatchedTendon>(target))
         return "only obstacles have it, and rods as a whole, and bodies that touch";
     if (*kind.own != '\0') return kind.own;
     const bool is_of_rods = &other == &quantities_of_sections || &other == &quantities_of_rods_around;

@@ -217,6 +217,8 @@ TEST_CASE("What is wrong with drives is said where it stands", "[deck]") {
     CHECK(history("pull", "tendon_length") == "");
     CHECK_THAT(history("pull", "position"),
                Contains("a tendon has tendon_length, tendon_tension and tendon_end_tension only"));
+    CHECK_THAT(history("pull", "contact_force"),
+               Contains("a tendon has tendon_length, tendon_tension and tendon_end_tension only"));
     CHECK(history("pull", "tendon_end_tension") == "");
     CHECK_THAT(history("r.end", "tendon_tension"), Contains("only tendons have it"));
     CHECK_THAT(faults("[[actuation]]\non = \"r\"\n"), Contains("actuation[0]: missing; expected stretch or"));
