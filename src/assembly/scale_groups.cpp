@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "model/parts.hpp"
+#include "model/ties/ties.hpp"
 
 namespace gxrod {
 
@@ -21,8 +22,8 @@ double measure_length(const Model& model, const ModelPart& part) {
     const auto extend = [&](const auto& tie) {
         for (const Anchor& end : tie.ends) box.extend(find_place(model, end));
     };
-    for (const int index : part.springs) extend(model.springs[index]);
-    for (const int index : part.bushings) extend(model.bushings[index]);
+    for (const int index : part.ties(TieKind::spring)) extend(model.springs[index]);
+    for (const int index : part.ties(TieKind::bushing)) extend(model.bushings[index]);
     double length = box.isEmpty() ? 0.0 : box.diagonal().norm();
     for (const int index : part.bodies) {
         const Body& body = model.bodies[index];
@@ -104,8 +105,9 @@ void ScaleGroups::find_parts_of_groups(const Model& model) {
         for (const int node : parts[part].nodes) part_of_group_[group_of_node_[node]] = index;
         for (const int rod : parts[part].rods) part_of_group_[of_rod(rod)] = index;
         for (const int body : parts[part].bodies) part_of_group_[of_body(body)] = index;
-        for (const int spring : parts[part].springs) part_of_group_[of_spring(spring)] = index;
-        for (const int bushing : parts[part].bushings) part_of_group_[of_bushing(bushing)] = index;
+        for (const int spring : parts[part].ties(TieKind::spring)) part_of_group_[of_spring(spring)] = index;
+        for (const int bushing : parts[part].ties(TieKind::bushing))
+            part_of_group_[of_bushing(bushing)] = index;
     }
 }
 

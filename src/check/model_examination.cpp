@@ -25,6 +25,7 @@
 #include "model/settings/newton_choice.hpp"
 #include "model/settings/scheme_card.hpp"
 #include "model/settings/scheme_choice.hpp"
+#include "model/ties/ties.hpp"
 #include "numerics/eigenvalues.hpp"
 
 namespace gxrod {
@@ -79,7 +80,8 @@ bool is_loaded(const Model& model, const ModelPart& part) {
            std::ranges::any_of(model.distributed_loads, pushes_along) ||
            std::ranges::any_of(part.rods, is_bent) || std::ranges::any_of(model.supports, moves) ||
            std::ranges::any_of(model.actuations, acts_within) ||
-           std::ranges::any_of(model.tendons, acts_within) || std::ranges::any_of(part.springs, strains);
+           std::ranges::any_of(model.tendons, acts_within) ||
+           std::ranges::any_of(part.ties(TieKind::spring), strains);
 }
 
 // Whether what acts on a part can hold it in spite of these motions, as gravity, tension and rotation hold
@@ -131,7 +133,8 @@ void find_drifting_parts(const Model& model, bool begins_at_rest, std::vector<Fi
 std::string describe_moving(const FreeMechanism& mechanism, const Model& model) {
     constexpr std::size_t most = 6;
     if (mechanism.joints.empty())
-        return mechanism.whole.sleeves.empty() ? "it can move as a whole" : "what is on sleeves can slide";
+        return mechanism.whole.has(TieKind::sleeve) ? "what is on sleeves can slide"
+                                                    : "it can move as a whole";
     std::string text;
     for (std::size_t i = 0; i < std::min(mechanism.joints.size(), most); ++i)
         text += (i == 0 ? "" : ", ") + model.joints[static_cast<std::size_t>(mechanism.joints[i])].name;
@@ -252,17 +255,6 @@ double compute_mass(const Model& model) {
     return mass;
 }
 
-// Whether something acts on a coordinate of a joint from its start.
-bool is_moved(const JointCoordinate& one) {
-    return one.motion || !one.drive.is_zero() || (one.stiffness > 0.0 && !one.rest.is_zero());
-}
-
-bool any_joint_is_moved(const Model& model) {
-    const auto of_joint = [](const Joint& joint) { return is_moved(joint.turn) || is_moved(joint.slide); };
-    const auto of_sleeve = [](const Sleeve& sleeve) { return is_moved(sleeve.slide); };
-    return std::ranges::any_of(model.joints, of_joint) || std::ranges::any_of(model.sleeves, of_sleeve);
-}
-
 bool is_pushed_by_fluids(const Surroundings& surroundings) {
     const auto& [water, air, seabed] = surroundings;
     return (water && (!water->current.is_still() || !water->waves.empty())) || (air && !air->wind.is_still());
@@ -279,7 +271,7 @@ bool any_load(const Model& model) {
            !model.actuations.empty() || !model.tendons.empty() ||
            std::ranges::any_of(model.contact.obstacles, is_moved_obstacle) ||
            std::any_of(model.springs.begin(), model.springs.end(), strains) ||
-           std::ranges::any_of(model.rods, is_bent) || any_joint_is_moved(model) ||
+           std::ranges::any_of(model.rods, is_bent) || has_joint_drive(model) ||
            std::any_of(model.loads.begin(), model.loads.end(), acts) ||
            std::any_of(model.distributed_loads.begin(), model.distributed_loads.end(), pushes) ||
            std::any_of(model.supports.begin(), model.supports.end(), moves);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/ties/ties.hpp"
 #include "numerics/disjoint_sets.hpp"
 
 namespace gxrod {
@@ -30,36 +31,14 @@ std::string list_names(const char* one, const char* several, const std::vector<s
     return listed == names.size() ? text : text + " and " + std::to_string(names.size() - listed) + " more";
 }
 
-}  // namespace
-
-namespace {
-
 DisjointSets tie_nodes(const Model& model, Ties ties) {
     DisjointSets sets(model.nodes.size());
     for (const Rod& rod : model.rods) join_rod(rod, sets);
     if (ties == Ties::rods) return sets;
-    const auto join = [&](const Anchor& a, const Anchor& b) {
-        if (!a.is_ground() && !b.is_ground()) sets.join(a.node, b.node);
-    };
-    for (const Spring& spring : model.springs) join(spring.ends[0], spring.ends[1]);
-    for (const Bushing& bushing : model.bushings) join(bushing.ends[0], bushing.ends[1]);
-    for (const Joint& joint : model.joints) join(joint.a.anchor, joint.b.anchor);
-    for (const Sleeve& sleeve : model.sleeves)
-        join(sleeve.point, Anchor{.node = model.rods[sleeve.rod].nodes.front()});
-    for (const Gear& gear : model.gears) {
-        const auto moved = [&](const GearSide& side) { return model.joints[side.joint].moving_anchor(); };
-        join(moved(gear.sides[0]), moved(gear.sides[1]));
+    for (const Tie& tie : list_ties(model)) {
+        if (!tie.has_ground()) sets.join(tie.ends[0].node, tie.ends[1].node);
     }
     return sets;
-}
-
-// Those that have the anchor's node.
-void add_tie(const Anchor& anchor,
-             int index,
-             const std::vector<int>& part_of,
-             std::vector<int> ModelPart::*list,
-             std::vector<ModelPart>& parts) {
-    if (!anchor.is_ground()) add_once(parts[part_of[anchor.node]].*list, index);
 }
 
 }  // namespace
@@ -84,22 +63,12 @@ std::vector<ModelPart> find_parts(const Model& model, Ties ties) {
     for (int body = 0; body < static_cast<int>(model.bodies.size()); ++body) {
         parts[part_of[model.bodies[body].node]].bodies.push_back(body);
     }
-    for (int spring = 0; spring < static_cast<int>(model.springs.size()); ++spring) {
-        for (const Anchor& end : model.springs[spring].ends)
-            add_tie(end, spring, part_of, &ModelPart::springs, parts);
-    }
-    for (int bushing = 0; bushing < static_cast<int>(model.bushings.size()); ++bushing) {
-        for (const Anchor& end : model.bushings[bushing].ends)
-            add_tie(end, bushing, part_of, &ModelPart::bushings, parts);
-    }
-    for (int joint = 0; joint < static_cast<int>(model.joints.size()); ++joint) {
-        for (const JointSide* side : {&model.joints[joint].a, &model.joints[joint].b})
-            add_tie(side->anchor, joint, part_of, &ModelPart::joints, parts);
-    }
-    for (int sleeve = 0; sleeve < static_cast<int>(model.sleeves.size()); ++sleeve) {
-        const Rod& rod = model.rods[model.sleeves[sleeve].rod];
-        for (const Anchor& end : {model.sleeves[sleeve].point, Anchor{.node = rod.nodes.front()}})
-            add_tie(end, sleeve, part_of, &ModelPart::sleeves, parts);
+    for (const Tie& tie : list_ties(model)) {
+        for (const Anchor& end : tie.ends) {
+            if (end.is_ground()) continue;
+            add_once(parts[part_of[end.node]].ties_by_kind[static_cast<std::size_t>(tie.kind)],
+                     static_cast<int>(tie.index));
+        }
     }
     return parts;
 }

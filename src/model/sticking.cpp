@@ -1,9 +1,11 @@
 #include "model/sticking.hpp"
 
 #include <algorithm>
+#include <string>
 
 #include "model/contact_friction.hpp"
 #include "model/sections/kinked_law.hpp"
+#include "model/ties/ties.hpp"
 
 namespace gxrod {
 
@@ -29,17 +31,13 @@ void widen(Seabed& seabed, double factor) {
 // Calls visit(name, widen) for each friction; widen(factor), of a model that is not const.
 template <class AnyModel, class Visit>
 void visit_frictions(AnyModel& model, const Visit& visit) {
-    for (auto& joint : model.joints) {
-        if (!joint.turn.friction.acts() && !joint.slide.friction.acts()) continue;
-        visit("joint " + joint.name, [&](auto factor) {
-            widen(joint.turn, factor);
-            widen(joint.slide, factor);
+    for_each_coordinates(model, [&](std::size_t, const std::string& name, auto& turn, auto& slide) {
+        if (!turn.friction.acts() && !slide.friction.acts()) return;
+        visit("joint " + name, [&](auto factor) {
+            widen(turn, factor);
+            widen(slide, factor);
         });
-    }
-    for (auto& sleeve : model.sleeves) {
-        if (sleeve.slide.friction.acts())
-            visit("joint " + sleeve.name, [&](auto factor) { widen(sleeve.slide, factor); });
-    }
+    });
     for (auto& tendon : model.tendons) {
         if (!tendon.friction) continue;
         visit("tendon " + tendon.name, [&](auto factor) { tendon.friction->coefficient *= factor; });

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "model/contact_friction.hpp"
 #include "model/energy_round_off.hpp"
+#include "model/ties/ties.hpp"
 #include "report/blocks/contact_blocks.hpp"
 #include "report/blocks/step_blocks.hpp"
 #include "report/model/centres_json.hpp"
@@ -55,9 +57,11 @@ std::size_t count_drawn(std::size_t all, std::size_t most, const char* names, Ru
     return most;
 }
 
-void mark_ends(const Anchor& a, const Anchor& b, RunStory& story) {
-    for (const Anchor* end : {&a, &b}) {
-        if (!end->is_ground()) story.marked_nodes.push_back(end->node);
+void mark_ends(const std::vector<Tie>& ties, std::size_t most, const char* names, RunStory& story) {
+    for (std::size_t i = 0, drawn = count_drawn(ties.size(), most, names, story); i < drawn; ++i) {
+        for (const Anchor& end : ties[i].ends) {
+            if (!end.is_ground()) story.marked_nodes.push_back(end.node);
+        }
     }
 }
 
@@ -68,20 +72,11 @@ void add_drawing(RunStory& story) {
     for (const LoadArrow& arrow : story.arrows) story.marked_nodes.push_back(arrow.node);
     const std::size_t supports = count_drawn(model.supports.size(), most_supports, "supports", story);
     for (std::size_t i = 0; i < supports; ++i) story.marked_nodes.push_back(model.supports[i].node);
-    const std::size_t all_joints = model.joints.size() + model.sleeves.size();
-    const std::size_t joints = count_drawn(all_joints, most_joints, "joints", story);
-    for (std::size_t i = 0; i < std::min(joints, model.joints.size()); ++i)
-        mark_ends(model.joints[i].a.anchor, model.joints[i].b.anchor, story);
-    for (std::size_t i = model.joints.size(); i < joints; ++i) {
-        const Sleeve& sleeve = model.sleeves[i - model.joints.size()];
-        mark_ends(sleeve.point, {.node = model.rods[sleeve.rod].nodes.front()}, story);
-    }
-    const std::size_t springs = count_drawn(model.springs.size(), most_springs, "springs", story);
-    for (std::size_t i = 0; i < springs; ++i)
-        mark_ends(model.springs[i].ends[0], model.springs[i].ends[1], story);
-    const std::size_t bushings = count_drawn(model.bushings.size(), most_springs, "bushings", story);
-    for (std::size_t i = 0; i < bushings; ++i)
-        mark_ends(model.bushings[i].ends[0], model.bushings[i].ends[1], story);
+    std::vector<Tie> joints = list_ties(model, TieKind::joint);
+    std::ranges::copy(list_ties(model, TieKind::sleeve), std::back_inserter(joints));
+    mark_ends(joints, most_joints, "joints", story);
+    mark_ends(list_ties(model, TieKind::spring), most_springs, "springs", story);
+    mark_ends(list_ties(model, TieKind::bushing), most_springs, "bushings", story);
 }
 
 // Bodies whose places alone are known.

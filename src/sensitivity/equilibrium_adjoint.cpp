@@ -5,6 +5,7 @@
 
 #include "integrators/load_stepping.hpp"
 #include "linear/transposed_values.hpp"
+#include "model/ties/ties.hpp"
 #include "rotation/rotation_map.hpp"
 #include "solvers/newton_steps.hpp"
 
@@ -26,14 +27,10 @@ void check_memory(const Model& model) {
             "an equilibrium of sections that remember depends on how it was reached: carry derivatives along "
             "instead");
     if (!model.contact.is_empty()) throw std::invalid_argument("there are no derivatives with contact yet");
-    const auto rubs = [](const Joint& joint) {
-        return joint.turn.friction.acts() || joint.slide.friction.acts();
-    };
-    const auto rubs_along = [](const Sleeve& sleeve) { return sleeve.slide.friction.acts(); };
     const auto rubs_in_path = [](const Tendon& tendon) { return tendon.friction.has_value(); };
     const std::optional<Seabed>& seabed = model.surroundings.seabed;
-    if ((seabed && seabed->has_friction()) || std::ranges::any_of(model.joints, rubs) ||
-        std::ranges::any_of(model.sleeves, rubs_along) || std::ranges::any_of(model.tendons, rubs_in_path))
+    if ((seabed && seabed->has_friction()) || has_joint_friction(model) ||
+        std::ranges::any_of(model.tendons, rubs_in_path))
         throw std::invalid_argument(
             "an equilibrium with friction depends on how it was reached: carry derivatives along instead");
 }

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "assembly/tendons/capstan_tension.hpp"
 #include "model/sections/kinked_law.hpp"
+#include "model/ties/ties.hpp"
 
 namespace gxrod {
 
@@ -26,24 +28,16 @@ HeldFriction::HeldFriction(const System& system, const State& state, double time
 
 void HeldFriction::find_slips(const System& system, const State& state, double time) {
     const Model& model = system.model();
-    const auto rubs = [](const auto& joint) { return joint.slide.friction.acts(); };
-    const auto turns = [](const Joint& joint) { return joint.turn.friction.acts(); };
-    if (std::ranges::none_of(model.joints, rubs) && std::ranges::none_of(model.joints, turns) &&
-        std::ranges::none_of(model.sleeves, rubs))
-        return;
+    if (!has_joint_friction(model)) return;
     const std::vector<JointValues> values = system.joints().compute_joint_values(state, time);
-    const auto add = [&](std::size_t joint, const Friction& turn, const Friction& slide) {
-        const JointState& before = state.joints_previous[joint];
-        const Slip slip{joint,
-                        find_move(turn, values[joint].turn, before.turn_slip),
-                        find_move(slide, values[joint].slide, before.slide_slip)};
-        if (slip.turn != 0.0 || slip.slide != 0.0) slips_.push_back(slip);
-    };
-    for (std::size_t i = 0; i < model.joints.size(); ++i)
-        add(i, model.joints[i].turn.friction, model.joints[i].slide.friction);
-    const std::size_t first = model.joints.size() + model.gears.size();
-    for (std::size_t i = 0; i < model.sleeves.size(); ++i)
-        add(first + i, Friction{}, model.sleeves[i].slide.friction);
+    for_each_coordinates(
+        model, [&](std::size_t joint, const std::string&, const auto& turn, const JointCoordinate& slide) {
+            const JointState& before = state.joints_previous[joint];
+            const Slip slip{joint,
+                            find_move(turn.friction, values[joint].turn, before.turn_slip),
+                            find_move(slide.friction, values[joint].slide, before.slide_slip)};
+            if (slip.turn != 0.0 || slip.slide != 0.0) slips_.push_back(slip);
+        });
 }
 
 // A tension that does not change where what it was before is lower, or higher, slips that way.

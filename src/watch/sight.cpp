@@ -1,5 +1,7 @@
 #include "watch/sight.hpp"
 
+#include "model/ties/ties.hpp"
+
 #include <algorithm>
 
 namespace gxrod {
@@ -93,12 +95,13 @@ Vec3 Sight::reaction_moment() const {
     return reaction.tail<3>() + (now.nodes[node].r - *of.about).cross(reaction.head<3>());
 }
 
-// Values of gears come behind those of joints, and values of sleeves behind both.
 const JointValues& Sight::joint() const {
-    if (std::holds_alternative<WatchedJoint>(of.target)) return now.joints[index<WatchedJoint>()];
-    const std::size_t joints = of.model->joints.size();
-    if (std::holds_alternative<WatchedGear>(of.target)) return now.joints[joints + index<WatchedGear>()];
-    return now.joints[joints + of.model->gears.size() + index<WatchedSleeve>()];
+    const auto of_tie = [&](TieKind kind, std::size_t at) -> const JointValues& {
+        return now.joints[number_of(*of.model, kind, at)];
+    };
+    if (std::holds_alternative<WatchedJoint>(of.target)) return of_tie(TieKind::joint, index<WatchedJoint>());
+    if (std::holds_alternative<WatchedGear>(of.target)) return of_tie(TieKind::gear, index<WatchedGear>());
+    return of_tie(TieKind::sleeve, index<WatchedSleeve>());
 }
 
 }  // namespace gxrod

@@ -1,5 +1,6 @@
 #include "model/parts.hpp"
 
+#include "model/ties/ties.hpp"
 #include "tools/catch.hpp"
 
 using namespace gxrod;
@@ -77,13 +78,13 @@ TEST_CASE("springs tie parts, if asked", "[model]") {
     REQUIRE(parts.size() == 3);
     CHECK(parts[1].nodes == std::vector{4, 5, 6});
     CHECK(parts[1].bodies == std::vector{0});
-    CHECK(parts[1].springs == std::vector{0, 1});
-    CHECK(parts[0].springs.empty());
+    CHECK(parts[1].ties(TieKind::spring) == std::vector{0, 1});
+    CHECK(parts[0].ties(TieKind::spring).empty());
     const std::vector<ModelPart> by_rods = find_parts(model, Ties::rods);
     REQUIRE(by_rods.size() == 4);
     CHECK(by_rods[1].nodes == std::vector{4});
-    CHECK(by_rods[1].springs == std::vector{0, 1});
-    CHECK(by_rods[2].springs == std::vector{0});
+    CHECK(by_rods[1].ties(TieKind::spring) == std::vector{0, 1});
+    CHECK(by_rods[2].ties(TieKind::spring) == std::vector{0});
 }
 
 TEST_CASE("bushings tie parts, if asked", "[model]") {
@@ -95,8 +96,8 @@ TEST_CASE("bushings tie parts, if asked", "[model]") {
     const std::vector<ModelPart> parts = find_parts(model);
     REQUIRE(parts.size() == 3);
     CHECK(parts[1].nodes == std::vector{4, 5, 6});
-    CHECK(parts[1].bushings == std::vector{0, 1});
-    CHECK(parts[0].bushings.empty());
+    CHECK(parts[1].ties(TieKind::bushing) == std::vector{0, 1});
+    CHECK(parts[0].ties(TieKind::bushing).empty());
     CHECK(find_parts(model, Ties::rods).size() == 4);
 }
 
@@ -110,10 +111,10 @@ TEST_CASE("joints tie parts, if asked", "[model][joint]") {
     const std::vector<ModelPart> parts = find_parts(model);
     REQUIRE(parts.size() == 3);
     CHECK(parts[1].nodes == std::vector{4, 5, 6});
-    CHECK(parts[1].joints == std::vector{0, 1});
-    CHECK(parts[0].joints.empty());
+    CHECK(parts[1].ties(TieKind::joint) == std::vector{0, 1});
+    CHECK(parts[0].ties(TieKind::joint).empty());
     const std::vector<ModelPart> by_rods = find_parts(model, Ties::rods);
     REQUIRE(by_rods.size() == 4);
-    CHECK(by_rods[1].joints == std::vector{0, 1});
-    CHECK(by_rods[2].joints == std::vector{0});
+    CHECK(by_rods[1].ties(TieKind::joint) == std::vector{0, 1});
+    CHECK(by_rods[2].ties(TieKind::joint) == std::vector{0});
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "analyses/shapes/shape_measures.hpp"
 #include "assembly/scatter.hpp"
@@ -12,6 +13,7 @@
 #include "check/findings/buckling_findings.hpp"
 #include "check/motions/stability.hpp"
 #include "linear/eigen/smallest_factors.hpp"
+#include "model/ties/ties.hpp"
 #include "solvers/newton_steps.hpp"
 #include "solvers/trial_moves.hpp"
 
@@ -30,11 +32,11 @@ Model make_unloaded(Model model) {
     model.loads.clear();
     model.distributed_loads.clear();
     model.gravity = TimeVector(Vec3::Zero());
-    for (Joint& joint : model.joints) {
-        unload(joint.turn);
-        unload(joint.slide);
-    }
-    for (Sleeve& sleeve : model.sleeves) unload(sleeve.slide);
+    for_each_coordinates(model,
+                         [](std::size_t, const std::string&, JointCoordinate& turn, JointCoordinate& slide) {
+                             unload(turn);
+                             unload(slide);
+                         });
     return model;
 }
 

@@ -7,6 +7,7 @@
 #include "assembly/tendons/capstan_rows.hpp"
 #include "assembly/tendons/tendon_rows.hpp"
 #include "constraints/joints/list_wide_rows.hpp"
+#include "model/ties/ties.hpp"
 
 namespace gxrod {
 
@@ -35,7 +36,8 @@ void visit_parts(const std::vector<int>& nodes, const Eigen::VectorXd& vector, V
 
 }  // namespace
 
-WideAssembly::WideAssembly(const Model& model) : rows_(list_wide_rows(model)), first_(model.joints.size()) {
+WideAssembly::WideAssembly(const Model& model)
+    : rows_(list_wide_rows(model)), first_(number_of(model, TieKind::gear, 0)) {
     for (auto& tendon : list_capstan_rows(model)) rows_.push_back(std::move(tendon));
     for (auto& tendon : list_tendon_rows(model)) rows_.push_back(std::move(tendon));
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "elements/spring_line.hpp"
+#include "model/ties/ties.hpp"
 
 namespace gxrod {
 
@@ -31,10 +32,6 @@ std::string find_pressed_section(const Model& model) {
     return "";
 }
 
-bool acts(const JointCoordinate& one) {
-    return one.motion || !one.drive.is_zero() || (one.stiffness > 0.0 && !one.rest.is_zero());
-}
-
 // Whether anything acts that a factor multiplies.
 bool grows(const Model& model) {
     const auto is_load = [](const NodalLoad& load) { return load.has_force() || !is_zero(load.moment); };
@@ -42,12 +39,9 @@ bool grows(const Model& model) {
         return !is_zero(load.force) || !is_zero(load.moment);
     };
     const auto is_moved = [](const Support& support) { return support.moved != std::array<bool, 6>{}; };
-    const auto is_driven = [](const Joint& joint) { return acts(joint.turn) || acts(joint.slide); };
-    const auto slides = [](const Sleeve& sleeve) { return acts(sleeve.slide); };
     return !model.gravity.is_zero() || std::ranges::any_of(model.loads, is_load) ||
            std::ranges::any_of(model.distributed_loads, is_line_load) ||
-           std::ranges::any_of(model.supports, is_moved) || std::ranges::any_of(model.joints, is_driven) ||
-           std::ranges::any_of(model.sleeves, slides);
+           std::ranges::any_of(model.supports, is_moved) || has_joint_drive(model);
 }
 
 // A spring that pulls or pushes at t = 0; "" without one.

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "check/step_impulse.hpp"
 #include "model/evaluation_error.hpp"
+#include "model/ties/ties.hpp"
 #include "model/time/transitions.hpp"
 
 namespace gxrod {
@@ -59,11 +61,12 @@ class FunctionExamination {
         for (const Tendon& tendon : model_.tendons) examine_tendon(tendon);
         for (const Actuation& actuation : model_.actuations) examine_actuation(actuation);
         for (const Support& support : model_.supports) examine_moves(support);
-        for (const Joint& joint : model_.joints) {
-            examine_coordinate(joint.name, "turn", joint.turn);
-            examine_coordinate(joint.name, "slide", joint.slide);
-        }
-        for (const Sleeve& sleeve : model_.sleeves) examine_coordinate(sleeve.name, "slide", sleeve.slide);
+        for_each_coordinates(
+            model_,
+            [this](std::size_t, const std::string& name, const auto& turn, const JointCoordinate& slide) {
+                examine_coordinate(name, "turn", turn);
+                examine_coordinate(name, "slide", slide);
+            });
         for (const Obstacle& obstacle : model_.contact.obstacles) examine_obstacle(obstacle);
         return std::move(findings_);
     }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 
 #include "check/mesh_frequencies.hpp"
 #include "check/static_scale.hpp"
@@ -14,6 +15,7 @@
 #include "environment/ground.hpp"
 #include "model/evaluation_error.hpp"
 #include "model/settings/analysis_traits.hpp"
+#include "model/ties/ties.hpp"
 #include "rotation/vector_text.hpp"
 
 namespace gxrod {
@@ -219,10 +221,11 @@ class Questions {
         for (const Tendon& tendon : model_.tendons) {
             if (tendon.friction) ask_of_friction("tendon " + tendon.name, tendon.friction->coefficient);
         }
-        for (const Joint& joint : model_.joints)
-            ask_of_friction("joint " + joint.name, joint.slide.friction.lever);
-        for (const Sleeve& sleeve : model_.sleeves)
-            ask_of_friction("joint " + sleeve.name, sleeve.slide.friction.lever);
+        for_each_coordinates(
+            model_,
+            [this](std::size_t, const std::string& name, const auto& /*turn*/, const JointCoordinate& slide) {
+                ask_of_friction("joint " + name, slide.friction.lever);
+            });
     }
 
     void ask_of_offset(const Tendon& tendon) {

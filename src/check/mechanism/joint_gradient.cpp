@@ -1,6 +1,7 @@
 #include "check/mechanism/joint_gradient.hpp"
 
 #include "constraints/joints/sleeve_rows.hpp"
+#include "model/ties/ties.hpp"
 
 namespace gxrod {
 namespace {
@@ -44,7 +45,7 @@ WideGradient compute_start_gradient(const Model& model, const WideRows& rows) {
     State state;
     for (const Node& node : model.nodes) state.previous.emplace_back().r = node.position;
     // Everything is 0 at the start, for whatever the rows look up.
-    state.joints_previous.resize(model.joints.size() + model.gears.size() + model.sleeves.size());
+    state.joints_previous.resize(count_numbered_ties(model));
     const WidePlace start{state.previous, state, JointState{}, 0.0};
     return {rows.list_nodes(start), rows.compute_gradient(start)};
 }

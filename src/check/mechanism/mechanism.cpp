@@ -11,6 +11,7 @@
 #include "check/mechanism/joint_gradient.hpp"
 #include "check/motions/unsupported_motions.hpp"
 #include "constraints/joints/gear_rows.hpp"
+#include "model/ties/ties.hpp"
 #include "numerics/singular_values.hpp"
 
 namespace gxrod {
@@ -107,7 +108,8 @@ class EquationBuilder {
     void add_gear(int index, Equations& built) const {
         const GearRows rows(model_, model_.gears[index]);
         const WideGradient gradient = compute_start_gradient(model_, rows);
-        Equations::Row row{.joint = static_cast<int>(model_.joints.size()) + index,
+        const std::size_t number = number_of(model_, TieKind::gear, static_cast<std::size_t>(index));
+        Equations::Row row{.joint = static_cast<int>(number),
                            .values = Eigen::RowVectorXd::Zero(all_columns())};
         const double scale = rows.is_length(0) ? 1.0 : size_;
         for (std::size_t i = 0; i < gradient.nodes.size(); ++i) {
@@ -289,7 +291,7 @@ std::string count_words(int number, const char* one, const char* several) {
 
 // Of a joint, or of a gear behind them.
 std::string name_of(int index, const Model& model) {
-    const int joints = static_cast<int>(model.joints.size());
+    const int joints = static_cast<int>(number_of(model, TieKind::gear, 0));
     return index < joints ? model.joints[index].name : "gear " + model.gears[index - joints].name;
 }
 

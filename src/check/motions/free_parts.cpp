@@ -7,6 +7,7 @@
 #include "constraints/joints/list_wide_rows.hpp"
 #include "elements/bushing_element.hpp"
 #include "elements/spring_element.hpp"
+#include "model/ties/ties.hpp"
 #include "numerics/singular_values.hpp"
 #include "rotation/rotation_map.hpp"
 
@@ -43,18 +44,18 @@ class TiedParts {
             rows.middleCols(6 * static_cast<Eigen::Index>(i), 6) = own;
             add(std::move(rows));
         }
-        for (const int index : whole.springs) {
+        for (const int index : whole.ties(TieKind::spring)) {
             const Spring& spring = model_.springs[index];
             if (spring.stiffness == 0.0 && !spring.law) continue;
             add(spring.has_ground() ? build_rows<SpringElement<1>>(spring)
                                     : build_rows<SpringElement<2>>(spring));
         }
-        for (const int index : whole.bushings) {
+        for (const int index : whole.ties(TieKind::bushing)) {
             const Bushing& bushing = model_.bushings[index];
             add(bushing.has_ground() ? build_rows<BushingElement<1>>(bushing)
                                      : build_rows<BushingElement<2>>(bushing));
         }
-        for (const int index : whole.joints) {
+        for (const int index : whole.ties(TieKind::joint)) {
             const Joint& joint = model_.joints[index];
             add(carry(joint, compute_start_gradient(model_, joint)));
             add(carry(joint, find_sprung_gradients(joint)));
@@ -63,7 +64,7 @@ class TiedParts {
             const WideGradient gradient = compute_start_gradient(model_, *rows);
             if (std::ranges::binary_search(whole.nodes, gradient.nodes.front())) add(carry(gradient));
         }
-        for (const int index : whole.sleeves) {
+        for (const int index : whole.ties(TieKind::sleeve)) {
             if (model_.sleeves[index].slide.stiffness > 0.0)
                 add(carry(compute_slide_gradient(model_, index)));
         }
@@ -196,8 +197,10 @@ Eigen::MatrixXd find_held_rows(const Eigen::MatrixXd& columns) {
 }
 
 bool has_ties(const ModelPart& part) {
-    return !part.springs.empty() || !part.bushings.empty() || !part.joints.empty() || !part.sleeves.empty();
+    return std::ranges::any_of(part.ties_by_kind, [](const auto& ties) { return !ties.empty(); });
 }
+
+bool has_joints(const ModelPart& part) { return part.has(TieKind::joint) || part.has(TieKind::sleeve); }
 
 // Calls visit(parts tied by rods, the whole part) for each part of the model.
 template <class Visit>
@@ -225,7 +228,7 @@ std::vector<FreePart> find_free_parts(const Model& model) {
         if (!motions.empty()) free.push_back({part, std::move(motions)});
     };
     for_each_whole(model, [&](const std::vector<ModelPart>& parts, const ModelPart& whole) {
-        if (!whole.joints.empty() || !whole.sleeves.empty()) return;
+        if (has_joints(whole)) return;
         if (!has_ties(whole)) return add(parts.front(), find_unsupported_motions(model, parts.front()));
         if (parts.size() > most_parts) return;
         const Eigen::MatrixXd motions = TiedParts(model, parts).find_free_motions(whole);
@@ -241,12 +244,12 @@ std::vector<FreePart> find_free_parts(const Model& model) {
 std::vector<FreeMechanism> find_free_mechanisms(const Model& model) {
     std::vector<FreeMechanism> free;
     for_each_whole(model, [&](const std::vector<ModelPart>& parts, const ModelPart& whole) {
-        if ((whole.joints.empty() && whole.sleeves.empty()) || parts.size() > most_parts) return;
+        if (!has_joints(whole) || parts.size() > most_parts) return;
         const TiedParts tied(model, parts);
         const Eigen::MatrixXd motions = tied.find_free_motions(whole);
         if (motions.cols() == 0) return;
         FreeMechanism found{whole, static_cast<std::size_t>(motions.cols()), {}};
-        for (const int joint : whole.joints) {
+        for (const int joint : whole.ties(TieKind::joint)) {
             bool is_moved = false;
             for (Eigen::Index i = 0; i < motions.cols(); ++i)
                 is_moved = is_moved || tied.moves(model.joints[joint], motions.col(i));

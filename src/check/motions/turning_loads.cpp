@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "model/ties/ties.hpp"
+
 namespace gxrod {
 
 namespace {
@@ -98,22 +100,14 @@ std::string find_unsteady_load(const Model& model, const TurningFrame& frame) {
             tie,
             where);
     };
-    for (const Spring& spring : model.springs) {
-        for (const Anchor& end : spring.ends) {
-            if (!end.is_ground() || is_along(end.arm - frame.through, frame.axis)) continue;
-            return describe_tie("spring." + spring.name, " off the axis of rotation");
+    for (const Tie& tie : list_ties(model)) {
+        const bool is_spring = tie.kind == TieKind::spring;
+        for (const Anchor& end : tie.ends) {
+            if (!end.is_ground() || (is_spring && is_along(end.arm - frame.through, frame.axis))) continue;
+            return describe_tie(key_of(tie), is_spring ? " off the axis of rotation" : "");
         }
-    }
-    for (const Bushing& bushing : model.bushings) {
-        if (bushing.has_ground()) return describe_tie("bushing." + bushing.name, "");
-        if (bushing.carrier == BushingAxes::ground)
-            return describe_tie("bushing." + bushing.name, " by its axes");
-    }
-    for (const Joint& joint : model.joints) {
-        if (joint.has_ground()) return describe_tie("joint." + joint.name, "");
-    }
-    for (const Sleeve& sleeve : model.sleeves) {
-        if (sleeve.point.is_ground()) return describe_tie("joint." + sleeve.name, "");
+        if (tie.kind == TieKind::bushing && model.bushings[tie.index].carrier == BushingAxes::ground)
+            return describe_tie(key_of(tie), " by its axes");
     }
     return "";
 }

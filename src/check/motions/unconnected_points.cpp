@@ -7,6 +7,8 @@
 #include <map>
 #include <set>
 
+#include "model/ties/ties.hpp"
+
 namespace gxrod {
 namespace {
 
@@ -167,16 +169,10 @@ namespace {
 // Pairs of nodes, the lower one first.
 using TiedNodes = std::set<std::pair<int, int>>;
 
-// Between which there are springs, bushings or joints.
-TiedNodes find_ties(const Model& model) {
-    TiedNodes ties;
-    const auto add = [&](const Anchor& a, const Anchor& b) { ties.insert(std::minmax(a.node, b.node)); };
-    for (const Spring& spring : model.springs) add(spring.ends[0], spring.ends[1]);
-    for (const Bushing& bushing : model.bushings) add(bushing.ends[0], bushing.ends[1]);
-    for (const Joint& joint : model.joints) add(joint.a.anchor, joint.b.anchor);
-    for (const Sleeve& sleeve : model.sleeves)
-        add(sleeve.point, Anchor{.node = model.rods[sleeve.rod].nodes.front()});
-    return ties;
+TiedNodes find_tied_nodes(const Model& model) {
+    TiedNodes nodes;
+    for (const Tie& tie : list_ties(model)) nodes.insert(std::minmax(tie.ends[0].node, tie.ends[1].node));
+    return nodes;
 }
 
 bool has_tie(const std::set<int>& nodes, const TiedNodes& ties) {
@@ -191,7 +187,7 @@ bool has_tie(const std::set<int>& nodes, const TiedNodes& ties) {
 }  // namespace
 
 std::vector<std::string> find_unconnected_points(const Model& model) {
-    const TiedNodes ties = find_ties(model);
+    const TiedNodes ties = find_tied_nodes(model);
     Eigen::AlignedBox3d box;
     for (const Node& node : model.nodes) box.extend(node.position);
     const double size = box.isEmpty() ? 0.0 : box.diagonal().norm();

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "deck/text/deck_comparison.hpp"
+#include "model/ties/ties.hpp"
 
 namespace gxrod {
 namespace {
@@ -86,16 +87,13 @@ bool have_same_mesh(const Model& before, const Model& now) {
     };
     const auto same_body = [](const Body& a, const Body& b) { return a.name == b.name && a.node == b.node; };
     const auto same_end = [](const Anchor& a, const Anchor& b) { return a.node == b.node && a.arm == b.arm; };
-    const auto same_tie = [&](const auto& a, const auto& b) {
-        return a.name == b.name && std::ranges::equal(a.ends, b.ends, same_end);
+    const auto same_tie = [&](const Tie& a, const Tie& b) {
+        return a.kind == b.kind && *a.name == *b.name && std::ranges::equal(a.ends, b.ends, same_end);
     };
     const auto same_joint = [&](const Joint& a, const Joint& b) {
-        return a.name == b.name && a.kind == b.kind && same_end(a.a.anchor, b.a.anchor) &&
-               same_end(a.b.anchor, b.b.anchor) && a.a.axes == b.a.axes && a.b.axes == b.b.axes;
+        return a.kind == b.kind && a.a.axes == b.a.axes && a.b.axes == b.b.axes;
     };
-    const auto same_sleeve = [&](const Sleeve& a, const Sleeve& b) {
-        return a.name == b.name && a.rod == b.rod && same_end(a.point, b.point);
-    };
+    const auto same_sleeve = [](const Sleeve& a, const Sleeve& b) { return a.rod == b.rod; };
     const auto same_tendon = [&](const Tendon& a, const Tendon& b) {
         return a.name == b.name && a.winch.has_value() == b.winch.has_value() &&
                a.friction.has_value() == b.friction.has_value();
@@ -103,8 +101,7 @@ bool have_same_mesh(const Model& before, const Model& now) {
     return std::ranges::equal(before.nodes, now.nodes, same_node) &&
            std::ranges::equal(before.rods, now.rods, same_rod) &&
            std::ranges::equal(before.bodies, now.bodies, same_body) &&
-           std::ranges::equal(before.springs, now.springs, same_tie) &&
-           std::ranges::equal(before.bushings, now.bushings, same_tie) &&
+           std::ranges::equal(list_ties(before), list_ties(now), same_tie) &&
            std::ranges::equal(before.joints, now.joints, same_joint) &&
            std::ranges::equal(before.sleeves, now.sleeves, same_sleeve) &&
            std::ranges::equal(before.tendons, now.tendons, same_tendon);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
+#include "model/ties/ties.hpp"
 #include "model/time/transitions.hpp"
 
 namespace gxrod {
@@ -94,11 +96,11 @@ std::vector<double> find_jumps(const Model& model, const Interval& times, int sa
         search.look(tendon.winch->share);
     }
     for (const Support& support : model.supports) search.look(support.motion);
-    for (const Joint& joint : model.joints) {
-        search.look(joint.turn);
-        search.look(joint.slide);
-    }
-    for (const Sleeve& sleeve : model.sleeves) search.look(sleeve.slide);
+    for_each_coordinates(
+        model, [&](std::size_t, const std::string&, const auto& turn, const JointCoordinate& slide) {
+            search.look(turn);
+            search.look(slide);
+        });
     return search.take();
 }
 

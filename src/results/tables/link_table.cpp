@@ -7,20 +7,10 @@
 #include <vector>
 
 #include "model/joint_name.hpp"
+#include "model/ties/ties.hpp"
 
 namespace gxrod {
 namespace {
-
-// What a row of a table joins.
-struct Link {
-    const std::string& name;
-    const Anchor& a;
-    const Anchor& b;
-};
-
-Link link_of(const Joint& joint) { return {joint.name, joint.a.anchor, joint.b.anchor}; }
-Link link_of(const Spring& spring) { return {spring.name, spring.ends[0], spring.ends[1]}; }
-Link link_of(const Bushing& bushing) { return {bushing.name, bushing.ends[0], bushing.ends[1]}; }
 
 // Three numbers a row.
 void write_vectors(const Hdf5Handle& group, const DatasetLabel& label, const std::vector<double>& values) {
@@ -51,21 +41,19 @@ void write_ends(const Hdf5Handle& group, const std::string& side, std::span<cons
                   arms);
 }
 
-// The table of these parts; none without any, nor if the file has it already.
-template <class Part>
+// The table of these ties; none without any, nor if the file has it already.
 std::optional<Hdf5Handle> write_table(const Hdf5Handle& root,
                                       const char* table,
-                                      const std::vector<Part>& parts) {
+                                      const std::vector<Tie>& ties) {
     // A list of more names would not be read.
-    if (parts.empty() || parts.size() > most_texts || has_link(root, table)) return std::nullopt;
+    if (ties.empty() || ties.size() > most_texts || has_link(root, table)) return std::nullopt;
     Hdf5Handle group = require_group(root, table);
     std::vector<std::string> names;
     std::vector<const Anchor*> a, b;
-    for (const Part& part : parts) {
-        const Link link = link_of(part);
-        names.push_back(link.name);
-        a.push_back(&link.a);
-        b.push_back(&link.b);
+    for (const Tie& tie : ties) {
+        names.push_back(*tie.name);
+        a.push_back(&tie.ends[0]);
+        b.push_back(&tie.ends[1]);
     }
     write_dataset(
         group, {"name", "of each, as the deck has it", "none", ""}, std::span<const std::string>(names));
@@ -115,10 +103,10 @@ void write_sleeves(const Hdf5Handle& root, const Model& model) {
 }  // namespace
 
 void write_link_tables(const Hdf5Handle& root, const Model& model) {
-    const std::optional<Hdf5Handle> joints = write_table(root, "joints", model.joints);
+    const std::optional<Hdf5Handle> joints = write_table(root, "joints", list_ties(model, TieKind::joint));
     if (joints) write_joint_columns(*joints, model);
-    write_table(root, "springs", model.springs);
-    write_table(root, "bushings", model.bushings);
+    write_table(root, "springs", list_ties(model, TieKind::spring));
+    write_table(root, "bushings", list_ties(model, TieKind::bushing));
     write_sleeves(root, model);
 }
 
