@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "check/surroundings/fluid_summary.hpp"
+#include "model/ties/ties.hpp"
 
 namespace gxrod {
 namespace {
@@ -35,10 +36,8 @@ bool is_single_line(const Rod& rod) {
 // Whether something else than supports, loads and bodies acts at a node of a rod.
 bool is_shared(const Model& model, const Rod& rod, int node) {
     const auto is_at = [node](const Anchor& anchor) { return anchor.node == node; };
-    const auto has_end = [&](const auto& tie) { return std::ranges::any_of(tie.ends, is_at); };
-    const auto has_side = [&](const Joint& joint) { return is_at(joint.a.anchor) || is_at(joint.b.anchor); };
-    return std::ranges::any_of(model.springs, has_end) || std::ranges::any_of(model.bushings, has_end) ||
-           std::ranges::any_of(model.joints, has_side) ||
+    const auto has_end = [&](const Tie& tie) { return std::ranges::any_of(tie.ends, is_at); };
+    return std::ranges::any_of(list_ties(model), has_end) ||
            std::ranges::any_of(model.rods, [&](const Rod& other) {
                return &other != &rod && std::ranges::find(other.nodes, node) != other.nodes.end();
            });

@@ -111,6 +111,11 @@ TEST_CASE("What is beyond a place pulls there", "[check]") {
     const Model bent =
         read(pipe_deck("arc = { from = [0, 0, 0], through = [1, 0, 1], to = [2, 0, 0] }\n", held_ends)).model;
     CHECK_FALSE(find_line_at_rest(bent, bent.rods[0]));
+    // Nor of one that runs through an eye, which can hold it.
+    const Model eyed = read(pipe_deck(upright, support("r.start", "\"all\"")) +
+                            "[joint.eye]\ntype = \"sleeve\"\nbetween = [\"r\", \"ground\"]\nat = [0, 0, 5]\n")
+                           .model;
+    CHECK_FALSE(find_line_at_rest(eyed, eyed.rods[0]));
     const Model straight = read(pipe_deck(upright, held_ends)).model;
     CHECK(line_of(straight).source == LineAtRest::Source::unloaded);
     CHECK_FALSE(find_boundary_layer(straight, straight.rods[0], line_of(straight), 0));
