@@ -1,32 +1,11 @@
 #include "model/joint.hpp"
 
+#include "model/ties/joint_card.hpp"
+
 namespace gxrod {
 
-bool Joint::has_turn() const {
-    switch (kind) {
-        case JointKind::hinge:
-        case JointKind::cylinder:
-        case JointKind::universal:
-        case JointKind::screw:
-        case JointKind::plane:
-        case JointKind::free:
-            return true;
-        default:
-            return false;
-    }
-}
+bool Joint::has_turn() const { return card_of(kind).has_turn; }
 
-bool Joint::has_slide() const {
-    switch (kind) {
-        case JointKind::cylinder:
-        case JointKind::slider:
-        case JointKind::screw:
-        case JointKind::sleeve:
-        case JointKind::free:
-            return true;
-        default:
-            return false;
-    }
-}
+bool Joint::has_slide() const { return card_of(kind).has_slide; }
 
 }  // namespace gxrod

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks that what a scheme is, is asked of its card (src/model/settings/scheme_card.hpp): no other room compares schemes.
+"""Checks that what a scheme or a kind of joint is, is asked of its card (src/model): no other room compares schemes or kinds.
 
 GXROD_SOURCE names the root of the source tree; the default is the tree that this file is in.
 """
@@ -10,20 +10,23 @@ import re
 import tempfile
 import unittest
 
-# Where schemes have names: the cards, the choice of one, what makes integrators, and the study of Rubin's body.
-NAMED = ("model/settings/", "integrators/integrator.cpp", "verification/rubin2007")
-COMPARED = re.compile(r"(case\s+|[!=]=\s*)Scheme::\w+")
+# Where kinds have names. Of schemes: the cards, the choice of one, what makes integrators, and the study of Rubin's body. Of joints:
+# the cards, the equations of each kind, and what decks give.
+NAMED = {
+    "Scheme": ("model/settings/", "integrators/integrator.cpp", "verification/rubin2007"),
+    "JointKind": ("model/ties/joint_card.hpp", "constraints/joints/", "deck/joints/"),
+}
+COMPARED = re.compile(r"(?:case\s+|[!=]=\s*)(\w+)::\w+")
 
 
 def find_faults(source):
-    """Where a scheme is compared outside of these."""
+    """Where a scheme or a kind is compared outside of these."""
     faults = []
     for path in sorted(source.rglob("*.[ch]pp")):
         name = path.relative_to(source).as_posix()
-        if name.startswith(NAMED):
-            continue
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-            if COMPARED.search(line):
+            kinds = COMPARED.findall(line)
+            if any(kind in NAMED and not name.startswith(NAMED[kind]) for kind in kinds):
                 faults.append(f"{name}:{number}: {line.strip()}")
     return faults
 
@@ -34,9 +37,10 @@ class Cards(unittest.TestCase):
         self.assertEqual(find_faults(pathlib.Path(root) / "src"), [])
 
     def test_a_comparison_is_found(self):
-        with tempfile.TemporaryDirectory() as folder:
-            (pathlib.Path(folder) / "check.cpp").write_text("    if (scheme == Scheme::radau_5) return;\n")
-            self.assertEqual(find_faults(pathlib.Path(folder)), ["check.cpp:1: if (scheme == Scheme::radau_5) return;"])
+        for line in ("if (scheme == Scheme::radau_5) return;", "case JointKind::weld:"):
+            with tempfile.TemporaryDirectory() as folder:
+                (pathlib.Path(folder) / "check.cpp").write_text(f"    {line}\n")
+                self.assertEqual(find_faults(pathlib.Path(folder)), [f"check.cpp:1: {line}"])
 
 
 if __name__ == "__main__":

@@ -1,19 +1,6 @@
 import { readToml } from "./toml.js";
 import { unitOf } from "./units.js";
 
-const freedoms = {
-  ball: "all turns",
-  hinge: "turn about the axis",
-  cylinder: "turn about the axis, slide along it",
-  slider: "slide along the axis",
-  universal: "turns about both axes",
-  screw: "turn about the axis, and a slide with it",
-  plane: "slides across the axis, turn about it",
-  weld: "nothing",
-  distance: "all but the distance",
-  sleeve: "all turns, slide along the rod",
-  free: "everything",
-};
 const title = "Joints";
 const behind = ["Gears", "Supports"]; // tables that come after it
 const mostSleeves = 50;
@@ -45,7 +32,8 @@ export function listTables(data, units) {
 
 function nameFreedoms({ joints }) {
   const moved = new Set(joints.filter((joint) => joint.moved).map(({ name }) => name));
-  const valueOf = ([name, type]) => (freedoms[type] ?? "") + (moved.has(name) ? "; moved by a motor" : "");
+  const freedoms = new Map(joints.map((joint) => [joint.type, joint.leaves_free]));
+  const valueOf = ([name, type]) => (freedoms.get(type) ?? "") + (moved.has(name) ? "; moved by a motor" : "");
   return { heading: "leaves free", valueOf };
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "model/ties/joint_card.hpp"
+
 namespace gxrod {
 
 namespace {
@@ -83,7 +85,7 @@ void find_meetings(const Model& model, ContactLines& lines) {
         meet(at->first, at->first);
     for (const Joint& joint : model.joints) {
         if (joint.a.anchor.is_ground() || joint.b.anchor.is_ground()) continue;
-        if (joint.kind == JointKind::distance) continue;
+        if (!card_of(joint.kind).is_at_one_place) continue;
         meet(joint.a.anchor.node, joint.b.anchor.node);
     }
 }

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "model/joint_name.hpp"
+#include "model/ties/joint_card.hpp"
 #include "rotation/vector_text.hpp"
 
 namespace gxrod {
@@ -13,29 +13,11 @@ namespace {
 
 // The axes of a joint, or the length of a distance, with what it has to do with them.
 std::string describe_axes(const Joint& joint) {
-    const std::string axis = in_parentheses(joint.a.axes.col(0));
-    switch (joint.kind) {
-        case JointKind::hinge:
-            return " about " + axis;
-        case JointKind::cylinder:
-        case JointKind::slider:
-            return " along " + axis;
-        case JointKind::free:
-            return " about and along " + axis;
-        case JointKind::screw:
-            return fmt::format(" along {}, {:.6g} a turn,", axis, joint.lead);
-        case JointKind::universal:
-            return fmt::format(" about {} of A and {} of B", axis, in_parentheses(joint.b.axes.col(0)));
-        case JointKind::plane:
-            return " across " + axis;
-        case JointKind::distance:
-            return fmt::format(" of {:.6g}", joint.length);
-        case JointKind::ball:
-        case JointKind::weld:
-        case JointKind::sleeve:
-            break;
-    }
-    return "";
+    return fmt::format(fmt::runtime(card_of(joint.kind).summary),
+                       fmt::arg("axis", in_parentheses(joint.a.axes.col(0))),
+                       fmt::arg("axis_b", in_parentheses(joint.b.axes.col(0))),
+                       fmt::arg("lead", joint.lead),
+                       fmt::arg("length", joint.length));
 }
 
 // A side of a joint whose place is told: "thigh.end", "shank (by an arm of 0.12)".
@@ -70,16 +52,17 @@ std::string describe_actions(const char* name, const JointCoordinate& coordinate
 }
 
 std::string describe_joint(const Model& model, const Joint& joint) {
-    std::string text = fmt::format("joint {}: {}{}", joint.name, name_of(joint.kind), describe_axes(joint));
-    if (joint.kind == JointKind::distance) {
-        text += fmt::format(" between {} and {}",
-                            describe_anchor(model, joint.a.anchor),
-                            describe_anchor(model, joint.b.anchor));
-    } else {
+    const JointCard& card = card_of(joint.kind);
+    std::string text = fmt::format("joint {}: {}{}", joint.name, card.word, describe_axes(joint));
+    if (card.is_at_one_place) {
         text += fmt::format(" at {} between {} and {}",
                             in_parentheses(find_place(model, joint.a.anchor)),
                             name_side(model, joint.a.anchor),
                             name_side(model, joint.b.anchor));
+    } else {
+        text += fmt::format(" between {} and {}",
+                            describe_anchor(model, joint.a.anchor),
+                            describe_anchor(model, joint.b.anchor));
     }
     return text + describe_actions("turn", joint.turn) + describe_actions("slide", joint.slide) + "\n";
 }

@@ -4,6 +4,8 @@
 #include <complex>
 #include <numbers>
 
+#include "model/ties/joint_card.hpp"
+
 namespace gxrod {
 
 namespace {
@@ -18,8 +20,8 @@ Jet<Complex> combine(const ScalarJet& x, const ScalarJet& y) {
     return {{x.value, y.value}, {x.rate, y.rate}, {x.acceleration, y.acceleration}};
 }
 
-// The direction on B whose turn is that of the joint: across the axis, of a universal joint the axis of B.
-Vec3 choose_hand(const Joint& joint) { return joint.b.axes.col(joint.kind == JointKind::universal ? 0 : 1); }
+// The direction on B whose turn is that of the joint: B's own axis if it has one, else one across the axis.
+Vec3 choose_hand(const Joint& joint) { return joint.b.axes.col(card_of(joint.kind).has_axis_b ? 0 : 1); }
 
 // Turns need no points.
 JointFrames turn_frames(const JointMotions& motions, ConstraintLevel level) { return {motions, {}, level}; }

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "deck/expressions/table_function.hpp"
@@ -12,6 +13,7 @@
 #include "model/model.hpp"
 #include "model/settings/scheme_card.hpp"
 #include "model/settings/settings.hpp"
+#include "model/ties/joint_card.hpp"
 
 // The words of a deck and their meaning, each pair stated once.
 namespace gxrod {
@@ -24,18 +26,6 @@ struct Choice {
 
 inline constexpr std::array<Choice<ElementKind>, 2> element_kind_choices{
     {{"objective", ElementKind::objective}, {"simo", ElementKind::simo}}};
-
-inline constexpr std::array<Choice<JointKind>, 11> joint_kind_choices{{{"ball", JointKind::ball},
-                                                                       {"hinge", JointKind::hinge},
-                                                                       {"cylinder", JointKind::cylinder},
-                                                                       {"slider", JointKind::slider},
-                                                                       {"universal", JointKind::universal},
-                                                                       {"screw", JointKind::screw},
-                                                                       {"plane", JointKind::plane},
-                                                                       {"weld", JointKind::weld},
-                                                                       {"distance", JointKind::distance},
-                                                                       {"free", JointKind::free},
-                                                                       {"sleeve", JointKind::sleeve}}};
 
 inline constexpr std::array<Choice<InputHold>, 2> input_hold_choices{
     {{"step", InputHold::step}, {"linear", InputHold::linear}}};
@@ -82,12 +72,16 @@ inline constexpr std::array<Choice<Interpolation>, 3> interpolation_choices{
 inline constexpr std::array<Choice<Linearization>, 2> linearization_choices{
     {{"elastic", Linearization::elastic}, {"loading", Linearization::loading}}};
 
-inline constexpr auto scheme_choices = [] {
-    std::array<Choice<Scheme>, scheme_cards.size()> choices{};
-    for (std::size_t i = 0; i < choices.size(); ++i)
-        choices[i] = {scheme_cards[i].word, scheme_cards[i].scheme};
+// The words of cards, and the enumerator of each.
+template <auto member, class Card, std::size_t count>
+constexpr auto choices_of(const std::array<Card, count>& cards) {
+    std::array<Choice<std::remove_cvref_t<decltype(cards[0].*member)>>, count> choices{};
+    for (std::size_t i = 0; i < count; ++i) choices[i] = {cards[i].word, cards[i].*member};
     return choices;
-}();
+}
+
+inline constexpr auto scheme_choices = choices_of<&SchemeCard::scheme>(scheme_cards);
+inline constexpr auto joint_kind_choices = choices_of<&JointCard::kind>(joint_cards);
 
 // The word of an integrator that the model decides (model/settings/scheme_choice.hpp).
 inline constexpr const char* open_scheme_word = "auto";

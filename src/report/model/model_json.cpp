@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "model/joint_name.hpp"
+#include "model/ties/joint_card.hpp"
 #include "numerics/eigenvalues.hpp"
 #include "report/model/wet_rods_json.hpp"
 
@@ -63,19 +63,23 @@ Json describe_ends(const Anchor& a, const Anchor& b, const NodeNumbers& number) 
 }
 
 Json describe_joint(const Joint& joint, const NodeNumbers& number) {
+    const JointCard& card = card_of(joint.kind);
     Json json{{"name", joint.name},
-              {"type", name_of(joint.kind)},
+              {"type", std::string(card.word)},
+              {"leaves_free", std::string(card.leaves_free)},
               {"ends", describe_ends(joint.a.anchor, joint.b.anchor, number)},
               {"axes", to_json(Quat(joint.a.axes))},
               {"moved", joint.turn.motion.has_value() || joint.slide.motion.has_value()}};
-    if (joint.kind == JointKind::universal) json["axis_b"] = to_json(Vec3(joint.b.axes.col(0)));
+    if (card.has_axis_b) json["axis_b"] = to_json(Vec3(joint.b.axes.col(0)));
     return json;
 }
 
 // At its point, on both sides; around a rod, one of whose nodes has the size.
 Json describe_sleeve(const Model& model, const Sleeve& sleeve, const NodeNumbers& number) {
+    const JointCard& card = card_of(JointKind::sleeve);
     return {{"name", sleeve.name},
-            {"type", name_of(JointKind::sleeve)},
+            {"type", std::string(card.word)},
+            {"leaves_free", std::string(card.leaves_free)},
             {"ends", describe_ends(sleeve.point, sleeve.point, number)},
             {"axes", to_json(Quat(Quat::Identity()))},
             {"moved", sleeve.slide.motion.has_value()},

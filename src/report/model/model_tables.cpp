@@ -5,10 +5,10 @@
 #include <span>
 
 #include "deck/schema/choices.hpp"
-#include "model/joint_name.hpp"
 #include "model/settings/analysis_traits.hpp"
 #include "model/settings/newton_choice.hpp"
 #include "model/settings/scheme_card.hpp"
+#include "model/ties/joint_card.hpp"
 #include "numerics/eigenvalues.hpp"
 #include "report/model/centres_json.hpp"
 #include "report/model/model_json.hpp"
@@ -124,7 +124,7 @@ Json describe_joint_table(const Model& model) {
     for (const Joint& joint : first_of(model.joints)) {
         const bool has_axis = joint.has_turn() || joint.has_slide();
         rows.push_back({joint.name,
-                        name_of(joint.kind),
+                        std::string(card_of(joint.kind).word),
                         name_end(model, joint.a.anchor),
                         name_end(model, joint.b.anchor),
                         in_parentheses(find_place(model, joint.a.anchor)),

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "model/joint_name.hpp"
+#include "model/ties/joint_card.hpp"
 #include "model/ties/ties.hpp"
 
 namespace gxrod {
@@ -67,7 +67,7 @@ void write_joint_columns(const Hdf5Handle& group, const Model& model) {
     std::vector<double> axes;
     std::vector<double> axes_b;
     for (const Joint& joint : model.joints) {
-        types.emplace_back(name_of(joint.kind));
+        types.emplace_back(card_of(joint.kind).word);
         append(joint.a.axes.col(0), axes);
         append(joint.b.axes.col(0), axes_b);
     }

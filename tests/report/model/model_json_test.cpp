@@ -75,6 +75,7 @@ TEST_CASE("Joints are described by their ends, places and axes", "[report][joint
     REQUIRE(joints.size() == 2);
     CHECK(joints[0]["name"] == "shaft");
     CHECK(joints[0]["type"] == "hinge");
+    CHECK(joints[0]["leaves_free"] == "turn about the axis");
     CHECK(joints[0]["moved"] == true);
     CHECK_FALSE(joints[0].contains("axis_b"));
     CHECK(joints[0]["ends"][0]["node"] == -1);
