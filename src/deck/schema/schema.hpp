@@ -102,6 +102,7 @@ struct KeySpec {
     std::vector<std::string> refers_to = {};  // of reference, names: the tables to name
     const TableSpec* table = nullptr;         // of table, named_tables, table_list, parameters, variations
     std::shared_ptr<const Binding> binding = nullptr;  // of a key that is bound to a field of a struct
+    bool may_change = false;                           // when a run is resumed
 };
 
 enum class GroupRule { exactly_one, at_least_one, at_most_one };

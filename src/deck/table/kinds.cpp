@@ -88,6 +88,19 @@ std::string Kind<CheckedPairs>::print(const CheckedPairs& value) {
     return print_list(items);
 }
 
+std::optional<std::vector<double>> Kind<std::vector<double>>::read(const ValueSource& from) {
+    return read_number_list(from.node, from.path, from.key, from.context);
+}
+
+std::string Kind<std::vector<double>>::print(const std::vector<double>& value) {
+    return fmt::format("[{}]", fmt::join(value, ", "));
+}
+
+std::optional<Bounds> Kind<Bounds>::read(const ValueSource& from) {
+    auto numbers = read_bounds(from.node, from.path, from.key, from.context);
+    return numbers ? std::optional(Bounds{std::move(*numbers)}) : std::nullopt;
+}
+
 std::optional<bool> Kind<bool>::read(const ValueSource& from) {
     return NumberReader(from.key, from.context).flag(from.node, from.path);
 }

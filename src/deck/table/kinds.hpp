@@ -49,6 +49,10 @@ struct JointNames : std::array<CheckedWord, 2> {};
 struct PointList {
     std::vector<CheckedWord> points;
 };
+// A number, or a lower and an upper one.
+struct Bounds {
+    std::vector<double> numbers;
+};
 // A field by time and place.
 struct FieldVector {
     CheckedMotionVector components;
@@ -110,6 +114,22 @@ struct Kind<CheckedPairs> {
     static std::optional<CheckedPairs> read(const ValueSource& from);
     static std::string print(const CheckedPairs& value);
     static std::string sample(const KeySpec&) { return "[[1, 2], [3, 4]]"; }
+};
+
+template <>
+struct Kind<std::vector<double>> {
+    static constexpr ValueType type = ValueType::numbers;
+    static std::optional<std::vector<double>> read(const ValueSource& from);
+    static std::string print(const std::vector<double>& value);
+    static std::string sample(const KeySpec&) { return "[1.25, 2.5]"; }
+};
+
+template <>
+struct Kind<Bounds> {
+    static constexpr ValueType type = ValueType::bounds;
+    static std::optional<Bounds> read(const ValueSource& from);
+    static std::string print(const Bounds& value) { return Kind<std::vector<double>>::print(value.numbers); }
+    static std::string sample(const KeySpec& key) { return Kind<std::vector<double>>::sample(key); }
 };
 
 template <>
@@ -271,9 +291,11 @@ struct Kind<StageFunctions> {
     static std::string sample(const KeySpec&) { return "{ first = 1.25, second = 2.5 }"; }
 };
 
+template <class Value>
+concept HasWords = requires(Value value) { choices_of(value); };
+
 // One of some words.
-template <class Word>
-    requires std::is_enum_v<Word>
+template <HasWords Word>
 struct Kind<Word> {
     static constexpr ValueType type = ValueType::choice;
     static std::vector<std::string> choices() { return words_of(choices_of(Word{})); }

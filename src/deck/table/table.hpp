@@ -57,12 +57,14 @@ template <class T>
 class Table {
   public:
     // The heading is as a deck has it: [spring.NAME] or [[load]]; or, of a table in a table, its path, such
-    // as bushing.NAME.stiffness.
+    // as bushing.NAME.stiffness, with [] at its end if it is one of a list.
     Table(const std::string& heading, std::string sentence) {
         const bool has_brackets = heading.front() == '[';
         const std::size_t from = heading.find_first_not_of('[');
-        spec_.path = heading.substr(from, heading.find_last_not_of(']') + 1 - from);
-        spec_.heading = has_brackets ? heading : heading.substr(heading.rfind('.') + 1) + " = { … }";
+        spec_.path = heading.substr(from, heading.find_last_not_of("[]") + 1 - from);
+        spec_.heading = has_brackets ? heading
+                                     : spec_.path.substr(spec_.path.rfind('.') + 1) +
+                                           (heading.ends_with("[]") ? " = [{ … }, …]" : " = { … }");
         spec_.sentence = std::move(sentence);
         spec_.make = [] { return std::make_shared<T>(); };
     }
@@ -122,6 +124,10 @@ class Table {
         last().range.lower = bound;
         return *this;
     }
+    Table& at_most(double bound) {
+        last().range.upper = bound;
+        return *this;
+    }
     Table& above(double bound) {
         last().range.lower = bound;
         last().range.at_lower = Bound::open;
@@ -167,21 +173,31 @@ class Table {
         last().only_with = key;
         return *this;
     }
+    // The key is of use only where other keys have these words.
+    Table& only_for(std::vector<Condition> conditions) {
+        last().only_for = std::move(conditions);
+        return *this;
+    }
+    // The key may have another value when a run is resumed.
+    Table& may_change() {
+        last().may_change = true;
+        return *this;
+    }
     // Ends messages that the key is missing or out of range.
     Table& remark(const std::string& text) {
         last().remark = text;
         return *this;
     }
 
-    Table& exactly_one_of(std::vector<std::string> keys) {
-        return group(GroupRule::exactly_one, std::move(keys));
+    Table& exactly_one_of(std::vector<std::string> keys, std::vector<Condition> only_for = {}) {
+        return group(GroupRule::exactly_one, std::move(keys), "", std::move(only_for));
     }
     // Applies with the key `with`, if there is one.
     Table& at_least_one_of(std::vector<std::string> keys, std::string with = "") {
         return group(GroupRule::at_least_one, std::move(keys), std::move(with));
     }
-    Table& at_most_one_of(std::vector<std::string> keys) {
-        return group(GroupRule::at_most_one, std::move(keys));
+    Table& at_most_one_of(std::vector<std::string> keys, std::vector<Condition> only_for = {}) {
+        return group(GroupRule::at_most_one, std::move(keys), "", std::move(only_for));
     }
     // Names what other programs have in such a table and this one has elsewhere, or not: the remark says what
     // to do.
@@ -225,8 +241,11 @@ class Table {
         spec_.keys.push_back(std::move(key));
     }
     KeySpec& last() { return spec_.keys.back(); }
-    Table& group(GroupRule rule, std::vector<std::string> keys, std::string with = "") {
-        spec_.groups.push_back({rule, std::move(keys), {}, std::move(with)});
+    Table& group(GroupRule rule,
+                 std::vector<std::string> keys,
+                 std::string with = "",
+                 std::vector<Condition> only_for = {}) {
+        spec_.groups.push_back({rule, std::move(keys), std::move(only_for), std::move(with)});
         return *this;
     }
 
