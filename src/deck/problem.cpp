@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 
+#include "deck/analyses/analysis_table.hpp"
 #include "deck/analyses/build_analysis.hpp"
 #include "deck/analyses/build_initial.hpp"
 #include "deck/analyses/build_path.hpp"
@@ -227,19 +228,17 @@ void prepare_sweeps(const DeckNode& tree, const CheckedTable& deck, Problem& pro
         if (settings == nullptr || !settings->sweep) continue;
         stage.vary = [record = std::make_shared<DeckRecord>(problem.record),
                       key = settings->sweep->key](double value) { return vary(*record, key, value); };
-        const std::vector<CheckedTable>& stages = deck.tables("stage");
-        const CheckedTable& table =
-            (stages.empty() ? deck.tables("analysis").front() : stages[i]).tables("sweep").front();
+        const SweepTable& table = *list_analyses(deck)[i].get().sweep;
         const std::string& key = settings->sweep->key;
+        const Place place = table.place_of(&table.key);
+        const std::string path = table.path_of(&table.key);
         const std::string lack = describe_missing_parameter(key, tree);
-        if (!lack.empty()) faults.add(table.place_of("key"), table.path_of("key"), "the deck has no " + lack);
+        if (!lack.empty()) faults.add(place, path, "the deck has no " + lack);
         const double first = settings->sweep->values.front();
         try {
             stage.vary(first);
         } catch (const DeckError& error) {
-            faults.add(table.place_of("key"),
-                       table.path_of("key"),
-                       fmt::format("with {}={}: {}", key, first, error.faults.front().message));
+            faults.add(place, path, fmt::format("with {}={}: {}", key, first, error.faults.front().message));
         }
     }
 }

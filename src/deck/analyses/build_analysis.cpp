@@ -6,9 +6,10 @@
 #include <cctype>
 #include <cmath>
 
+#include "deck/analyses/analysis_table.hpp"
 #include "deck/analyses/build_path.hpp"
 #include "deck/analyses/build_response.hpp"
-#include "deck/output/listed_values.hpp"
+#include "deck/analyses/listed_numbers.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "machine/printable.hpp"
@@ -27,45 +28,41 @@ constexpr double part_of_a_step = 0.01;
 // shorter ones while its error is too large.
 constexpr long first_part = 10'000;
 
-long find_steps(const CheckedTable& table, double end_time, const BuildContext& context) {
-    if (table.gives("accuracy")) return first_part;
-    if (table.gives("steps")) return table.get<long>("steps");
-    const double time_step = table.get<double>("time_step");
-    const double ratio = end_time / time_step;
+long find_steps(const AnalysisTable& table, const BuildContext& context) {
+    if (table.accuracy) return first_part;
+    if (table.steps) return *table.steps;
+    const double ratio = table.end_time / *table.time_step;
     const double nearest = std::max(1.0, std::round(ratio));
     const bool is_whole = std::abs(ratio - nearest) <= divides * nearest;
     const double steps = is_whole ? nearest : std::ceil(ratio);
     if (steps > static_cast<double>(largest_step_count)) {
         context.add_fault(
             table,
-            "time_step",
+            table.time_step,
             fmt::format("{:.3g} steps are too many; expected at most {}", steps, largest_step_count));
         return 1;
     }
-    if (!is_whole && !table.gives("adaptive")) {
+    if (!is_whole && !table.adaptive) {
         context.notes.push_back(fmt::format("{}: {} does not divide {}; {:.0f} steps of {} are taken",
-                                            table.path_of("time_step"),
-                                            time_step,
-                                            end_time,
+                                            table.path_of(&table.time_step),
+                                            *table.time_step,
+                                            table.end_time,
                                             steps,
-                                            end_time / steps));
+                                            table.end_time / steps));
     }
     return static_cast<long>(steps);
 }
 
-std::optional<AdaptiveSettings> build_adaptive(const CheckedTable& analysis, const BuildContext& context) {
-    if (analysis.gives("accuracy"))
-        return AdaptiveSettings{.tolerance = part_of_a_step * analysis.get<double>("accuracy")};
-    if (!analysis.gives("adaptive")) return std::nullopt;
-    const CheckedTable& table = analysis.tables("adaptive").front();
-    AdaptiveSettings adaptive;
-    adaptive.tolerance = table.get<double>("tolerance");
-    adaptive.min_step = table.get<double>("min_step");
-    if (table.gives("max_step")) adaptive.max_step = table.get<double>("max_step");
+std::optional<AdaptiveSettings> build_adaptive(const AnalysisTable& analysis, const BuildContext& context) {
+    if (analysis.accuracy) return AdaptiveSettings{.tolerance = part_of_a_step * *analysis.accuracy};
+    if (!analysis.adaptive) return std::nullopt;
+    const AdaptiveTable& table = *analysis.adaptive;
+    AdaptiveSettings adaptive{.tolerance = table.tolerance, .min_step = table.min_step};
+    if (table.max_step) adaptive.max_step = *table.max_step;
     if (adaptive.max_step < adaptive.min_step) {
         context.add_fault(
             table,
-            "max_step",
+            table.max_step,
             fmt::format(
                 "expected a number not below min_step, {}; found {}", adaptive.min_step, adaptive.max_step));
     }
@@ -74,39 +71,41 @@ std::optional<AdaptiveSettings> build_adaptive(const CheckedTable& analysis, con
 
 // Says so where the first step is not what the deck asks for.
 void note_first_step(const DynamicSettings& settings,
-                     const CheckedTable& table,
+                     const AnalysisTable& table,
                      const BuildContext& context) {
     const AdaptiveSettings& adaptive = *settings.adaptive;
     const double first = settings.time_step();
     if (first >= adaptive.min_step && first <= adaptive.max_step) return;
     const bool is_short = first < adaptive.min_step;
-    context.notes.push_back(fmt::format("{}: the first step, {}, is {} adaptive.{}; it will be {}",
-                                        table.path_of(table.gives("steps") ? "steps" : "time_step"),
-                                        first,
-                                        is_short ? "below" : "above",
-                                        is_short ? "min_step" : "max_step",
-                                        is_short ? adaptive.min_step : adaptive.max_step));
+    context.notes.push_back(
+        fmt::format("{}: the first step, {}, is {} adaptive.{}; it will be {}",
+                    table.steps ? table.path_of(&table.steps) : table.path_of(&table.time_step),
+                    first,
+                    is_short ? "below" : "above",
+                    is_short ? "min_step" : "max_step",
+                    is_short ? adaptive.min_step : adaptive.max_step));
 }
 
 // Faults of the paper's tangent; `user` is what else the deck has in the place of its integrator, or "".
-void check_paper_tangent(const CheckedTable& newton, const std::string& user, const BuildContext& context) {
+void check_paper_tangent(const NewtonTable& newton, const std::string& user, const BuildContext& context) {
     const std::string paper = word_of(tangent_choices, TangentKind::paper);
     if (!user.empty()) {
         context.add_fault(newton,
-                          "tangent",
+                          newton.tangent,
                           fmt::format("\"{}\" belongs to integrator \"{}\", not to {}",
                                       paper,
                                       card_of(Scheme::newmark_simplified).word,
                                       user));
     }
     if (!context.deck.tables("rod").empty()) {
-        context.add_fault(
-            newton, "tangent", fmt::format("\"{}\" is for decks of bodies alone; this one has rods", paper));
+        context.add_fault(newton,
+                          newton.tangent,
+                          fmt::format("\"{}\" is for decks of bodies alone; this one has rods", paper));
     }
 }
 
 // Stages that are found together share one matrix of their own.
-void check_coupled_tangent(const CheckedTable& newton,
+void check_coupled_tangent(const NewtonTable& newton,
                            const DynamicSettings& settings,
                            bool is_open,
                            const BuildContext& context) {
@@ -116,7 +115,7 @@ void check_coupled_tangent(const CheckedTable& newton,
         return;
     context.add_fault(
         newton,
-        "tangent",
+        newton.tangent,
         fmt::format("\"{}\" {}; expected \"{}\"",
                     is_open ? open_scheme_word : card.word,
                     is_open ? "chooses the tangent, too"
@@ -124,50 +123,40 @@ void check_coupled_tangent(const CheckedTable& newton,
                     word_of(tangent_choices, TangentKind::automatic)));
 }
 
-bool leaves_scheme_open(const CheckedTable& table) {
-    return table.get<std::string>("integrator") == open_scheme_word;
-}
-
 // Sets what the deck gives.
-void read_newton(const CheckedTable& analysis,
+void read_newton(const AnalysisTable& analysis,
                  const std::string& user,
                  const BuildContext& context,
                  NewtonSettings& newton) {
-    if (!analysis.gives("newton")) return;
-    const CheckedTable& table = analysis.tables("newton").front();
-    if (table.gives("tolerance")) newton.tolerance = table.get<double>("tolerance");
-    newton.max_iterations = static_cast<int>(table.get<long>("max_iterations"));
-    if (!table.gives("tangent")) return;
-    newton.tangent = value_of(tangent_choices, table.get<std::string>("tangent"));
+    if (!analysis.newton) return;
+    const NewtonTable& table = *analysis.newton;
+    newton.tolerance = table.tolerance;
+    newton.max_iterations = static_cast<int>(table.max_iterations);
+    newton.tangent = table.tangent;
     if (newton.tangent == TangentKind::paper) check_paper_tangent(table, user, context);
 }
 
-LinearSolverKind find_linear_solver(const CheckedTable& table) {
-    return value_of(linear_solver_choices, table.get<std::string>("linear_solver"));
-}
-
-DynamicSettings build_quasi_static(const CheckedTable& table, const BuildContext& context) {
+DynamicSettings build_quasi_static(const AnalysisTable& table, const BuildContext& context) {
     DynamicSettings settings;
     settings.has_inertia = false;
     settings.scheme = quasi_static_scheme;
-    settings.end_time = table.get<double>("end_time");
-    settings.steps = find_steps(table, settings.end_time, context);
+    settings.end_time = table.end_time;
+    settings.steps = find_steps(table, context);
     settings.adaptive = build_adaptive(table, context);
     if (settings.adaptive) note_first_step(settings, table, context);
     read_newton(table, "quasi-static analyses", context, settings.newton);
-    settings.linear_solver = find_linear_solver(table);
+    settings.linear_solver = table.linear_solver;
     return settings;
 }
 
-Scheme find_scheme(const CheckedTable& table, const BuildContext& context) {
-    if (leaves_scheme_open(table)) return accurate_scheme;
-    const Scheme scheme = value_of(scheme_choices, table.get<std::string>("integrator"));
-    if (!table.gives("accuracy") || table.gives("integrator")) return scheme;
-    for (const char* key : {"beta", "gamma"}) {
-        if (!table.gives(key)) continue;
+Scheme find_scheme(const AnalysisTable& table, const BuildContext& context) {
+    const Scheme scheme = table.integrator.scheme.value_or(accurate_scheme);
+    if (!table.accuracy || table.gives(table.integrator)) return scheme;
+    for (const double* key : {&table.beta, &table.gamma}) {
+        if (!table.gives(*key)) continue;
         context.add_fault(
             table,
-            key,
+            *key,
             fmt::format("accuracy without an integrator takes \"{}\", which does not use this key; give the "
                         "integrator",
                         card_of(accurate_scheme).word));
@@ -175,100 +164,105 @@ Scheme find_scheme(const CheckedTable& table, const BuildContext& context) {
     return accurate_scheme;
 }
 
-DynamicSettings build_dynamic(const CheckedTable& table, const BuildContext& context) {
+DynamicSettings build_dynamic(const AnalysisTable& table, const BuildContext& context) {
     DynamicSettings settings;
-    settings.end_time = table.get<double>("end_time");
-    settings.steps = find_steps(table, settings.end_time, context);
+    settings.end_time = table.end_time;
+    settings.steps = find_steps(table, context);
     settings.scheme = find_scheme(table, context);
-    settings.beta = table.get<double>("beta");
-    settings.gamma = table.get<double>("gamma");
-    settings.spectral_radius = table.get<double>("spectral_radius");
-    settings.projects_start = table.get<std::string>("start") == "project";
+    settings.beta = table.beta;
+    settings.gamma = table.gamma;
+    settings.spectral_radius = table.spectral_radius;
+    settings.projects_start = table.start == StartVelocities::project;
     settings.adaptive = build_adaptive(table, context);
     if (settings.adaptive) note_first_step(settings, table, context);
     const bool is_papers_scheme = card_of(settings.scheme).has_paper_tangent;
-    const std::string user = "\"" + table.get<std::string>("integrator") + "\"";
+    const std::string user = "\"" + word_of(scheme_choices, table.integrator) + "\"";
     read_newton(table, is_papers_scheme ? "" : user, context, settings.newton);
-    if (table.gives("newton") && table.tables("newton").front().gives("tangent"))
-        check_coupled_tangent(table.tables("newton").front(), settings, leaves_scheme_open(table), context);
-    settings.linear_solver = find_linear_solver(table);
+    if (table.newton) check_coupled_tangent(*table.newton, settings, !table.integrator.scheme, context);
+    settings.linear_solver = table.linear_solver;
     return settings;
 }
 
-StaticSettings build_static(const CheckedTable& table, const BuildContext& context) {
+StaticSettings build_static(const AnalysisTable& table, const BuildContext& context) {
     StaticSettings settings;
-    if (table.gives("steps")) settings.steps = table.get<long>("steps");
+    if (table.steps) settings.steps = *table.steps;
     read_newton(table, "static analyses", context, settings.newton);
-    settings.linear_solver = find_linear_solver(table);
+    settings.linear_solver = table.linear_solver;
     return settings;
 }
 
-ModesSettings build_modes(const CheckedTable& table) {
-    ModesSettings settings;
-    if (table.gives("count")) settings.count = static_cast<int>(table.get<long>("count"));
-    if (table.gives("below")) settings.below = table.get<double>("below");
-    settings.linearization = value_of(linearization_choices, table.get<std::string>("linearization"));
+template <class Settings>
+Settings build_shapes(const AnalysisTable& table) {
+    Settings settings;
+    if (table.count) settings.count = static_cast<int>(*table.count);
+    if constexpr (requires { settings.below; }) settings.below = table.below;
+    if constexpr (requires { settings.linearization; }) settings.linearization = table.linearization;
     return settings;
 }
 
-BucklingSettings build_buckling(const CheckedTable& table) {
-    BucklingSettings settings;
-    if (table.gives("count")) settings.count = static_cast<int>(table.get<long>("count"));
-    settings.linearization = value_of(linearization_choices, table.get<std::string>("linearization"));
-    return settings;
-}
-
-SteadySettings build_steady(const CheckedTable& table, const BuildContext& context) {
+SteadySettings build_steady(const AnalysisTable& table, const BuildContext& context) {
     if (context.deck.tables("rotation").empty())
         context.add_fault(
-            table, "kind", "a steady stage turns with [rotation], which the deck does not have");
+            table, table.kind, "a steady stage turns with [rotation], which the deck does not have");
     return {build_static(table, context)};
 }
 
-EigenvalueSettings build_eigenvalues(const CheckedTable& table, const BuildContext& context) {
-    EigenvalueSettings settings;
-    if (table.gives("count")) settings.count = static_cast<int>(table.get<long>("count"));
-    if (!table.gives("sweep")) return settings;
-    const CheckedTable& sweep = table.tables("sweep").front();
-    settings.sweep = {sweep.get<std::string>("key"),
-                      list_values(sweep, context),
-                      sweep.get<std::string>("onset") == "locate"};
+EigenvalueSettings build_eigenvalues(const AnalysisTable& table, const BuildContext& context) {
+    auto settings = build_shapes<EigenvalueSettings>(table);
+    if (table.sweep) {
+        settings.sweep = {
+            table.sweep->key, list_numbers(*table.sweep, context), table.sweep->onset == OnsetSearch::locate};
+    }
     return settings;
 }
 
-AnalysisSettings build_analysis(const CheckedTable& table, const BuildContext& context) {
-    const std::string& kind = table.get<std::string>("kind");
-    if (kind == "static") return build_static(table, context);
-    if (kind == "quasi-static") return build_quasi_static(table, context);
-    if (kind == "steady") return build_steady(table, context);
-    if (kind == "eigenvalues") return build_eigenvalues(table, context);
-    if (kind == "response") return build_response(table, context);
-    if (kind == "path") {
-        PathSettings path = build_path(table, context);
-        read_newton(table, "paths", context, path.newton);
-        path.linear_solver = find_linear_solver(table);
-        return path;
+PathSettings build_whole_path(const AnalysisTable& table, const BuildContext& context) {
+    PathSettings path = build_path(table, context);
+    read_newton(table, "paths", context, path.newton);
+    path.linear_solver = table.linear_solver;
+    return path;
+}
+
+AnalysisSettings build_analysis(const AnalysisTable& table, const BuildContext& context) {
+    switch (table.kind) {
+        case AnalysisKind::dynamic:
+            break;
+        case AnalysisKind::statics:
+            return build_static(table, context);
+        case AnalysisKind::quasi_static:
+            return build_quasi_static(table, context);
+        case AnalysisKind::path:
+            return build_whole_path(table, context);
+        case AnalysisKind::steady:
+            return build_steady(table, context);
+        case AnalysisKind::modes:
+            return build_shapes<ModesSettings>(table);
+        case AnalysisKind::buckling:
+            return build_shapes<BucklingSettings>(table);
+        case AnalysisKind::eigenvalues:
+            return build_eigenvalues(table, context);
+        case AnalysisKind::response:
+            return build_response(table, context);
     }
-    if (kind == "modes") return build_modes(table);
-    if (kind == "buckling") return build_buckling(table);
     return build_dynamic(table, context);
 }
 
 // Groups, files and messages have the names of stages.
-void check_stage_name(const CheckedTable& table,
+void check_stage_name(const AnalysisTable& table,
                       const std::vector<StagePlan>& earlier,
                       const BuildContext& context) {
-    const std::string& name = table.get<std::string>("name");
+    const std::string& name = table.stage_name;
     const bool is_plain = std::all_of(name.begin(), name.end(), [](char letter) {
         return letter == '_' || letter == '-' || std::isalnum(static_cast<unsigned char>(letter)) != 0;
     });
     if (name.empty() || !is_plain) {
         return context.add_fault(
-            table, "name", "expected letters, digits, _ and -, found \"" + printable(name) + "\"");
+            table, table.stage_name, "expected letters, digits, _ and -, found \"" + printable(name) + "\"");
     }
     const bool is_taken = std::any_of(
         earlier.begin(), earlier.end(), [&](const StagePlan& stage) { return stage.name == name; });
-    if (is_taken) context.add_fault(table, "name", fmt::format("\"{}\" names an earlier stage, too", name));
+    if (is_taken)
+        context.add_fault(table, table.stage_name, fmt::format("\"{}\" names an earlier stage, too", name));
 }
 
 // Modes and buckling know nothing of what turns with a frame.
@@ -287,9 +281,9 @@ void check_rotation(const std::vector<StagePlan>& stages, const BuildContext& co
         if (has_steps(stages[i].analysis)) turns = is_steady(stages[i]);
         const std::string kind = kind_of(stages[i].analysis);
         if (!turns || (kind != "modes" && kind != "buckling")) continue;
-        context.add_fault(context.deck.tables("stage")[i],
-                          "kind",
-                          "the stage before turns, and its motions need kind \"eigenvalues\"");
+        const AnalysisTable& table = list_analyses(context.deck)[i];
+        context.add_fault(
+            table, table.kind, "the stage before turns, and its motions need kind \"eigenvalues\"");
     }
 }
 
@@ -301,9 +295,10 @@ void check_sweeps(const std::vector<StagePlan>& stages, const BuildContext& cont
         if (has_steps(stages[i].analysis) && kind != "static" && kind != "steady") moving = kind;
         const auto* settings = std::get_if<EigenvalueSettings>(&stages[i].analysis);
         if (settings == nullptr || !settings->sweep || moving.empty()) continue;
+        const AnalysisTable& table = list_analyses(context.deck)[i];
         context.add_fault(
-            context.deck.tables("stage")[i],
-            "sweep",
+            table,
+            table.sweep,
             "only static and steady stages may come before, and one of kind " + moving + " does");
     }
 }
@@ -318,15 +313,13 @@ Model make_model_of(const StagePlan& stage, bool is_first, const Model& model) {
 }  // namespace
 
 void choose_schemes(BuildContext& context) {
-    const std::vector<CheckedTable>& tables = context.deck.tables("stage");
+    const auto tables = list_analyses(context.deck);
     for (std::size_t i = 0; i < context.stages.size(); ++i) {
-        const CheckedTable& table = tables.empty() ? context.deck.tables("analysis").front() : tables[i];
+        const AnalysisTable& table = tables[i];
         auto* dynamic = std::get_if<DynamicSettings>(&context.stages[i].analysis);
-        if (dynamic == nullptr || !dynamic->has_inertia || !leaves_scheme_open(table)) continue;
-        std::optional<double> accuracy;
-        if (table.gives("accuracy")) accuracy = table.get<double>("accuracy");
+        if (dynamic == nullptr || !dynamic->has_inertia || table.integrator.scheme) continue;
         const SchemeChoice choice =
-            choose_scheme(make_model_of(context.stages[i], i == 0, context.model), accuracy);
+            choose_scheme(make_model_of(context.stages[i], i == 0, context.model), table.accuracy);
         dynamic->scheme = choice.scheme;
         dynamic->chosen_for = choice.reason;
     }
@@ -334,16 +327,12 @@ void choose_schemes(BuildContext& context) {
 
 std::vector<StagePlan> build_stages(const BuildContext& context) {
     std::vector<StagePlan> stages;
-    const auto add = [&](std::string name, const CheckedTable& table) {
-        stages.push_back({std::move(name), build_analysis(table, context)});
+    for (const AnalysisTable& table : list_analyses(context.deck)) {
+        if (table.spec == &stage_table()) check_stage_name(table, stages, context);
+        stages.push_back({table.stage_name, build_analysis(table, context)});
         stages.back().end = std::make_shared<double>(end_of(stages.back().analysis));
         build_follow(table, stages, context);
-    };
-    for (const CheckedTable& table : context.deck.tables("stage")) {
-        check_stage_name(table, stages, context);
-        add(table.get<std::string>("name"), table);
     }
-    if (stages.empty()) add("", context.deck.tables("analysis").front());
     check_rotation(stages, context);
     check_sweeps(stages, context);
     return stages;

@@ -1,11 +1,12 @@
 #pragma once
 
+#include "deck/analyses/analysis_table.hpp"
 #include "deck/places/build_context.hpp"
 
 namespace gxrod {
 
 // The frequencies that a response asks for; its forces wait for nodes.
-ResponseSettings build_response(const CheckedTable& table, const BuildContext& context);
+ResponseSettings build_response(const AnalysisTable& table, const BuildContext& context);
 
 // The forces of all responses; once points have nodes.
 void build_excitation(BuildContext& context);

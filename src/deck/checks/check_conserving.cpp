@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "deck/schema/choices.hpp"
+#include "deck/analyses/analysis_table.hpp"
 #include "model/parts.hpp"
 #include "model/settings/scheme_card.hpp"
 
@@ -60,12 +60,10 @@ void check_conserving(const BuildContext& context) {
     if (dynamic == nullptr || !card_of(dynamic->scheme).conserves_energy) return;
     const std::string obstacle = find_obstacle(context.model);
     if (obstacle.empty()) return;
-    const std::vector<CheckedTable>& stages = context.deck.tables("stage");
-    const CheckedTable& table =
-        stages.empty() ? context.deck.tables("analysis").front() : stages[context.stage];
+    const AnalysisTable& table = list_analyses(context.deck)[context.stage];
     context.add_fault(
         table,
-        "integrator",
+        table.integrator,
         fmt::format("\"{}\" is for one free elastic body of rods, without supports, joints or damping; this "
                     "model has {}; expected another integrator, such as \"{}\"",
                     card_of(dynamic->scheme).word,

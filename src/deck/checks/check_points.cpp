@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "deck/analyses/analysis_table.hpp"
 #include "deck/contact/build_contact_exceptions.hpp"
 #include "deck/drives/tendon_path.hpp"
 #include "deck/joints/ends.hpp"
@@ -134,11 +135,9 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
             points.check_place(table, "at");
         points.check_key(table, "relative_to");
     }
-    for (const char* key : {"analysis", "stage"}) {
-        for (const CheckedTable& table : context.deck.tables(key)) {
-            for (const CheckedTable& target : table.tables("at")) points.check_key(target, "of");
-            for (const CheckedTable& force : table.tables("excite")) points.check_key(force, "at");
-        }
+    for (const AnalysisTable& table : list_analyses(context.deck)) {
+        for (const PathTargetTable& target : table.at) points.check_names(target);
+        for (const ExcitationTable& force : table.excite) points.check_names(force);
     }
     std::vector<RodPoint> all = points.take_points_of_rods();
     for (const std::vector<RodPoint>& more : {list_tendon_points(context), list_contact_part_ends(context)})

@@ -2,9 +2,9 @@
 
 #include <array>
 #include <cassert>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 #include "deck/expressions/table_function.hpp"
@@ -72,19 +72,25 @@ inline constexpr std::array<Choice<Interpolation>, 3> interpolation_choices{
 inline constexpr std::array<Choice<Linearization>, 2> linearization_choices{
     {{"elastic", Linearization::elastic}, {"loading", Linearization::loading}}};
 
-// The words of cards, and the enumerator of each.
-template <auto member, class Card, std::size_t count>
-constexpr auto choices_of(const std::array<Card, count>& cards) {
-    std::array<Choice<std::remove_cvref_t<decltype(cards[0].*member)>>, count> choices{};
-    for (std::size_t i = 0; i < count; ++i) choices[i] = {cards[i].word, cards[i].*member};
-    return choices;
-}
-
-inline constexpr auto scheme_choices = choices_of<&SchemeCard::scheme>(scheme_cards);
-inline constexpr auto joint_kind_choices = choices_of<&JointCard::kind>(joint_cards);
-
-// The word of an integrator that the model decides (model/settings/scheme_choice.hpp).
+// An integrator; without one the model decides (model/settings/scheme_choice.hpp).
+struct OpenScheme {
+    std::optional<Scheme> scheme = {};
+    bool operator==(const OpenScheme&) const = default;
+};
 inline constexpr const char* open_scheme_word = "auto";
+inline constexpr auto scheme_choices = [] {
+    std::array<Choice<OpenScheme>, scheme_cards.size() + 1> choices{};
+    for (std::size_t i = 0; i < scheme_cards.size(); ++i)
+        choices[i] = {scheme_cards[i].word, {scheme_cards[i].scheme}};
+    choices.back().word = open_scheme_word;
+    return choices;
+}();
+
+inline constexpr auto joint_kind_choices = [] {
+    std::array<Choice<JointKind>, joint_cards.size()> choices{};
+    for (std::size_t i = 0; i < choices.size(); ++i) choices[i] = {joint_cards[i].word, joint_cards[i].kind};
+    return choices;
+}();
 
 inline constexpr std::array<Choice<TangentKind>, 5> tangent_choices{
     {{"automatic", TangentKind::automatic},
@@ -121,8 +127,10 @@ inline constexpr std::array<Choice<bool>, 2> hysteresis_choices{{{"none", false}
 inline constexpr std::array<Choice<int>, 6> resultant_choices{
     {{"N", 0}, {"Vy", 1}, {"Vz", 2}, {"T", 3}, {"My", 4}, {"Mz", 5}}};
 
-// The components of a displacement.
-inline constexpr std::array<Choice<int>, 3> direction_choices{{{"x", 0}, {"y", 1}, {"z", 2}}};
+// A component of a displacement, or of a rotation.
+enum class Direction { x, y, z };
+inline constexpr std::array<Choice<Direction>, 3> direction_choices{
+    {{"x", Direction::x}, {"y", Direction::y}, {"z", Direction::z}}};
 
 inline constexpr std::array<Choice<Compression>, 2> compression_choices{
     {{"none", Compression::none}, {"deflate", Compression::deflate}}};
@@ -131,13 +139,6 @@ template <class Value, std::size_t count>
 std::vector<std::string> words_of(const std::array<Choice<Value>, count>& choices) {
     std::vector<std::string> words;
     for (const Choice<Value>& choice : choices) words.emplace_back(choice.word);
-    return words;
-}
-
-// Lists the words of all integrators, and the word that leaves the choice open.
-inline std::vector<std::string> scheme_words() {
-    std::vector<std::string> words = words_of(scheme_choices);
-    words.emplace_back(open_scheme_word);
     return words;
 }
 

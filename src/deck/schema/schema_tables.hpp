@@ -39,17 +39,6 @@ const TableSpec& history_table();
 // Curves that a rod, its rest or a tube can have.
 std::vector<KeySpec> curve_keys();
 
-// Keys of [analysis] and [[stage]] for paths.
-std::vector<KeySpec> path_keys();
-// For modes, buckling and eigenvalues.
-std::vector<KeySpec> shape_keys();
-// For the response to forces that swing.
-std::vector<KeySpec> response_keys();
-
-// The keys of a table of numbers: from … to, so many of them, or a list; and the group that says so.
-std::vector<KeySpec> value_keys(const char* dimension, const Range& range, long count);
-KeyGroup value_group();
-
 // Whether expressions use the names of these tables.
 inline bool is_for_expressions(const KeySpec& key) {
     return key.table == &function_table() || key.table == &input_table();

@@ -141,22 +141,6 @@ constexpr KeySynonyms keys[] = {
     {"joint.NAME.limits", "damping", "c d"},
     {"function.NAME", "table", "data values"},
     {"function.NAME", "expression", "expr formula f value"},
-    {"analysis", "kind", "type mode analysis_type"},
-    {"analysis", "time_step", "dt step_size delta_t h"},
-    {"analysis", "end_time", "duration t_end tend final_time total_time end stop_time t time"},
-    {"analysis", "steps", "n_steps num_steps nsteps number_of_steps load_steps increments"},
-    {"analysis", "integrator", "method scheme time_integrator integration solver"},
-    {"analysis", "start", "initial_velocities consistent project"},
-    {"analysis", "spectral_radius", "rho_inf rho_infinity"},
-    {"analysis", "newton.tolerance", "tol tolerance rtol convergence"},
-    {"analysis", "newton.max_iterations", "maxiter max_iter max_iterations iterations"},
-    {"analysis", "linear_solver", "sparse_solver"},
-    {"analysis.newton", "tolerance", "tol rtol eps convergence"},
-    {"analysis.newton", "max_iterations", "maxiter max_iter iterations"},
-    {"analysis.newton", "tangent", "jacobian stiffness"},
-    {"analysis.adaptive", "tolerance", "tol rtol error"},
-    {"analysis.adaptive", "min_step", "dt_min min_dt minimum_step"},
-    {"analysis.adaptive", "max_step", "dt_max max_dt maximum_step"},
     {"output", "every", "stride frequency frames save_every"},
     {"output", "interval", "dt dt_out frame_interval output_interval save_interval period"},
     {"output", "times", "time frame_times output_times save_at saveat"},
@@ -175,7 +159,6 @@ constexpr KeySynonyms keys[] = {
      "outer_radius less the wall"},
     {"section.NAME.material", "yield_stress", "stress yield yield_strength strength sigma_y fy"},
     {"rod.NAME", "elements", "mesh_size element_length", "their number, the length over their size"},
-    {"analysis", "", "start_time", "an analysis begins at t = 0"},
 };
 
 // A word means the first of its choices that the key has.
@@ -298,9 +281,7 @@ std::optional<OtherNames> find_synonym(const TableSpec& table, std::string_view 
         if (has_word(names.words, word)) return names;
     }
     const auto* found = std::find_if(std::begin(keys), std::end(keys), [&](const KeySynonyms& synonyms) {
-        const bool is_of_table = table.path == synonyms.table ||
-                                 (table.path == "stage" && std::string_view(synonyms.table) == "analysis");
-        return is_of_table && has_word(synonyms.words, word) && has_key(table, synonyms.key);
+        return table.path == synonyms.table && has_word(synonyms.words, word) && has_key(table, synonyms.key);
     });
     if (found == std::end(keys)) return std::nullopt;
     return OtherNames{found->key, found->words, found->remark};

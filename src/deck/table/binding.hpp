@@ -35,7 +35,8 @@ struct Binding {
     const ValueKind* kind = nullptr;  // nullptr of a table in a table
     // The address of the field, by which faults find their key.
     std::function<const void*(const TableHead& table)> field;
-    // The address of the value in the field; nullptr if the field is an std::optional without one.
+    // The address of the value in the field; nullptr if the field is an std::optional without one
+    // or an empty list of tables.
     std::function<const void*(const TableHead& table)> value;
     // Sets the field. Whether the value is right; what is wrong with it is a fault then.
     std::function<bool(const ValueSource& from, TableHead& table)> read = {};

@@ -48,7 +48,7 @@ template <IsTable Inner>
 struct FieldTraits<std::vector<Inner>> {
     using Value = Inner;
     static constexpr ValueType type = ValueType::table_list;
-    static const void* find(const std::vector<Inner>& field) { return &field; }
+    static const void* find(const std::vector<Inner>& field) { return field.empty() ? nullptr : &field; }
     static void hold(const Inner& table, std::vector<Inner>& field) { field.push_back(table); }
 };
 

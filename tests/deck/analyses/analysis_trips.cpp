@@ -282,23 +282,10 @@ std::vector<RoundTrip> path_trips() {
          }}};
 }
 
-// The keys of a stage are those of [analysis].
 std::vector<RoundTrip> stage_trips() {
-    std::vector<RoundTrip> trips;
-    std::vector<RoundTrip> of_analysis = analysis_trips();
-    for (RoundTrip& trip : path_trips()) of_analysis.push_back(std::move(trip));
-    for (RoundTrip& trip : response_trips()) of_analysis.push_back(std::move(trip));
-    for (RoundTrip& trip : sweep_trips()) of_analysis.push_back(std::move(trip));
-    for (RoundTrip& trip : of_analysis) {
-        if (!trip.key.starts_with("analysis.")) continue;
-        trip.key = replaced(trip.key, "analysis", "stage");
-        trip.deck = staged(trip.deck);
-        trips.push_back(trip);
-    }
-    trips.push_back({"stage.name", staged(static_rod_deck), [](const Problem& p) {
-                         return p.stages.size() == 2 && p.stages[0].name == "one";
-                     }});
-    return trips;
+    return {{"stage.name", staged(static_rod_deck), [](const Problem& p) {
+                 return p.stages.size() == 2 && p.stages[0].name == "one";
+             }}};
 }
 
 // A limit point that is followed takes a path before.

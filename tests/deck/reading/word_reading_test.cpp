@@ -17,10 +17,10 @@ TEST_CASE("Words are among the choices", "[deck]") {
         faults_of(replaced(body_deck, R"("dynamic")", R"("statics")")) ==
         R"(x.toml:5:8: analysis.kind: expected one of "dynamic", "static", "quasi-static", "path", "steady", "modes", "buckling", "eigenvalues", "response", found the text "statics"; did you mean "static"?)");
     CHECK(faults_of(body_deck + R"(integrator = "sdirk4")") ==
-          "x.toml:8:14: analysis.integrator: expected one of " + quoted_list(scheme_words()) +
+          "x.toml:8:14: analysis.integrator: expected one of " + quoted_list(words_of(scheme_choices)) +
               R"(, found the text "sdirk4"; did you mean "sdirk-4"?)");
     CHECK(faults_of(body_deck + R"(integrator = "euler")") ==
-          "x.toml:8:14: analysis.integrator: expected one of " + quoted_list(scheme_words()) +
+          "x.toml:8:14: analysis.integrator: expected one of " + quoted_list(words_of(scheme_choices)) +
               R"(, found the text "euler")");
     CHECK(
         faults_of(body_deck + R"(newton = { tangent = "precise" })") ==

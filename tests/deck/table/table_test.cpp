@@ -60,7 +60,8 @@ TEST_CASE("Each key of a bound table is read as it is written, into its own fiel
             CHECK(read.path_of(field) == "it." + key.name);
             CHECK(read.place_of(field) == Place{-1, 2, static_cast<int>(key.name.size()) + 4});
             for (const DeckFault& fault : faults.list())  // of other keys alone
-                CHECK((fault.key != "it." + key.name || fault.message.starts_with("goes with")));
+                CHECK((fault.key != "it." + key.name || fault.message.starts_with("goes with") ||
+                       fault.message.starts_with("missing")));
         }
     }
 }
@@ -75,7 +76,7 @@ TEST_CASE("No more than so many tables have keys that are fetched by strings", "
         }
     };
     collect(deck_schema());
-    CHECK(all.size() == 61);
+    CHECK(all.size() == 50);
 }
 
 }  // namespace gxrod::test

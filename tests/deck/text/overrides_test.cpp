@@ -50,7 +50,7 @@ TEST_CASE("Values of --set are checked as those of a deck", "[deck]") {
     CHECK(faults_of(rod_deck, {"integrator=sdirk-4"}) ==
           R"(--set integrator=sdirk-4: unknown key; did you mean "analysis.integrator"?)");
     CHECK(faults_of(rod_deck, {"analysis.integrator=sdirk4"}) ==
-          "--set analysis.integrator=sdirk4: expected one of " + quoted_list(scheme_words()) +
+          "--set analysis.integrator=sdirk4: expected one of " + quoted_list(words_of(scheme_choices)) +
               R"(, found the text "sdirk4"; did you mean "sdirk-4"?)");
     CHECK(faults_of(rod_deck, {"analysis.betta=0.3"}) ==
           R"(--set analysis.betta=0.3: unknown key; did you mean "beta"?)");
