@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "deck/schema/schema.hpp"
+#include "deck/schema/schema_tables.hpp"
 #include "deck/text/deck_comparison.hpp"
 #include "model/ties/ties.hpp"
 
@@ -13,22 +15,14 @@ namespace {
 // Differences of no matter to the state of a run.
 const ComparisonRules& rules() {
     static const ComparisonRules rules = [] {
-        ComparisonRules made{{"title", "units", "output", "history", "input"}, "the run to be resumed has "};
-        for (const char* key : {"end_time",
-                                "time_step",
-                                "steps",
-                                "adaptive",
-                                "newton",
-                                "linear_solver",
-                                "until",
-                                "step",
-                                "max_step",
-                                "min_step",
-                                "at",
-                                "critical",
-                                "branches"}) {
-            made.free_paths.push_back(std::string("analysis.") + key);
-            made.free_paths.push_back(std::string("stage[].") + key);
+        ComparisonRules made{{}, "the run to be resumed has "};
+        for (const KeySpec& key : deck_schema().keys) {
+            if (key.may_change) made.free_paths.push_back(key.name);
+        }
+        for (const KeySpec& key : analysis_table().keys) {
+            if (!key.may_change) continue;
+            made.free_paths.push_back("analysis." + key.name);
+            made.free_paths.push_back("stage[]." + key.name);
         }
         return made;
     }();

@@ -7,8 +7,7 @@
 namespace gxrod {
 
 // Compares the deck of a run with the deck that resumes it, and adds a fault for each key that differs but
-// must not. These may differ: title, units, [output], the histories and their quantities; in [analysis]
-// end_time, time_step, steps, adaptive, newton and linear_solver; and the keys of a path.
+// must not: keys whose declaration says that they may change can differ, and the quantities of histories.
 void check_resumption(const DeckNode& before, const DeckNode& now, FaultList& faults);
 
 // Returns whether nodes, elements and bodies are the same, in the same order, so that a state of one model
