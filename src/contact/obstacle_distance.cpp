@@ -1,9 +1,12 @@
 #include "contact/obstacle_distance.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <optional>
+#include <variant>
 
 #include "contact/contact_law.hpp"
 #include "contact/pairs/advancement.hpp"
@@ -21,13 +24,17 @@ struct ClosestOnLine {
     Vec3 curvature = Vec3::Zero();
 };
 
-ClosestOnLine find_on_cylinder(const Obstacle& obstacle, const Vec3& point) {
-    const Vec3 start = obstacle.line.front();
-    const Vec3 extent = obstacle.line.back() - start;
+ClosestOnLine find_closest_on(const SphereShape& sphere, const Vec3& /*point*/) {
+    return {sphere.centre, Vec3::Zero(), Vec3::Zero()};
+}
+
+ClosestOnLine find_closest_on(const CylinderShape& cylinder, const Vec3& point) {
+    const Vec3 start = cylinder.from;
+    const Vec3 extent = cylinder.to - start;
     const double length = extent.norm();
     const Vec3 axis = extent / length;
     double s = (point - start).dot(axis);
-    const bool is_beyond = !obstacle.is_hollow && (s < 0.0 || s > length);
+    const bool is_beyond = !cylinder.is_hollow && (s < 0.0 || s > length);
     if (is_beyond) s = std::clamp(s, 0.0, length);
     return {start + s * axis, is_beyond ? Vec3::Zero() : axis, Vec3::Zero()};
 }
@@ -48,13 +55,13 @@ struct Piece {
     }
 };
 
-Piece piece_of(const Obstacle& obstacle, std::size_t index) {
-    const Vec3& p0 = obstacle.line[index];
-    const Vec3& p1 = obstacle.line[index + 1];
+Piece piece_of(const TubeShape& tube, std::size_t index) {
+    const Vec3& p0 = tube.line[index];
+    const Vec3& p1 = tube.line[index + 1];
     // As a circle has it, whose pieces are then off by δ⁶ of their angle δ.
-    const double half = std::sqrt(0.5 * (1.0 + obstacle.tangents[index].dot(obstacle.tangents[index + 1])));
+    const double half = std::sqrt(0.5 * (1.0 + tube.tangents[index].dot(tube.tangents[index + 1])));
     const double length = 2.0 * (p1 - p0).norm() / (1.0 + half);
-    return {p0, p1, length * obstacle.tangents[index], length * obstacle.tangents[index + 1]};
+    return {p0, p1, length * tube.tangents[index], length * tube.tangents[index + 1]};
 }
 
 // u of the point of a piece that is closest, by Newton's method kept within the piece.
@@ -77,21 +84,21 @@ double find_parameter(const Piece& piece, const Vec3& point) {
     return u;
 }
 
-ClosestOnLine find_on_tube(const Obstacle& obstacle, const Vec3& point) {
-    const std::size_t pieces = obstacle.line.size() - 1;
+ClosestOnLine find_closest_on(const TubeShape& tube, const Vec3& point) {
+    const std::size_t pieces = tube.line.size() - 1;
     double near = std::numeric_limits<double>::infinity();  // no less than the distance that is sought
-    for (const Vec3& place : obstacle.line) near = std::min(near, (point - place).squaredNorm());
+    for (const Vec3& place : tube.line) near = std::min(near, (point - place).squaredNorm());
     near = std::sqrt(near);
     double least = std::numeric_limits<double>::infinity();
     std::size_t best = 0;
     double u = 0.0;
     for (std::size_t index = 0; index < pieces; ++index) {
-        const Vec3& start = obstacle.line[index];
-        const Vec3& end = obstacle.line[index + 1];
+        const Vec3& start = tube.line[index];
+        const Vec3& end = tube.line[index + 1];
         // A piece is no further from the middle of its chord than its chord is long.
         const double length = (end - start).norm();
         if ((point - 0.5 * (start + end)).norm() - length > std::min(near, least)) continue;
-        const Piece piece = piece_of(obstacle, index);
+        const Piece piece = piece_of(tube, index);
         const double at = find_parameter(piece, point);
         const double distance = (piece.position(at) - point).norm();
         if (distance >= least) continue;
@@ -100,12 +107,12 @@ ClosestOnLine find_on_tube(const Obstacle& obstacle, const Vec3& point) {
         u = at;
     }
     const auto end_of = [&](bool is_start) -> const Vec3& {
-        return is_start ? obstacle.line.front() : obstacle.line.back();
+        return is_start ? tube.line.front() : tube.line.back();
     };
-    if (obstacle.is_hollow) {
+    if (tube.is_hollow) {
         std::optional<ClosestOnLine> beyond;
         for (const bool is_start : {true, false}) {
-            const Vec3& axis = is_start ? obstacle.tangents.front() : obstacle.tangents.back();
+            const Vec3& axis = is_start ? tube.tangents.front() : tube.tangents.back();
             const double s = (point - end_of(is_start)).dot(axis);
             if (is_start ? s >= 0.0 : s <= 0.0) continue;
             const Vec3 position = end_of(is_start) + s * axis;
@@ -117,7 +124,7 @@ ClosestOnLine find_on_tube(const Obstacle& obstacle, const Vec3& point) {
     } else if ((best == 0 && u == 0.0) || (best + 1 == pieces && u == 1.0)) {
         return {end_of(u == 0.0), Vec3::Zero(), Vec3::Zero()};
     }
-    const Piece piece = piece_of(obstacle, best);
+    const Piece piece = piece_of(tube, best);
     const Vec3 first = piece.first(u);
     const double speed = first.norm();
     const Vec3 tangent = first / speed;
@@ -125,36 +132,29 @@ ClosestOnLine find_on_tube(const Obstacle& obstacle, const Vec3& point) {
     return {piece.position(u), tangent, second - second.dot(tangent) * tangent};
 }
 
-ClosestOnLine find_on_line(const Obstacle& obstacle, const Vec3& point) {
-    switch (obstacle.shape) {
-        case Obstacle::Shape::plane:
-        case Obstacle::Shape::sphere:
-            return {obstacle.line.front(), Vec3::Zero(), Vec3::Zero()};
-        case Obstacle::Shape::cylinder:
-            return find_on_cylinder(obstacle, point);
-        case Obstacle::Shape::tube:
-            return find_on_tube(obstacle, point);
-        case Obstacle::Shape::mesh:
-            break;  // MeshSurface
-    }
+ObstacleDistance distance_from_shape(const PlaneShape& plane, const Vec3& point) {
+    ObstacleDistance result;
+    result.position = plane.point;
+    result.distance = (point - plane.point).dot(plane.normal);
+    result.normal = plane.normal;
+    return result;
+}
+
+// MeshSurface finds it.
+ObstacleDistance distance_from_shape(const MeshShape& /*mesh*/, const Vec3& /*point*/) {
+    assert(!"a mesh has surfaces of its own");
     return {};
 }
 
-}  // namespace
-
-ObstacleDistance find_obstacle_distance(const Obstacle& obstacle, const Vec3& point) {
+template <std::derived_from<RoundShape> Shape>
+ObstacleDistance distance_from_shape(const Shape& shape, const Vec3& point) {
     ObstacleDistance result;
-    const ClosestOnLine closest = find_on_line(obstacle, point);
+    const ClosestOnLine closest = find_closest_on(shape, point);
     result.position = closest.position;
     const Vec3 offset = point - closest.position;
-    if (obstacle.shape == Obstacle::Shape::plane) {
-        result.distance = offset.dot(obstacle.normal);
-        result.normal = obstacle.normal;
-        return result;
-    }
     const double d = offset.norm();
-    const double sign = obstacle.is_hollow ? -1.0 : 1.0;
-    result.distance = sign * (d - obstacle.radius);
+    const double sign = shape.is_hollow ? -1.0 : 1.0;
+    result.distance = sign * (d - shape.radius);
     if (d == 0.0) return result;
     const Vec3 n = offset / d;
     result.normal = sign * n;
@@ -163,6 +163,12 @@ ObstacleDistance find_obstacle_distance(const Obstacle& obstacle, const Vec3& po
     const Vec3& t = closest.tangent;
     result.curvature = (sign / d) * (Mat3::Identity() - n * n.transpose() - t * t.transpose() / m);
     return result;
+}
+
+}  // namespace
+
+ObstacleDistance find_obstacle_distance(const Obstacle& obstacle, const Vec3& point) {
+    return std::visit([&](const auto& shape) { return distance_from_shape(shape, point); }, obstacle.shape);
 }
 
 ObstaclePlacement place_obstacle(const Obstacle& obstacle, double time) {
@@ -202,7 +208,7 @@ FreeMotion find_free_motion(
     const double length = motion.norm();
     // The distance from what bulges out is never below its tangent plane's: nothing bulges in but hollows and
     // the bends of tubes.
-    const bool is_convex = !obstacle.is_hollow && obstacle.shape != Obstacle::Shape::tube;
+    const bool is_convex = !obstacle.is_hollow() && !std::holds_alternative<TubeShape>(obstacle.shape);
     const auto measure = [&](double t) {
         const ObstacleDistance at = find_obstacle_distance(obstacle, from + t * motion);
         return GapAndSpeed{at.distance - radius, is_convex ? -at.normal.dot(motion) : length};

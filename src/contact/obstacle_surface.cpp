@@ -76,24 +76,25 @@ std::optional<int> ObstacleSurface::find_crossed(const ObstaclePlacement& placem
                                                  const Vec3& end) const {
     if (!mesh) return std::nullopt;
     const int crossed = mesh->find_crossed(placement.to_start(start), placement.to_start(end));
-    return crossed < 0 ? std::nullopt : std::optional(body->mesh->numbers[static_cast<std::size_t>(crossed)]);
+    return crossed < 0 ? std::nullopt
+                       : std::optional(body->mesh()->numbers[static_cast<std::size_t>(crossed)]);
 }
 
 std::string ObstacleSurface::name_triangle(const ObstaclePlacement& placement, const Vec3& point) const {
     if (!mesh) return "";
     const int nearest = mesh->find_closest(placement.to_start(point)).triangle;
-    return "triangle " + std::to_string(body->mesh->numbers[static_cast<std::size_t>(nearest)]) + " of ";
+    return "triangle " + std::to_string(body->mesh()->numbers[static_cast<std::size_t>(nearest)]) + " of ";
 }
 
 std::vector<ObstacleSurface> list_surfaces(const std::vector<Obstacle>& obstacles) {
     std::vector<ObstacleSurface> surfaces;
     for (std::size_t i = 0; i < obstacles.size(); ++i) {
-        if (!obstacles[i].mesh) {
+        const TriangleMesh* mesh = obstacles[i].mesh();
+        if (mesh == nullptr) {
             surfaces.push_back({&obstacles[i], i});
             continue;
         }
-        for (const auto& part : split_at_sharp_edges(*obstacles[i].mesh))
-            surfaces.push_back({&obstacles[i], i, part});
+        for (const auto& part : split_at_sharp_edges(*mesh)) surfaces.push_back({&obstacles[i], i, part});
     }
     return surfaces;
 }

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
+#include "model/obstacle_shape.hpp"
 #include "model/time/time_function.hpp"
 #include "rotation/types.hpp"
 
@@ -19,38 +21,31 @@ struct ObstacleMotion {
     Vec3 about = Vec3::Zero();
 };
 
-// The triangles of a file; rods may be on either side. Coincident corners and triangles are merged.
-struct TriangleMesh {
-    std::string file;  // name in the deck
-    std::vector<Vec3> positions;
-    std::vector<std::array<int, 3>> triangles;
-    std::vector<int> numbers;    // numbers of the triangles in the file, from 1
-    double feature_angle = 0.0;  // edges with a larger turn are sharp
-    std::size_t left_out = 0;    // triangles without area
-    std::size_t repeated = 0;    // left out too, since another triangle has the same corners
-    std::size_t open_edges = 0;  // edges with one triangle
-};
-
-// A rigid obstacle of a simple form. Rods are inside of a hollow one.
+// A rigid obstacle.
 struct Obstacle {
-    enum class Shape {
-        plane,     // a half space
-        sphere,    // about the first point of the line
-        cylinder,  // about the line from its first point to its last one; hollow, without ends
-        tube,      // about the line through all points, a spline; hollow, its ends continue straight
-        mesh       // triangles
-    };
     std::string name;
-    Shape shape = Shape::plane;
-    bool is_hollow = false;
-    Vec3 normal = Vec3::UnitZ();  // for a plane, towards the rods, of length 1
-    std::vector<Vec3> line;       // for a plane one of its points
-    std::vector<Vec3> tangents;   // for a tube, by arc length, at each point of the line
-    double radius = 0.0;
-    std::shared_ptr<const TriangleMesh> mesh{};
+    ObstacleShape shape{};
     double friction = 0.0;              // Coulomb's coefficient
     std::optional<double> stiffness{};  // force per length and depth, for a bed that yields
     std::optional<ObstacleMotion> motion{};
+
+    // Returns the shape as one of these; nullptr if it is another one.
+    const PlaneShape* plane() const { return std::get_if<PlaneShape>(&shape); }
+    const RoundShape* round() const {
+        return std::visit(
+            [](const auto& own) -> const RoundShape* {
+                if constexpr (std::is_base_of_v<RoundShape, std::remove_cvref_t<decltype(own)>>)
+                    return &own;
+                else
+                    return nullptr;
+            },
+            shape);
+    }
+    const TriangleMesh* mesh() const {
+        const auto* own = std::get_if<MeshShape>(&shape);
+        return own == nullptr ? nullptr : own->mesh.get();
+    }
+    bool is_hollow() const { return round() != nullptr && round()->is_hollow; }
 };
 
 // The shape of a rigid body for contact: all points within a radius of a segment that turns with it.

@@ -1,6 +1,8 @@
 #include "study/turned_problem.hpp"
 
 #include <memory>
+#include <utility>
+#include <variant>
 
 namespace gxrod {
 
@@ -118,17 +120,31 @@ TimeVector turn(const Quat& rotation, const TimeVector& vector) {
     return TimeVector(turn(rotation, vector.components()));
 }
 
-std::shared_ptr<const TriangleMesh> turn(const Quat& rotation, const TriangleMesh& mesh) {
-    auto turned = std::make_shared<TriangleMesh>(mesh);
+void turn(const Quat& rotation, PlaneShape& plane) {
+    plane.point = rotation * plane.point;
+    plane.normal = rotation * plane.normal;
+}
+
+void turn(const Quat& rotation, SphereShape& sphere) { sphere.centre = rotation * sphere.centre; }
+
+void turn(const Quat& rotation, CylinderShape& cylinder) {
+    cylinder.from = rotation * cylinder.from;
+    cylinder.to = rotation * cylinder.to;
+}
+
+void turn(const Quat& rotation, TubeShape& tube) {
+    for (Vec3& point : tube.line) point = rotation * point;
+    for (Vec3& tangent : tube.tangents) tangent = rotation * tangent;
+}
+
+void turn(const Quat& rotation, MeshShape& shape) {
+    auto turned = std::make_shared<TriangleMesh>(*shape.mesh);
     for (Vec3& position : turned->positions) position = rotation * position;
-    return turned;
+    shape.mesh = std::move(turned);
 }
 
 void turn(const Quat& rotation, Obstacle& obstacle) {
-    obstacle.normal = rotation * obstacle.normal;
-    for (Vec3& point : obstacle.line) point = rotation * point;
-    for (Vec3& tangent : obstacle.tangents) tangent = rotation * tangent;
-    if (obstacle.mesh) obstacle.mesh = turn(rotation, *obstacle.mesh);
+    std::visit([&](auto& shape) { turn(rotation, shape); }, obstacle.shape);
     if (!obstacle.motion) return;
     ObstacleMotion& motion = *obstacle.motion;
     motion = {turn(rotation, motion.displacement), turn(rotation, motion.rotation), rotation * motion.about};

@@ -107,8 +107,7 @@ inline TriangleMesh make_soup(int count, unsigned seed) {
 inline Obstacle make_obstacle(TriangleMesh mesh) {
     Obstacle obstacle;
     obstacle.name = "mesh";
-    obstacle.shape = Obstacle::Shape::mesh;
-    obstacle.mesh = std::make_shared<TriangleMesh>(std::move(mesh));
+    obstacle.shape = MeshShape{std::make_shared<TriangleMesh>(std::move(mesh))};
     return obstacle;
 }
 

@@ -1,6 +1,7 @@
 #include "contact/obstacle_distance.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "rotation/rotation_map.hpp"
 #include "tools/catch.hpp"
@@ -12,42 +13,29 @@ using namespace gxrod::tools;
 
 namespace {
 
-using Form = Obstacle::Shape;
+Obstacle make(ObstacleShape shape) { return {.name = "", .shape = std::move(shape)}; }
 
-Obstacle make(Form shape, std::vector<Vec3> line, double radius, bool is_hollow = false) {
-    Obstacle obstacle;
-    obstacle.shape = shape;
-    obstacle.line = std::move(line);
-    obstacle.radius = radius;
-    obstacle.is_hollow = is_hollow;
-    return obstacle;
-}
-
-Obstacle a_plane() {
-    Obstacle plane = make(Form::plane, {Vec3(0.3, -0.2, 0.5)}, 0.0);
-    plane.normal = Vec3(0.2, -0.3, 1.0).normalized();
-    return plane;
-}
+const PlaneShape a_plane{Vec3(0.3, -0.2, 0.5), Vec3(0.2, -0.3, 1.0).normalized()};
 
 // Three quarters of a circle of radius 2 about z.
 Obstacle a_ring(double radius, bool is_hollow) {
-    Obstacle ring = make(Form::tube, {}, radius, is_hollow);
+    TubeShape ring{{radius, is_hollow}, {}, {}};
     constexpr int pieces = 100;
     for (int i = 0; i <= pieces; ++i) {
         const double angle = 1.5 * M_PI * i / pieces;
         ring.line.emplace_back(2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.0);
         ring.tangents.emplace_back(-std::sin(angle), std::cos(angle), 0.0);
     }
-    return ring;
+    return make(ring);
 }
 
 std::vector<Obstacle> all_obstacles() {
-    const std::vector<Vec3> axis{Vec3(-1.0, 0.2, 0.0), Vec3(1.0, 0.5, 0.3)};
-    return {a_plane(),
-            make(Form::sphere, {Vec3(0.1, 0.2, 0.3)}, 0.4),
-            make(Form::sphere, {Vec3(0.1, 0.2, 0.3)}, 3.0, true),
-            make(Form::cylinder, axis, 0.3),
-            make(Form::cylinder, axis, 3.0, true),
+    const Vec3 centre(0.1, 0.2, 0.3), from(-1.0, 0.2, 0.0), to(1.0, 0.5, 0.3);
+    return {make(a_plane),
+            make(SphereShape{{0.4, false}, centre}),
+            make(SphereShape{{3.0, true}, centre}),
+            make(CylinderShape{{0.3, false}, from, to}),
+            make(CylinderShape{{3.0, true}, from, to}),
             a_ring(0.3, false),
             a_ring(3.0, true)};
 }
@@ -55,16 +43,16 @@ std::vector<Obstacle> all_obstacles() {
 }  // namespace
 
 TEST_CASE("obstacles: distances are those of their surfaces", "[contact]") {
-    CHECK(find_obstacle_distance(a_plane(), a_plane().line[0] + 0.7 * a_plane().normal).distance ==
+    CHECK(find_obstacle_distance(make(a_plane), a_plane.point + 0.7 * a_plane.normal).distance ==
           Approx(0.7).epsilon(1e-14));
-    const Obstacle sphere = make(Form::sphere, {Vec3(1, 0, 0)}, 0.5);
+    const Obstacle sphere = make(SphereShape{{0.5, false}, Vec3(1, 0, 0)});
     CHECK(find_obstacle_distance(sphere, Vec3(1, 2, 0)).distance == Approx(1.5).epsilon(1e-14));
-    const Obstacle hollow = make(Form::sphere, {Vec3(1, 0, 0)}, 0.5, true);
+    const Obstacle hollow = make(SphereShape{{0.5, true}, Vec3(1, 0, 0)});
     CHECK(find_obstacle_distance(hollow, Vec3(1, 0.2, 0)).distance == Approx(0.3).epsilon(1e-14));
-    const Obstacle capsule = make(Form::cylinder, {Vec3(0, 0, 0), Vec3(1, 0, 0)}, 0.5);
+    const Obstacle capsule = make(CylinderShape{{0.5, false}, Vec3(0, 0, 0), Vec3(1, 0, 0)});
     CHECK(find_obstacle_distance(capsule, Vec3(0.5, 2, 0)).distance == Approx(1.5).epsilon(1e-14));
     CHECK(find_obstacle_distance(capsule, Vec3(4, 4, 0)).distance == Approx(4.5).epsilon(1e-14));
-    const Obstacle pipe = make(Form::cylinder, {Vec3(0, 0, 0), Vec3(1, 0, 0)}, 0.5, true);
+    const Obstacle pipe = make(CylinderShape{{0.5, true}, Vec3(0, 0, 0), Vec3(1, 0, 0)});
     CHECK(find_obstacle_distance(pipe, Vec3(4, 0.1, 0)).distance == Approx(0.4).epsilon(1e-14));
     SECTION("a ring's from its circle, but for the error of its pieces") {
         const Vec3 at = 2.7 * Vec3(std::cos(2.0), std::sin(2.0), 0.0);
@@ -93,7 +81,7 @@ TEST_CASE("obstacles: the normal and the curvature are derivatives of the distan
                 gradient[i] = differentiate([&](double x) { return moved(x).distance; }, 1e-4);
                 curvature.col(i) = differentiate([&](double x) { return Vec3(moved(x).normal); }, 1e-4);
             }
-            INFO(obstacle.radius << " hollow " << obstacle.is_hollow << " at " << point.transpose());
+            INFO(obstacle.shape.index() << " hollow " << obstacle.is_hollow() << " at " << point.transpose());
             CHECK(relative_difference(found.normal, gradient) < 1e-7);
             CHECK((found.curvature - curvature).norm() < 1e-5);
         }

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Checks that what a scheme or a kind of joint is, is asked of its card (src/model): no other room compares schemes or kinds.
+"""Checks that what a scheme or a kind of joint is, is asked of its card (src/model): no other room compares schemes or kinds. Shapes of
+obstacles are visited: outside of contact/ no code asks whether a shape is a certain one, so that a new shape is not forgotten.
 
 GXROD_SOURCE names the root of the source tree; the default is the tree that this file is in.
 """
@@ -17,16 +18,19 @@ NAMED = {
     "JointKind": ("model/ties/joint_card.hpp", "constraints/joints/", "deck/joints/"),
 }
 COMPARED = re.compile(r"(?:case\s+|[!=]=\s*)(\w+)::\w+")
+SHAPE = re.compile(r"\b(?:holds_alternative|get_if|get)<(?:Plane|Sphere|Cylinder|Tube|Mesh)Shape>")
+SHAPES_NAMED = ("model/contact.hpp", "contact/")
 
 
 def find_faults(source):
-    """Where a scheme or a kind is compared outside of these."""
+    """Where a scheme, a kind or a shape is compared outside of these."""
     faults = []
     for path in sorted(source.rglob("*.[ch]pp")):
         name = path.relative_to(source).as_posix()
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             kinds = COMPARED.findall(line)
-            if any(kind in NAMED and not name.startswith(NAMED[kind]) for kind in kinds):
+            asks_shape = SHAPE.search(line) and not name.startswith(SHAPES_NAMED)
+            if asks_shape or any(kind in NAMED and not name.startswith(NAMED[kind]) for kind in kinds):
                 faults.append(f"{name}:{number}: {line.strip()}")
     return faults
 
@@ -37,7 +41,7 @@ class Cards(unittest.TestCase):
         self.assertEqual(find_faults(pathlib.Path(root) / "src"), [])
 
     def test_a_comparison_is_found(self):
-        for line in ("if (scheme == Scheme::radau_5) return;", "case JointKind::weld:"):
+        for line in ("if (scheme == Scheme::radau_5) return;", "case JointKind::weld:", "if (std::get_if<TubeShape>(&shape)) return;"):
             with tempfile.TemporaryDirectory() as folder:
                 (pathlib.Path(folder) / "check.cpp").write_text(f"    {line}\n")
                 self.assertEqual(find_faults(pathlib.Path(folder)), [f"check.cpp:1: {line}"])

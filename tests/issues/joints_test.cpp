@@ -1,5 +1,6 @@
 #include <cmath>
 #include <complex>
+#include <variant>
 
 #include "check/findings/found_values.hpp"
 #include "check/model_examination.hpp"
@@ -465,10 +466,15 @@ sphere = { centre = [5, 8, 0], radius = 1 }
     for (std::size_t i = 0; i < model.contact.obstacles.size(); ++i) {
         const Obstacle& one = model.contact.obstacles[i];
         const Obstacle& other = turned.contact.obstacles[i];
-        CHECK((other.normal - rotation * one.normal).norm() < 1e-15);
-        REQUIRE(other.line.size() == one.line.size());
-        for (std::size_t k = 0; k < one.line.size(); ++k)
-            CHECK((other.line[k] - rotation * one.line[k]).norm() < 1e-14);
+        const auto points_of = [](const Obstacle& obstacle) {
+            const auto list = [](const auto& shape) -> std::vector<Vec3> { return shape.points(); };
+            return std::visit(list, obstacle.shape);
+        };
+        if (one.plane() != nullptr)
+            CHECK((other.plane()->normal - rotation * one.plane()->normal).norm() < 1e-15);
+        REQUIRE(points_of(other).size() == points_of(one).size());
+        for (std::size_t k = 0; k < points_of(one).size(); ++k)
+            CHECK((points_of(other)[k] - rotation * points_of(one)[k]).norm() < 1e-14);
         if (!one.motion) continue;
         CHECK((other.motion->displacement(0.7) - rotation * one.motion->displacement(0.7)).norm() < 1e-14);
         CHECK((other.motion->rotation(0.7) - rotation * one.motion->rotation(0.7)).norm() < 1e-14);

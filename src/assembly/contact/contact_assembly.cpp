@@ -139,7 +139,7 @@ ImpulseDirection ContactAssembly::impulse_direction(const At& at,
                                                     const SurfaceTouch& touch,
                                                     const State& state) const {
     const ObstacleSurface& surface = surfaces_[obstacle];
-    const bool stays = surface.body->shape == Obstacle::Shape::plane && !surface.body->motion;
+    const bool stays = surface.body->plane() != nullptr && !surface.body->motion;
     if (!at.has_impacts || stays || (surface.mesh && surface.body->motion)) return {};
     const ObstacleDistance before = distance_before(at, obstacle, place, state);
     if (surface.body->motion) return {before.normal};

@@ -47,14 +47,13 @@ ContactLaw find_law(const Model& model, const Rod& rod, double radius) {
 double find_spacing(const Model& model, double radius) {
     double spacing = std::numeric_limits<double>::infinity();
     for (const Obstacle& obstacle : model.contact.obstacles) {
-        if (obstacle.mesh) {
-            spacing =
-                std::min(spacing, find_mesh_spacing(*obstacle.mesh, radius, model.contact.skin * radius));
-            continue;
-        }
-        if (obstacle.shape == Obstacle::Shape::plane || obstacle.is_hollow) continue;
-        spacing = std::min(spacing,
-                           0.35 * std::sqrt(2.0 * (obstacle.radius + radius) * model.contact.skin * radius));
+        const double skin = model.contact.skin * radius;
+        if (const TriangleMesh* mesh = obstacle.mesh())
+            spacing = std::min(spacing, find_mesh_spacing(*mesh, radius, skin));
+        const RoundShape* round = obstacle.round();
+        if (round == nullptr || round->is_hollow) continue;
+        spacing =
+            std::min(spacing, 0.35 * std::sqrt(2.0 * (round->radius + radius) * model.contact.skin * radius));
     }
     return spacing;
 }

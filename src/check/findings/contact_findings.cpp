@@ -43,9 +43,9 @@ double find_kink(int order, double length, double radius) {
 double find_bend(const Model& model, std::size_t rod) {
     double bend = std::numeric_limits<double>::infinity();
     for (const Obstacle& obstacle : model.contact.obstacles) {
-        if (obstacle.is_hollow || obstacle.shape == Obstacle::Shape::plane || obstacle.radius == 0.0)
-            continue;
-        bend = std::min(bend, obstacle.radius + radius_of(model, rod));
+        const RoundShape* round = obstacle.round();
+        if (round == nullptr || round->is_hollow || round->radius == 0.0) continue;
+        bend = std::min(bend, round->radius + radius_of(model, rod));
     }
     if (model.contact.between_rods || model.contact.within_rods)
         bend = std::min(bend, std::max(model.contact.bend_radii[rod], radius_of(model, rod)));

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <variant>
 
 #include "check/mesh_frequencies.hpp"
 #include "check/static_scale.hpp"
@@ -21,7 +22,7 @@
 namespace gxrod {
 namespace {
 
-using Box = Eigen::AlignedBox3d;
+using PlaceBox = Eigen::AlignedBox3d;
 
 constexpr double most_sizes = 100.0;          // between an obstacle and the model
 constexpr double most_density_ratio = 100.0;  // between a rod or body and water; of gold it is 19
@@ -31,7 +32,7 @@ constexpr double largest_damping_ratio = 2.0;  // of critical
 constexpr double least_piece = 0.2;            // of a line of rods; shorter ones buckle with the others
 constexpr double most_speed = 2.0;             // along a rod, compared with waves of stretching
 
-std::string describe(const Box& box) {
+std::string describe(const PlaceBox& box) {
     return in_parentheses(box.min(), 4) + " to " + in_parentheses(box.max(), 4);
 }
 
@@ -173,20 +174,20 @@ class Questions {
 
     // Long cylinders stand for endless ones, so that it is the radius that can be too large.
     void ask_of_size(const Obstacle& obstacle) {
-        if (obstacle.shape == Obstacle::Shape::plane || !(size_ > 0.0)) return;
-        Box box;
-        double large = 2.0 * obstacle.radius;
-        if (obstacle.mesh) {
-            for (const Vec3& position : obstacle.mesh->positions) box.extend(position);
-            large = box.isEmpty() ? 0.0 : box.diagonal().norm();
-        } else {
-            for (const Vec3& point : obstacle.line) box.extend(point);
-            if (box.isEmpty()) return;
-            box.min().array() -= obstacle.radius;
-            box.max().array() += obstacle.radius;
-        }
+        if (obstacle.plane() != nullptr || !(size_ > 0.0)) return;
+        PlaceBox box;
+        const auto extend = [&](const auto& shape) {
+            for (const Vec3& point : shape.points()) box.extend(point);
+        };
+        std::visit(extend, obstacle.shape);
         if (box.isEmpty()) return;
+        const RoundShape* round = obstacle.round();
+        if (round != nullptr) {
+            box.min().array() -= round->radius;
+            box.max().array() += round->radius;
+        }
         const double small = box.diagonal().norm();
+        const double large = round != nullptr ? 2.0 * round->radius : small;
         const bool is_large = large > most_sizes * size_;
         if (!is_large && small * most_sizes >= size_) return;
         ask(fmt::format(
@@ -304,7 +305,7 @@ class Questions {
     }
 
     const Model& model_;
-    Box box_;
+    PlaceBox box_;
     double size_ = 0.0;
     std::vector<Finding> findings_;
 };

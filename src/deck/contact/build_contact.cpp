@@ -63,71 +63,79 @@ std::optional<Vec3> find_direction(const CheckedTable& table, const char* key, c
 }
 
 // Points of a smooth curve so close that cubic pieces between them are the curve but for 1e-8 of its bends.
-void set_curve(const CheckedTable& tube, Obstacle& obstacle, const BuildContext& context) {
-    const std::optional<Centreline> line = find_centreline(tube, tube, context);
+void set_curve(const CheckedTable& table, TubeShape& tube, const BuildContext& context) {
+    const std::optional<Centreline> line = find_centreline(table, table, context);
     if (!line) return;
     constexpr double most_turn = 0.05;
     const double turn = line->turn(0, 0.0, 1.0);
     const int pieces = std::max(8, static_cast<int>(std::ceil(turn / most_turn)));
     for (int i = 0; i <= pieces; ++i) {
         const double fraction = static_cast<double>(i) / pieces;
-        obstacle.line.push_back(line->position(0, fraction));
-        obstacle.tangents.push_back(line->transport(0, fraction) * line->start_tangent());
+        tube.line.push_back(line->position(0, fraction));
+        tube.tangents.push_back(line->transport(0, fraction) * line->start_tangent());
     }
 }
 
-void set_shape(const CheckedTable& table, Obstacle& obstacle, const BuildContext& context) {
-    using Shape = Obstacle::Shape;
+// The radius and the side of a round shape.
+template <class Shape>
+Shape make_round(const CheckedTable& table) {
+    Shape shape;
+    shape.radius = table.get<double>("radius");
+    shape.is_hollow = value_of(obstacle_side_choices, table.get<std::string>("side"));
+    return shape;
+}
+
+ObstacleShape build_shape(const CheckedTable& table, const BuildContext& context) {
     if (table.gives("plane")) {
         const CheckedTable& plane = only(table, "plane");
-        obstacle.line = {plane.get<Vec3>("point")};
-        obstacle.normal = find_direction(plane, "normal", context).value_or(Vec3::UnitZ());
-        return;
+        return PlaneShape{plane.get<Vec3>("point"),
+                          find_direction(plane, "normal", context).value_or(Vec3::UnitZ())};
     }
     if (table.gives("mesh")) {
-        obstacle.shape = Shape::mesh;
-        obstacle.mesh = context.obstacle_meshes.at(table.name);
         if (table.gives("stiffness"))
             context.add_fault(table,
                               "stiffness",
                               "a mesh does not yield, since neither side of it is inside; expected none");
-        return;
+        return MeshShape{context.obstacle_meshes.at(table.name)};
     }
-    const char* key = table.gives("sphere") ? "sphere" : table.gives("cylinder") ? "cylinder" : "tube";
-    const CheckedTable& round = only(table, key);
-    obstacle.radius = round.get<double>("radius");
-    obstacle.is_hollow = value_of(obstacle_side_choices, round.get<std::string>("side"));
     if (table.gives("sphere")) {
-        obstacle.shape = Shape::sphere;
-        obstacle.line = {round.get<Vec3>("centre")};
-    } else if (table.gives("cylinder")) {
-        obstacle.shape = Shape::cylinder;
-        obstacle.line = {round.get<Vec3>("from"), round.get<Vec3>("to")};
-        if (obstacle.line[0] == obstacle.line[1])
-            context.add_fault(round, "to", "expected an end away from its start");
-    } else {
-        obstacle.shape = Shape::tube;
-        set_curve(round, obstacle, context);
+        const CheckedTable& given = only(table, "sphere");
+        auto sphere = make_round<SphereShape>(given);
+        sphere.centre = given.get<Vec3>("centre");
+        return sphere;
     }
+    if (table.gives("cylinder")) {
+        const CheckedTable& given = only(table, "cylinder");
+        auto cylinder = make_round<CylinderShape>(given);
+        cylinder.from = given.get<Vec3>("from");
+        cylinder.to = given.get<Vec3>("to");
+        if (cylinder.from == cylinder.to)
+            context.add_fault(given, "to", "expected an end away from its start");
+        return cylinder;
+    }
+    const CheckedTable& given = only(table, "tube");
+    auto tube = make_round<TubeShape>(given);
+    set_curve(given, tube, context);
+    return tube;
 }
 
 void check_room(const CheckedTable& table, std::size_t index, const BuildContext& context) {
     const Contact& contact = context.model.contact;
-    const Obstacle& obstacle = contact.obstacles[index];
-    if (!obstacle.is_hollow) return;
+    const RoundShape* round = contact.obstacles[index].round();
+    if (round == nullptr || !round->is_hollow) return;
     double thickest = 0.0;
     for (std::size_t rod = 0; rod < contact.radii.size(); ++rod) {
         if (!is_left_out(contact, static_cast<int>(rod), -1 - static_cast<int>(index)))
             thickest = std::max(thickest, contact.radii[rod]);
     }
-    if (thickest < obstacle.radius) return;
+    if (thickest < round->radius) return;
     context.faults.add(
         table.place,
         table.path,
         fmt::format("a rod of radius {:.6g} is to be inside, which is no narrower than its radius "
                     "{:.6g}",
                     thickest,
-                    obstacle.radius));
+                    round->radius));
 }
 
 // A component of a motion in the stage at hand: f(t) after what earlier stages have moved.
@@ -235,7 +243,7 @@ void build_contact(BuildContext& context) {
     for (const CheckedTable& given : obstacles) {
         Obstacle obstacle;
         obstacle.name = given.name;
-        set_shape(given, obstacle, context);
+        obstacle.shape = build_shape(given, context);
         obstacle.friction = given.gives("friction") ? given.get<double>("friction") : contact.friction;
         if (given.gives("stiffness")) obstacle.stiffness = given.get<double>("stiffness");
         set_motion(given, obstacle, context);

@@ -51,13 +51,14 @@ void check_room(const BodyShapeTable& shape,
                 const Contact& contact,
                 const BuildContext& context) {
     for (const Obstacle& obstacle : contact.obstacles) {
-        if (!obstacle.is_hollow || own.radius < obstacle.radius) continue;
+        const RoundShape* round = obstacle.round();
+        if (round == nullptr || !round->is_hollow || own.radius < round->radius) continue;
         context.add_fault(
             shape,
             shape.radius,
             fmt::format("this body is to be inside of \"{}\", which is no wider: its radius is {:.6g}",
                         obstacle.name,
-                        obstacle.radius));
+                        round->radius));
     }
 }
 

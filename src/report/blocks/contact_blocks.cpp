@@ -6,6 +6,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <string>
+#include <variant>
 
 #include "model/evaluation_error.hpp"
 #include "report/blocks/data_blocks.hpp"
@@ -20,22 +22,6 @@ namespace {
 constexpr std::size_t most_touches_drawn = 400;  // of a frame
 
 Json to_json(const Vec3& v) { return {v[0], v[1], v[2]}; }
-
-const char* name_of(Obstacle::Shape shape) {
-    switch (shape) {
-        case Obstacle::Shape::plane:
-            return "plane";
-        case Obstacle::Shape::sphere:
-            return "sphere";
-        case Obstacle::Shape::cylinder:
-            return "cylinder";
-        case Obstacle::Shape::tube:
-            return "tube";
-        case Obstacle::Shape::mesh:
-            return "mesh";
-    }
-    return "";
-}
 
 // The rows of a table between two, as rows of `width` numbers.
 std::vector<double> read_rows(
@@ -146,12 +132,20 @@ Json describe_obstacles(const Model& model) {
     int moved = 0;
     for (const Obstacle& obstacle : model.contact.obstacles) {
         Json line = Json::array();
-        for (const Vec3& point : obstacle.line) line.push_back(to_json(point));
+        std::string word;
+        const auto describe = [&](const auto& shape) {
+            word = shape.word;
+            if (obstacle.mesh() != nullptr) return;
+            for (const Vec3& point : shape.points()) line.push_back(to_json(point));
+        };
+        std::visit(describe, obstacle.shape);
+        const RoundShape* round = obstacle.round();
+        const PlaneShape* plane = obstacle.plane();
         list.push_back({{"name", obstacle.name},
-                        {"shape", name_of(obstacle.shape)},
-                        {"hollow", obstacle.is_hollow},
-                        {"radius", obstacle.radius},
-                        {"normal", to_json(obstacle.normal)},
+                        {"shape", word},
+                        {"hollow", obstacle.is_hollow()},
+                        {"radius", round != nullptr ? round->radius : 0.0},
+                        {"normal", to_json(plane != nullptr ? plane->normal : Vec3(Vec3::UnitZ()))},
                         {"line", line},
                         {"about", to_json(obstacle.motion ? obstacle.motion->about : Vec3(Vec3::Zero()))},
                         {"moved", obstacle.motion ? moved++ : -1}});
@@ -183,9 +177,10 @@ void write_obstacle_motions(const Hdf5Reader& file,
 std::size_t count_mesh_bytes(const Model& model) {
     std::size_t bytes = 0;
     for (const Obstacle& obstacle : model.contact.obstacles) {
-        if (!obstacle.mesh) continue;
-        bytes += 2 * block_frame_bytes + base64_length(obstacle.mesh->positions.size() * 3 * sizeof(float)) +
-                 base64_length(obstacle.mesh->triangles.size() * 3 * sizeof(std::int32_t));
+        const TriangleMesh* mesh = obstacle.mesh();
+        if (mesh == nullptr) continue;
+        bytes += 2 * block_frame_bytes + base64_length(mesh->positions.size() * 3 * sizeof(float)) +
+                 base64_length(mesh->triangles.size() * 3 * sizeof(std::int32_t));
     }
     return bytes;
 }
@@ -194,12 +189,13 @@ void write_obstacle_meshes(const Model& model, std::ostream& out) {
     int number = -1;
     for (const Obstacle& obstacle : model.contact.obstacles) {
         ++number;
-        if (!obstacle.mesh) continue;
+        const TriangleMesh* mesh = obstacle.mesh();
+        if (mesh == nullptr) continue;
         std::vector<float> corners;
-        for (const Vec3& corner : obstacle.mesh->positions)
+        for (const Vec3& corner : mesh->positions)
             for (const double value : corner) corners.push_back(static_cast<float>(value));
         std::vector<std::int32_t> triangles;
-        for (const std::array<int, 3>& triangle : obstacle.mesh->triangles)
+        for (const std::array<int, 3>& triangle : mesh->triangles)
             triangles.insert(triangles.end(), triangle.begin(), triangle.end());
         write_block(out, fmt::format("mesh-corners-{}", number), corners);
         write_block(out, fmt::format("mesh-triangles-{}", number), triangles);

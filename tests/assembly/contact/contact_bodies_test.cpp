@@ -35,22 +35,17 @@ Model make_bodies() {
     }
     const auto add_floor = [&](const Vec3& point, double friction) {
         Obstacle floor;
-        floor.line = {point};
+        floor.shape = PlaneShape{.point = point};
         floor.friction = friction;
         model.contact.obstacles.push_back(floor);
     };
     add_floor(Vec3(0, 0, -0.05), 0.3);
     Obstacle ball;
-    ball.shape = Obstacle::Shape::sphere;
-    ball.line = {Vec3(0.2, 0.2, 3.2)};
-    ball.radius = 0.9;
+    ball.shape = SphereShape{{.radius = 0.9}, Vec3(0.2, 0.2, 3.2)};
     ball.friction = 0.05;
     model.contact.obstacles.push_back(ball);
     Obstacle pipe;
-    pipe.shape = Obstacle::Shape::cylinder;
-    pipe.is_hollow = true;
-    pipe.line = {Vec3(-9, 0, 1), Vec3(9, 0, 1)};
-    pipe.radius = 1.4;
+    pipe.shape = CylinderShape{{.radius = 1.4, .is_hollow = true}, Vec3(-9, 0, 1), Vec3(9, 0, 1)};
     pipe.friction = 0.4;
     pipe.motion = ObstacleMotion{
         TimeVector(
@@ -225,7 +220,7 @@ TEST_CASE("Rods and bodies share a capsule's law where they are long", "[assembl
     // A capsule has a weight of its length and a diameter: a sphere that of its diameter.
     Model model = make_bodies();
     model.contact.obstacles.resize(1);
-    model.contact.obstacles[0].line = {Vec3::Zero()};
+    model.contact.obstacles[0].shape = PlaneShape{};
     model.contact.obstacles[0].friction = 0.0;
     model.contact.skin = 0.1;
     model.has_time = model.has_inertia = false;

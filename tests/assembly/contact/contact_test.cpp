@@ -35,10 +35,7 @@ void enclose(Model& model, const State& state) {
     const double room = 1.25 * radius + 0.25 * skin * radius;
     Obstacle sphere;
     sphere.name = "sphere";
-    sphere.shape = Obstacle::Shape::sphere;
-    sphere.is_hollow = true;
-    sphere.line = {centre};
-    sphere.radius = furthest + room;
+    sphere.shape = SphereShape{{.radius = furthest + room, .is_hollow = true}, centre};
     sphere.friction = 0.4;
     sphere.motion = ObstacleMotion{
         TimeVector(
@@ -47,7 +44,7 @@ void enclose(Model& model, const State& state) {
         centre};
     Obstacle floor;
     floor.name = "floor";
-    floor.line = {centre + Vec3(0.0, 0.0, lowest - room)};
+    floor.shape = PlaneShape{.point = centre + Vec3(0.0, 0.0, lowest - room)};
     floor.friction = 0.05;
     model.contact.obstacles = {sphere, floor};
     model.contact.radii.assign(model.rods.size(), radius);

@@ -143,13 +143,11 @@ TEST_CASE("A flat mesh pushes and rubs as a plane does", "[assembly][touch]") {
         const std::vector<Vec6> forces = on_mesh.contact()->compute_forces(scene.state, mesh_now);
         Model model = scene.model;
         Obstacle plane = model.contact.obstacles[0];
-        plane.shape = Obstacle::Shape::plane;
-        plane.mesh = nullptr;
-        plane.line = {scene.model.contact.obstacles[0].mesh->positions[0]};
+        plane.shape = PlaneShape{.point = plane.mesh()->positions[0]};
         Obstacle far = scene.model.contact.obstacles[0];  // so that the places are the same
-        auto lowered = std::make_shared<TriangleMesh>(*far.mesh);
+        auto lowered = std::make_shared<TriangleMesh>(*far.mesh());
         for (Vec3& position : lowered->positions) position.z() -= 10.0;
-        far.mesh = lowered;
+        far.shape = MeshShape{lowered};
         far.motion.reset();
         model.contact.obstacles = {plane, far};
         State state = scene.state;

@@ -156,13 +156,13 @@ TEST_CASE("What is in a mesh is noted", "[deck][touch]") {
                                      ": 2 triangles, 4 open edges, 1 without area left out, 1 "
                                      "repeated ones left out; nothing is inside or outside: both "
                                      "sides stop rods"));
-    const TriangleMesh& mesh = *problem.model.contact.obstacles.at(0).mesh;
+    const TriangleMesh& mesh = *problem.model.contact.obstacles.at(0).mesh();
     CHECK(mesh.positions.size() == 5);  // one of them of the line
     CHECK(mesh.numbers == std::vector{1, 4});
     SECTION("and goes with the results") {
         REQUIRE(problem.record.meshes.size() == 1);
         CHECK(problem.record.meshes[0].bytes == two_triangles);
-        CHECK(rebuild_problem(problem.record).model.contact.obstacles.at(0).mesh->positions ==
+        CHECK(rebuild_problem(problem.record).model.contact.obstacles.at(0).mesh()->positions ==
               mesh.positions);
     }
 }

@@ -1,4 +1,5 @@
 #include <memory>
+#include <variant>
 
 #include "deck/decks.hpp"
 #include "deck/round_trips.hpp"
@@ -27,9 +28,7 @@ ContactException exception(const Problem& problem) {
 // The first, or one that no trip sees.
 Obstacle obstacle(const Problem& problem) {
     if (!problem.model.contact.obstacles.empty()) return problem.model.contact.obstacles[0];
-    Obstacle none;
-    none.line = {Vec3::Zero(), Vec3::Zero()};
-    return none;
+    return {};
 }
 
 const std::string floor_keys = "plane = { point = [1, 2, -3], normal = [0, 0, 2] }\n";
@@ -73,8 +72,10 @@ void add_curve_trips(std::vector<RoundTrip>& trips) {
             trips.push_back(trip("tube." + curve.name + "." + key,
                                  "tube = { " + curve.name + " = { " + curve.deck + " }, radius = 0.5 }",
                                  [curve](const Obstacle& one) {
-                                     return (one.line.front() - curve.start).norm() < 1e-12 &&
-                                            (one.line.back() - curve.end).norm() < 1e-12;
+                                     const auto* tube = std::get_if<TubeShape>(&one.shape);
+                                     return tube != nullptr &&
+                                            (tube->line.front() - curve.start).norm() < 1e-12 &&
+                                            (tube->line.back() - curve.end).norm() < 1e-12;
                                  }));
     }
 }
@@ -98,22 +99,30 @@ void add_move_trips(std::vector<RoundTrip>& trips) {
 void add_shape_trips(std::vector<RoundTrip>& trips) {
     const std::string sphere = "sphere = { centre = [0, 0, -3], radius = 0.5 }";
     const std::string cylinder = "cylinder = { from = [0, 0, -3], to = [1, 0, -3], radius = 0.5 }";
-    const auto is_hollow = [](const Obstacle& one) { return one.is_hollow; };
-    const auto has_radius = [](const Obstacle& one) { return one.radius == 0.5; };
+    const auto is_hollow = [](const Obstacle& one) { return one.is_hollow(); };
+    const auto has_radius = [](const Obstacle& one) {
+        return one.round() != nullptr && one.round()->radius == 0.5;
+    };
     const auto starts = [](const Vec3& at) {
-        return [at](const Obstacle& one) { return one.line.front() == at; };
+        return [at](const Obstacle& one) {
+            return std::visit([](const auto& shape) { return Vec3(shape.points().front()); }, one.shape) ==
+                   at;
+        };
     };
     trips.push_back(trip("plane.point", floor_keys, starts({1, 2, -3})));
     trips.push_back(trip("plane.normal", floor_keys, [](const Obstacle& one) {
-        return one.normal == Vec3(0, 0, 1) && one.line[0] == Vec3(1, 2, -3);
+        return one.plane() != nullptr && one.plane()->normal == Vec3(0, 0, 1) &&
+               one.plane()->point == Vec3(1, 2, -3);
     }));
     trips.push_back(trip("sphere.centre", sphere, starts({0, 0, -3})));
     trips.push_back(trip("sphere.radius", sphere, has_radius));
     trips.push_back(
         trip("sphere.side", "sphere = { centre = [0, 0, 0], radius = 50, side = \"inside\" }", is_hollow));
     trips.push_back(trip("cylinder.from", cylinder, starts({0, 0, -3})));
-    trips.push_back(
-        trip("cylinder.to", cylinder, [](const Obstacle& one) { return one.line.back() == Vec3(1, 0, -3); }));
+    trips.push_back(trip("cylinder.to", cylinder, [](const Obstacle& one) {
+        const auto* own = std::get_if<CylinderShape>(&one.shape);
+        return own != nullptr && own->to == Vec3(1, 0, -3);
+    }));
     trips.push_back(trip("cylinder.radius", cylinder, has_radius));
     trips.push_back(trip("cylinder.side",
                          "cylinder = { from = [0, 0, 0], to = [1, 0, 0], radius = 50, side = \"inside\" }",
@@ -141,7 +150,7 @@ void add_mesh_trips(std::vector<RoundTrip>& trips) {
     const std::string low = triangle_file("low.stl", "-5"), lower = triangle_file("lower.STL", "-7");
     const auto add = [&](const std::string& key, const std::string& keys, auto is_seen) {
         trips.push_back(trip("mesh." + key, "mesh = { " + keys + " }", [is_seen](const Obstacle& one) {
-            return one.mesh && is_seen(*one.mesh);
+            return one.mesh() != nullptr && is_seen(*one.mesh());
         }));
     };
     add("file", "file = \"" + lower + "\"", [](const TriangleMesh& mesh) {

@@ -15,7 +15,6 @@ Model make_touching_model() {
     Model model = sample::make_model();
     Obstacle floor;
     floor.name = "floor";
-    floor.line = {Vec3::Zero()};
     model.contact.obstacles = {floor};
     model.contact.radii.assign(model.rods.size(), 0.1);
     model.contact.bend_radii.assign(model.rods.size(), 1.0);
