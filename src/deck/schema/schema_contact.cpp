@@ -1,4 +1,5 @@
 #include <cmath>
+#include <vector>
 
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
@@ -155,6 +156,62 @@ KeySpec table_key(const char* name, const TableSpec& table, const char* sentence
     return {.name = name, .type = ValueType::table, .sentence = sentence, .table = &table};
 }
 
+std::vector<KeySpec> contact_keys() {
+    return {{.name = "rods",
+             .type = ValueType::names,
+             .default_text = "all rods",
+             .sentence = "Which rods touch; their sections have a radius.",
+             .refers_to = {"rod"}},
+            {.name = "each_other",
+             .type = ValueType::flag,
+             .default_text = "true",
+             .sentence = "Whether different rods and bodies touch."},
+            {.name = "self",
+             .type = ValueType::flag,
+             .default_text = "true",
+             .sentence = "Whether a rod touches itself."},
+            {.name = "bend_radius",
+             .type = ValueType::number,
+             .dimension = "length",
+             .range = positive,
+             .default_text = "10 radii",
+             .sentence = "The tightest bend to expect of rods that touch each other: they touch as straight "
+                         "pieces, so short that their chords stay within a quarter of the skin."},
+            {.name = "friction",
+             .type = ValueType::number,
+             .dimension = "1",
+             .range = not_negative,
+             .default_value = 0.0,
+             .sentence =
+                 "Coulomb's coefficient of rods with each other, and of obstacles that have none of their "
+                 "own, on the surface."},
+            {.name = "skin",
+             .type = ValueType::number,
+             .dimension = "1",
+             .range = {.lower = 0.0, .at_lower = Bound::open, .upper = 1.0},
+             .default_value = 0.02,
+             .sentence = "Contact acts below this gap, times the radius of the rod; no gap ever closes."},
+            {.name = "dissipation",
+             .type = ValueType::number,
+             .dimension = "1",
+             .range = {.lower = 0.0, .upper = 1.0},
+             .default_value = 1.0,
+             .sentence =
+                 "Of impacts on obstacles: with 0 they keep their energy at every step size, with 1 contact "
+                 "gives back least."},
+            {.name = "damping",
+             .type = ValueType::number,
+             .dimension = "time/length",
+             .range = not_negative,
+             .default_value = 0.0,
+             .sentence = "Of impacts: the force is multiplied by 1 − damping times the rate of the gap, and "
+                         "never pulls. Next to `dissipation`, whose loss depends on the step."},
+            {.name = "pair",
+             .type = ValueType::table_list,
+             .sentence = "Exceptions.",
+             .table = &contact_pair_table()}};
+}
+
 }  // namespace
 
 const TableSpec& contact_table() {
@@ -164,60 +221,7 @@ const TableSpec& contact_table() {
         .sentence =
             "Rods touch each other, themselves and every [obstacle.NAME]; without it obstacles alone. So do "
             "bodies with a sphere or capsule.",
-        .keys =
-            {{.name = "rods",
-              .type = ValueType::names,
-              .default_text = "all rods",
-              .sentence = "Which rods touch; their sections have a radius.",
-              .refers_to = {"rod"}},
-             {.name = "each_other",
-              .type = ValueType::flag,
-              .default_text = "true",
-              .sentence = "Whether different rods and bodies touch."},
-             {.name = "self",
-              .type = ValueType::flag,
-              .default_text = "true",
-              .sentence = "Whether a rod touches itself."},
-             {.name = "bend_radius",
-              .type = ValueType::number,
-              .dimension = "length",
-              .range = positive,
-              .default_text = "10 radii",
-              .sentence = "The tightest bend to expect of rods that touch each other: they touch as straight "
-                          "pieces, so short that their chords stay within a quarter of the skin."},
-             {.name = "friction",
-              .type = ValueType::number,
-              .dimension = "1",
-              .range = not_negative,
-              .default_value = 0.0,
-              .sentence =
-                  "Coulomb's coefficient of rods with each other, and of obstacles that have none of their "
-                  "own, on the surface."},
-             {.name = "skin",
-              .type = ValueType::number,
-              .dimension = "1",
-              .range = {.lower = 0.0, .at_lower = Bound::open, .upper = 1.0},
-              .default_value = 0.02,
-              .sentence = "Contact acts below this gap, times the radius of the rod; no gap ever closes."},
-             {.name = "dissipation",
-              .type = ValueType::number,
-              .dimension = "1",
-              .range = {.lower = 0.0, .upper = 1.0},
-              .default_value = 1.0,
-              .sentence =
-                  "Of impacts on obstacles: with 0 they keep their energy at every step size, with 1 contact "
-                  "gives back least."},
-             {.name = "damping",
-              .type = ValueType::number,
-              .dimension = "time/length",
-              .range = not_negative,
-              .default_value = 0.0,
-              .sentence = "Of impacts: the force is multiplied by 1 − damping times the rate of the gap, and "
-                          "never pulls. Next to `dissipation`, whose loss depends on the step."},
-             {.name = "pair",
-              .type = ValueType::table_list,
-              .sentence = "Exceptions.",
-              .table = &contact_pair_table()}},
+        .keys = contact_keys(),
         .example =
             "[contact]\n"
             "rods       = [\"spring\", \"bow\"]\n"
