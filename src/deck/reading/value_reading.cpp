@@ -81,11 +81,6 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
             return wrap(reader.time_table(node, path));
         case ValueType::arc_number:
             return reader.arc_number(node, path);
-        case ValueType::number_or_pairs:
-            if (node.array() == nullptr) return wrap(reader.number(node, path));
-            return wrap(reader.pairs(node, path));
-        case ValueType::pairs:
-            return wrap(reader.pairs(node, path));
         case ValueType::profile:
             if (node.array() == nullptr) return wrap(reader.number(node, path));
             return wrap(reader.profile(node, path));

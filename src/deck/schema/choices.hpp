@@ -121,11 +121,9 @@ inline constexpr std::array<Choice<YieldInteraction>, 2> yield_interaction_choic
     {{"ellipsoid", YieldInteraction::ellipsoid}, {"none", YieldInteraction::none}}};
 
 // Whether a moment follows its curve back.
-inline constexpr std::array<Choice<bool>, 2> hysteresis_choices{{{"none", false}, {"kinematic", true}}};
-
-// Entries of S that can yield.
-inline constexpr std::array<Choice<int>, 6> resultant_choices{
-    {{"N", 0}, {"Vy", 1}, {"Vz", 2}, {"T", 3}, {"My", 4}, {"Mz", 5}}};
+enum class Hysteresis { none, kinematic };
+inline constexpr std::array<Choice<Hysteresis>, 2> hysteresis_choices{
+    {{"none", Hysteresis::none}, {"kinematic", Hysteresis::kinematic}}};
 
 // A component of a displacement, or of a rotation.
 enum class Direction { x, y, z };

@@ -101,6 +101,17 @@ std::optional<Bounds> Kind<Bounds>::read(const ValueSource& from) {
     return numbers ? std::optional(Bounds{std::move(*numbers)}) : std::nullopt;
 }
 
+std::optional<std::variant<double, CheckedPairs>> Kind<std::variant<double, CheckedPairs>>::read(
+    const ValueSource& from) {
+    const auto as_value = [](auto read) { return read ? std::optional<Value>(*read) : std::nullopt; };
+    return from.node.array() == nullptr ? as_value(Kind<double>::read(from))
+                                        : as_value(Kind<CheckedPairs>::read(from));
+}
+
+std::string Kind<std::variant<double, CheckedPairs>>::print(const Value& value) {
+    return std::visit([]<class One>(const One& one) { return Kind<One>::print(one); }, value);
+}
+
 std::optional<bool> Kind<bool>::read(const ValueSource& from) {
     return NumberReader(from.key, from.context).flag(from.node, from.path);
 }

@@ -73,6 +73,15 @@ inline constexpr const std::array<Choice<InputHold>, 2>& choices_of(InputHold) {
 inline constexpr const std::array<Choice<LoadReference>, 1>& choices_of(LoadReference) {
     return load_reference_choices;
 }
+inline constexpr const std::array<Choice<StrainPart>, 8>& choices_of(StrainPart) {
+    return strain_part_choices;
+}
+inline constexpr const std::array<Choice<Hysteresis>, 2>& choices_of(Hysteresis) {
+    return hysteresis_choices;
+}
+inline constexpr const std::array<Choice<YieldInteraction>, 2>& choices_of(YieldInteraction) {
+    return yield_interaction_choices;
+}
 
 // Arrays of so many values, as JSON Schema.
 std::string schema_of_array(const std::string& items, std::size_t size);
@@ -130,6 +139,15 @@ struct Kind<Bounds> {
     static std::optional<Bounds> read(const ValueSource& from);
     static std::string print(const Bounds& value) { return Kind<std::vector<double>>::print(value.numbers); }
     static std::string sample(const KeySpec& key) { return Kind<std::vector<double>>::sample(key); }
+};
+
+template <>
+struct Kind<std::variant<double, CheckedPairs>> {
+    using Value = std::variant<double, CheckedPairs>;
+    static constexpr ValueType type = ValueType::number_or_pairs;
+    static std::optional<Value> read(const ValueSource& from);
+    static std::string print(const Value& value);
+    static std::string sample(const KeySpec& key) { return Kind<CheckedPairs>::sample(key); }
 };
 
 template <>

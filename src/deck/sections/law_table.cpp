@@ -1,0 +1,430 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "deck/schema/schema_tables.hpp"
+#include "deck/sections/build_law.hpp"
+#include "deck/sections/build_sections.hpp"
+#include "laws/layered_law.hpp"
+#include "laws/moment_curvature_law.hpp"
+#include "laws/shape_layers.hpp"
+#include "laws/trapeze_law.hpp"
+#include "laws/viscoelastic_law.hpp"
+
+namespace gxrod {
+namespace {
+
+struct LayerTable : TableHead {
+    StrainPart on{};
+    double stiffness = 0.0;
+    double limit = 0.0;
+    double limit_per_tension = 0.0;
+};
+
+const TableSpec& layer_table() {
+    using T = LayerTable;
+    // clang-format off
+    static const TableSpec table = Table<T>("section.NAME.law.layers", "")
+        .key("on", &T::on, "The strains that it takes part in. Of bending and shear it resists both, up to a limit of "
+             "their resultant.")
+            .required()
+        .key("stiffness", &T::stiffness, "What it adds to the section's stiffness until it slips.")
+            .unit("of stiffness").above(0).required()
+        .key("limit", &T::limit, "The force or moment at which it slips.")
+            .unit("of force or moment").at_least(0).required()
+        .key("limit_per_tension", &T::limit_per_tension,
+             "What the limit grows by with the axial force, where that is tension.")
+            .unit("1 or length").at_least(0)
+        .in_list();
+    // clang-format on
+    return table;
+}
+
+struct MomentCurvatureTable : TableHead {
+    std::optional<CheckedPairs> table, y, z;
+    Hysteresis hysteresis = Hysteresis::none;
+};
+
+const TableSpec& moment_curvature_table() {
+    using T = MomentCurvatureTable;
+    // clang-format off
+    static const TableSpec table = Table<T>("section.NAME.law.moment_curvature", "")
+        .key("table", &T::table, "Rows [curvature, moment] from [0, 0] on, linear in between and beyond: of bending in "
+             "any direction. EIy and EIz are not used then.")
+            .unit("1/length, moment").at_least(0)
+        .key("y", &T::y, "The same of bending about y alone, in place of EIy.")
+            .unit("1/length, moment").at_least(0)
+        .key("z", &T::z, "The same of bending about z alone, in place of EIz.")
+            .unit("1/length, moment").at_least(0)
+        .key("hysteresis", &T::hysteresis, "Whether the moment follows the table back, or the section yields at each "
+             "kink and hardens kinematically.")
+        .at_least_one_of({"table", "y", "z"})
+        .at_most_one_of({"table", "y"})
+        .at_most_one_of({"table", "z"});
+    // clang-format on
+    return table;
+}
+
+struct YieldTable : TableHead {
+    std::array<std::optional<double>, 6> limits;
+};
+
+const TableSpec& yield_table() {
+    constexpr std::array<std::pair<const char*, const char*>, 6> resultants{
+        {{"N", "Axial force at which it yields. What is left out does not yield."},
+         {"Vy", "Shear force along y."},
+         {"Vz", "Shear force along z."},
+         {"T", "Torque."},
+         {"My", "Bending moment about y."},
+         {"Mz", "Bending moment about z."}}};
+    static const TableSpec table = [&] {
+        Table<YieldTable> made("section.NAME.law.plastic.yield", "");
+        for (std::size_t i = 0; i < resultants.size(); ++i) {
+            const auto [name, sentence] = resultants[i];
+            made.key(
+                    name, [i](auto& yield) -> auto& { return yield.limits[i]; }, sentence)
+                .unit(i < 3 ? "force" : "moment")
+                .above(0);
+        }
+        return made.at_least_one_of({"N", "Vy", "Vz", "T", "My", "Mz"});
+    }();
+    return table;
+}
+
+struct PlasticTable : TableHead {
+    std::optional<YieldTable> yield;
+    YieldInteraction interaction = YieldInteraction::ellipsoid;
+    std::variant<double, CheckedPairs> isotropic = 0.0;
+    double kinematic = 0.0;
+};
+
+const TableSpec& plastic_table() {
+    using T = PlasticTable;
+    // clang-format off
+    static const TableSpec table = Table<T>("section.NAME.law.plastic", "")
+        .key("yield", &T::yield, yield_table(), "Resultants at which the section yields.")
+            .required()
+        .key("interaction", &T::interaction, "Whether it yields where the squares of resultants over their limits add "
+             "up to 1, or each yields by itself.")
+        .key("isotropic", &T::isotropic, "How much all limits grow, over themselves, per plastic strain in multiples "
+             "of the strain at yield; or rows [that plastic strain, factor on limits] from [0, 1] on.")
+            .unit("1").at_least(0).otherwise("0")
+        .key("kinematic", &T::kinematic, "Resultants move the yield surface by kinematic × stiffness × plastic strain.")
+            .unit("1").at_least(0);
+    // clang-format on
+    return table;
+}
+
+struct ViscoelasticTable : TableHead {
+    CheckedPairs prony;
+    WordList on;
+};
+
+const TableSpec& viscoelastic_table() {
+    using T = ViscoelasticTable;
+    // clang-format off
+    static const TableSpec table = Table<T>("section.NAME.law.viscoelastic", "")
+        .key("prony", &T::prony, "Rows [r, tau]: after a sudden strain the stiffness is that of the section, which is "
+             "the relaxed one, × (1 + Σ r exp(−t/tau)).")
+            .unit("1, time").at_least(0).required()
+        .key("on", &T::on, "The strains that relax.")
+            .words(words_of(strain_part_choices)).otherwise("all strains");
+    // clang-format on
+    return table;
+}
+
+struct LawTable : TableHead {
+    std::vector<LayerTable> layers;
+    std::optional<MomentCurvatureTable> moment_curvature;
+    std::optional<PlasticTable> plastic;
+    std::optional<ViscoelasticTable> viscoelastic;
+};
+
+}  // namespace
+
+const TableSpec& law_table() {
+    using T = LawTable;
+    // clang-format off
+    static const TableSpec table = Table<T>("section.NAME.law", "")
+        .key("layers", &T::layers, layer_table(),
+             "Springs that slip, next to the stiffness: friction of strands, plasticity.")
+        .key("moment_curvature", &T::moment_curvature, moment_curvature_table(), "Moments by tables.")
+        .key("plastic", &T::plastic, plastic_table(), "Resultants that yield and harden.")
+        .key("viscoelastic", &T::viscoelastic, viscoelastic_table(),
+             "Resultants that relax: a generalised Maxwell model.")
+        .exactly_one_of({"layers", "moment_curvature", "plastic", "viscoelastic"});
+    // clang-format on
+    return table;
+}
+
+namespace {
+
+using SharedLaw = std::shared_ptr<const SectionLaw>;
+
+const CheckedTable& only(const CheckedTable& table, const char* key) { return table.tables(key).front(); }
+
+// The rows that a table has for a key.
+struct KeyRows {
+    const TableHead& table;
+    const void* field;
+    const CheckedPairs& pairs;
+
+    void add_fault(std::size_t row, std::string message, const BuildContext& context) const {
+        context.faults.add(
+            pairs.places[row], fmt::format("{}[{}]", table.path_of(field), row), std::move(message));
+    }
+};
+
+// Rows that start at (0, start), the first number rising and the second not falling.
+std::optional<PiecewiseLine> find_line(const KeyRows& given, double start, const BuildContext& context) {
+    const auto& rows = given.pairs.rows;
+    const auto refuse = [&](std::size_t row, std::string message) {
+        given.add_fault(row, std::move(message), context);
+        return std::nullopt;
+    };
+    if (rows.front() != std::pair(0.0, start)) {
+        return refuse(
+            0,
+            fmt::format(
+                "expected [0, {}] first, found [{}, {}]", start, rows.front().first, rows.front().second));
+    }
+    if (rows.size() < 2) return refuse(0, "expected another row after the first one");
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        if (rows[i].first <= rows[i - 1].first) {
+            return refuse(i,
+                          fmt::format("the first number must rise from row to row: {} follows {}",
+                                      rows[i].first,
+                                      rows[i - 1].first));
+        }
+        if (rows[i].second < rows[i - 1].second) {
+            return refuse(i,
+                          fmt::format("the second number must not fall from row to row: {} follows {}",
+                                      rows[i].second,
+                                      rows[i - 1].second));
+        }
+    }
+    return PiecewiseLine(rows);
+}
+
+std::optional<Layer> find_layer(const LayerTable& given, const BuildContext& context) {
+    if (given.on == StrainPart::tension && given.limit_per_tension > 0.0) {
+        context.add_fault(
+            given, given.limit_per_tension, "a layer on tension has a limit that does not depend on tension");
+        return std::nullopt;
+    }
+    if (given.limit > 0.0 || given.limit_per_tension > 0.0) {
+        return Layer{.on = given.on,
+                     .stiffness = given.stiffness,
+                     .limit = given.limit,
+                     .limit_per_tension = given.limit_per_tension};
+    }
+    context.add_fault(
+        given, given.limit, "expected a number greater than 0, or limit_per_tension greater than 0, found 0");
+    return std::nullopt;
+}
+
+SharedLaw make_layered_law(const std::vector<LayerTable>& given, const Mat6& C, const BuildContext& context) {
+    std::vector<Layer> layers;
+    for (const LayerTable& one : given) {
+        const std::optional<Layer> layer = find_layer(one, context);
+        if (layer) layers.push_back(*layer);
+    }
+    return std::make_shared<LayeredLaw>(C, std::move(layers));
+}
+
+// nullopt, with a fault, if it is not what a curve of moments must be.
+std::optional<MomentCurve> find_curve(const MomentCurvatureTable& given,
+                                      const CheckedPairs& pairs,
+                                      StrainPart on,
+                                      const Mat6& C,
+                                      const BuildContext& context) {
+    const KeyRows rows{given, &pairs, pairs};
+    const std::optional<PiecewiseLine> line = find_line(rows, 0.0, context);
+    if (!line) return std::nullopt;
+    if (line->slope(0) <= 0.0) {
+        rows.add_fault(1, "expected a moment greater than 0", context);
+        return std::nullopt;
+    }
+    const std::optional<std::size_t> rising = find_rising_slope(*line);
+    if (rising && given.hysteresis == Hysteresis::kinematic) {
+        rows.add_fault(
+            *rising + 1,
+            fmt::format("a section that yields gets softer from row to row; the slope {} follows {}",
+                        line->slope(*rising),
+                        line->slope(*rising - 1)),
+            context);
+        return std::nullopt;
+    }
+    const StrainEntries entries = entries_of(on);
+    // A curve for both replaces what couples them, too.
+    Mat6 others = C;
+    if (entries.count == 2) others(4, 5) = others(5, 4) = 0.0;
+    if (couples(others, entries.list())) {
+        context.add_fault(given,
+                          pairs,
+                          "the stiffness couples this bending with another strain, which a table of moments "
+                          "cannot; expected a stiffness without, such as stiffness = { … }");
+        return std::nullopt;
+    }
+    return MomentCurve{on, *line};
+}
+
+SharedLaw make_curve_law(const MomentCurvatureTable& given, const Mat6& C, const BuildContext& context) {
+    std::vector<MomentCurve> curves;
+    const auto add = [&](const std::optional<CheckedPairs>& rows, StrainPart on) {
+        if (!rows) return;
+        std::optional<MomentCurve> curve = find_curve(given, *rows, on, C, context);
+        if (curve) curves.push_back(std::move(*curve));
+    };
+    add(given.table, StrainPart::bending);
+    add(given.y, StrainPart::bending_y);
+    add(given.z, StrainPart::bending_z);
+    if (given.hysteresis == Hysteresis::kinematic) return make_kinematic_law(C, curves);
+    return std::make_shared<MomentCurvatureLaw>(C, std::move(curves));
+}
+
+// A factor on limits over plastic strain; nullopt without one, or with a fault.
+std::optional<PiecewiseLine> find_isotropic(const PlasticTable& given, const BuildContext& context) {
+    if (const auto* rows = std::get_if<CheckedPairs>(&given.isotropic))
+        return find_line({given, &given.isotropic, *rows}, 1.0, context);
+    const double slope = std::get<double>(given.isotropic);
+    if (slope == 0.0) return std::nullopt;
+    return PiecewiseLine({{0.0, 1.0}, {1.0, 1.0 + slope}});
+}
+
+SharedLaw make_plastic_law(const PlasticTable& given, const Mat6& C, const BuildContext& context) {
+    YieldLimits yield{.limits = {},
+                      .interaction = given.interaction,
+                      .isotropic = find_isotropic(given, context),
+                      .kinematic = given.kinematic};
+    std::vector<int> entries;
+    for (int entry = 0; entry < 6; ++entry) {
+        const std::optional<double>& limit = given.yield->limits[static_cast<std::size_t>(entry)];
+        if (!limit) continue;
+        yield.limits.emplace_back(entry, *limit);
+        entries.push_back(entry);
+    }
+    if (yield.interaction == YieldInteraction::none && couples_within(C, entries)) {
+        context.add_fault(given,
+                          given.interaction,
+                          "the stiffness couples resultants that yield, so that none yields by itself; "
+                          "expected \"ellipsoid\"");
+        return nullptr;
+    }
+    return std::make_shared<PlasticLaw>(C, yield);
+}
+
+SharedLaw make_viscoelastic_law(const ViscoelasticTable& given, const Mat6& C, const BuildContext& context) {
+    std::vector<PronyBranch> branches;
+    for (std::size_t i = 0; i < given.prony.rows.size(); ++i) {
+        const auto& [ratio, time] = given.prony.rows[i];
+        if (time > 0.0) {
+            branches.push_back({ratio, time});
+        } else {
+            KeyRows{given, &given.prony, given.prony}.add_fault(
+                i, "expected a time tau greater than 0, found 0", context);
+        }
+    }
+    std::vector<StrainPart> on;
+    for (const CheckedWord& word : given.on.words) on.push_back(value_of(strain_part_choices, word.word));
+    return std::make_shared<ViscoelasticLaw>(C, std::move(branches), on);
+}
+
+// Layers in place of all stiffness but that of shear.
+SharedLaw make_shape_law(const CheckedTable& table, const Mat6& C, const BuildContext& context) {
+    const CheckedTable& material = only(table, "material");
+    const CheckedTable& shape = only(table, "shape");
+    const auto number = [](const CheckedTable& of, const char* key) { return of.get<double>(key); };
+    const double E = number(material, "E");
+    const double G = material.gives("G") ? number(material, "G") : E / (2.0 * (1.0 + number(material, "nu")));
+    const YieldingMaterial yielding{E, G, number(material, "yield_stress")};
+    constexpr double least_yield_strain = 1e-5;
+    if (yielding.yield_stress < least_yield_strain * E) {
+        context.notes.push_back(fmt::format(
+            "{}: it is {:.2g} of E, where metals have 1e-3 and lead 2e-4; are both in one unit of stress?",
+            material.path_of("yield_stress"),
+            yielding.yield_stress / E));
+    }
+    std::vector<Layer> layers;
+    if (shape.gives("circle")) {
+        layers = make_tube_layers(number(only(shape, "circle"), "radius"), 0.0, yielding);
+    } else if (shape.gives("tube")) {
+        const CheckedTable& tube = only(shape, "tube");
+        layers = make_tube_layers(number(tube, "outer_radius"), number(tube, "inner_radius"), yielding);
+    } else {
+        const CheckedTable& rectangle = only(shape, "rectangle");
+        layers = make_rectangle_layers(
+            number(rectangle, "width_y"), number(rectangle, "height_z"), C(3, 3) / G, yielding);
+    }
+    Mat6 shear = Mat6::Zero();
+    shear.block<2, 2>(1, 1) = C.block<2, 2>(1, 1);
+    return std::make_shared<LayeredLaw>(shear, std::move(layers));
+}
+
+SharedLaw make_law(const LawTable& law, const Mat6& C, const BuildContext& context) {
+    if (law.gives(law.layers)) return make_layered_law(law.layers, C, context);
+    if (law.moment_curvature) return make_curve_law(*law.moment_curvature, C, context);
+    if (law.plastic) return make_plastic_law(*law.plastic, C, context);
+    return make_viscoelastic_law(*law.viscoelastic, C, context);
+}
+
+bool is_trapeze(const CheckedTable& section) {
+    return section.gives("trapeze") && section.get<bool>("trapeze");
+}
+
+bool yields(const CheckedTable& section) {
+    return section.gives("material") && only(section, "material").gives("yield_stress");
+}
+
+// Adds a fault at the key that gives the section its law.
+void add_law_fault(const CheckedTable& table, const std::string& message, const BuildContext& context) {
+    if (table.gives("law"))
+        context.add_fault(table, "law", message);
+    else if (yields(table))
+        context.add_fault(only(table, "material"), "yield_stress", message);
+    else
+        context.add_fault(table, "trapeze", message);
+}
+
+}  // namespace
+
+bool has_law(const CheckedTable& section) {
+    return section.gives("law") || is_trapeze(section) || yields(section);
+}
+
+void set_law(const CheckedTable& table, Section& section, const BuildContext& context) {
+    if (!has_law(table)) return;
+    if (varies_along_rod(table)) {
+        return add_law_fault(
+            table,
+            "a section with a law is the same all along a rod; expected no function of s in it",
+            context);
+    }
+    if (table.gives("at") || table.gives("turn")) {
+        return add_law_fault(
+            table,
+            "a law is about the rod and in its section axes; expected neither at nor turn in "
+            "a section that has one",
+            context);
+    }
+    if (table.gives("law") && yields(table)) {
+        return add_law_fault(
+            table, "yield_stress of the material is given too; only one of them can be", context);
+    }
+    // One that is at fault itself.
+    const Mat6 C = section.stiffness;
+    if (!(C.diagonal().array() > 0.0).all()) return;
+    SharedLaw law;
+    if (table.gives("law"))
+        law = make_law(static_cast<const LawTable&>(*only(table, "law").record), C, context);
+    if (yields(table)) law = make_shape_law(table, C, context);
+    if (is_trapeze(table)) law = std::make_shared<TrapezeLaw>(C, std::move(law));
+    if (!law) return;
+    const std::vector<double> memory(static_cast<std::size_t>(law->memory_size()));
+    section.stiffness =
+        law->respond(Vec6::Zero(), memory, std::numeric_limits<double>::infinity(), {}).tangent;
+    section.law = std::move(law);
+}
+
+}  // namespace gxrod
