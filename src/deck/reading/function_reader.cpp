@@ -83,8 +83,8 @@ std::optional<std::vector<CheckedNamedFunction>> FunctionReader::coordinate_func
     return complete ? named_functions(node, path) : std::nullopt;
 }
 
-decltype(CheckedValue::value) FunctionReader::arc_number(const DeckNode& node,
-                                                         const std::string& path) const {
+std::optional<std::variant<double, CheckedArcFunction>> FunctionReader::arc_number(
+    const DeckNode& node, const std::string& path) const {
     std::optional<double> value;
     if (node.text() == nullptr) {
         value = number(node, path);
@@ -97,8 +97,7 @@ decltype(CheckedValue::value) FunctionReader::arc_number(const DeckNode& node,
             add(node, path, fmt::format("\"{}\": {}", shorten(*node.text()), error.what()));
         }
     }
-    if (!value) return std::monostate{};
-    return *value;
+    return value;
 }
 
 std::optional<CheckedLineFunction> FunctionReader::line_function(const DeckNode& node,

@@ -21,7 +21,8 @@ class FunctionReader : public NumberReader {
     std::optional<std::vector<CheckedNamedFunction>> coordinate_functions(const DeckNode& node,
                                                                           const std::string& path) const;
     // Reads a number, or f(s), whose range is checked where it is evaluated.
-    decltype(CheckedValue::value) arc_number(const DeckNode& node, const std::string& path) const;
+    std::optional<std::variant<double, CheckedArcFunction>> arc_number(const DeckNode& node,
+                                                                       const std::string& path) const;
     std::optional<CheckedLineFunction> line_function(const DeckNode& node, const std::string& path) const;
     std::optional<CheckedPlaceFunction> place_function(const DeckNode& node, const std::string& path) const;
     std::optional<CheckedMotionFunction> motion_function(const DeckNode& node, const std::string& path) const;

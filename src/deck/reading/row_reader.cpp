@@ -114,12 +114,12 @@ std::optional<CheckedTendonPath> RowReader::tendon_path(const DeckNode& node, co
     bool complete = true;
     for (std::size_t i = 0; i < 2; ++i) {
         auto value = arc_number((*node.array())[i], fmt::format("{}[{}]", path, i));
-        if (auto* function = std::get_if<CheckedArcFunction>(&value)) {
-            checked.functions[i] = std::move(function->function);
-        } else if (const auto* constant = std::get_if<double>(&value)) {
-            checked.functions[i] = [number = *constant](double) { return number; };
-        } else {
+        if (!value) {
             complete = false;
+        } else if (auto* function = std::get_if<CheckedArcFunction>(&*value)) {
+            checked.functions[i] = std::move(function->function);
+        } else {
+            checked.functions[i] = [number = std::get<double>(*value)](double) { return number; };
         }
     }
     return complete ? std::optional(std::move(checked)) : std::nullopt;

@@ -57,16 +57,10 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
             return wrap(read_points(node, path, key, context));
         case ValueType::vectors:
             return wrap(read_vectors(node, path, key, context));
-        case ValueType::section_point:
-            return wrap(read_section_point(node, path, key, context));
-        case ValueType::number_or_six:
-            return wrap(read_number_or_six(node, path, key, context));
         case ValueType::numbers:
             return wrap(read_number_list(node, path, key, context));
         case ValueType::bounds:
             return wrap(read_bounds(node, path, key, context));
-        case ValueType::section_matrix:
-            return wrap(read_section_matrix(node, path, key, context));
         case ValueType::mesh_group:
             return read_mesh_group(node, path, key, context);
         case ValueType::time_expression:
@@ -79,8 +73,6 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
             return wrap(reader.functions<3>(node, path, &FunctionReader::place_function));
         case ValueType::time_table:
             return wrap(reader.time_table(node, path));
-        case ValueType::arc_number:
-            return reader.arc_number(node, path);
         case ValueType::profile:
             if (node.array() == nullptr) return wrap(reader.number(node, path));
             return wrap(reader.profile(node, path));

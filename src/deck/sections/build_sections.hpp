@@ -3,6 +3,7 @@
 #include <string>
 
 #include "deck/places/build_context.hpp"
+#include "deck/sections/section_tables.hpp"
 
 namespace gxrod {
 
@@ -15,18 +16,23 @@ struct SectionPlace {
 // Adds the sections to the model, with their values at the start of a rod.
 void build_sections(BuildContext& context);
 
-// Return whether a section has functions of s, and the section at a place.
+// Returns whether a section has functions of s.
 bool varies_along_rod(const CheckedTable& section);
-Section build_section(const CheckedTable& section, const SectionPlace& at, const BuildContext& context);
+// Builds the section at a place.
+Section build_section(const SectionTable& given, const SectionPlace& at, const BuildContext& context);
+
+// Gives a section with known stiffness its law, if it has one; the stiffness then holds for small strains
+// after a long time. Errors become faults.
+void set_law(const SectionTable& given, bool varies, Section& section, const BuildContext& context);
 
 // Returns a number of a table within a section's table, at a place along a rod. Adds a fault if it is out of
 // range there or not a number.
-double number_of(const CheckedTable& table,
-                 const char* key,
+double number_of(const TableHead& table,
+                 const ArcNumber& given,
                  const SectionPlace& at,
                  const BuildContext& context);
 
-// Gives a section the damping of a table with the key: a [section.NAME] or `sections` of a rod.
-void set_damping(const CheckedTable& table, Section& section);
+// Gives a section its damping: that of a [section.NAME] or of `sections` of a rod.
+void set_damping(const DampingTable& given, Section& section);
 
 }  // namespace gxrod

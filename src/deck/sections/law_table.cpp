@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
-#include "deck/sections/build_law.hpp"
 #include "deck/sections/build_sections.hpp"
 #include "laws/layered_law.hpp"
 #include "laws/moment_curvature_law.hpp"
@@ -14,13 +14,6 @@
 
 namespace gxrod {
 namespace {
-
-struct LayerTable : TableHead {
-    StrainPart on{};
-    double stiffness = 0.0;
-    double limit = 0.0;
-    double limit_per_tension = 0.0;
-};
 
 const TableSpec& layer_table() {
     using T = LayerTable;
@@ -41,11 +34,6 @@ const TableSpec& layer_table() {
     return table;
 }
 
-struct MomentCurvatureTable : TableHead {
-    std::optional<CheckedPairs> table, y, z;
-    Hysteresis hysteresis = Hysteresis::none;
-};
-
 const TableSpec& moment_curvature_table() {
     using T = MomentCurvatureTable;
     // clang-format off
@@ -65,10 +53,6 @@ const TableSpec& moment_curvature_table() {
     // clang-format on
     return table;
 }
-
-struct YieldTable : TableHead {
-    std::array<std::optional<double>, 6> limits;
-};
 
 const TableSpec& yield_table() {
     constexpr std::array<std::pair<const char*, const char*>, 6> resultants{
@@ -92,13 +76,6 @@ const TableSpec& yield_table() {
     return table;
 }
 
-struct PlasticTable : TableHead {
-    std::optional<YieldTable> yield;
-    YieldInteraction interaction = YieldInteraction::ellipsoid;
-    std::variant<double, CheckedPairs> isotropic = 0.0;
-    double kinematic = 0.0;
-};
-
 const TableSpec& plastic_table() {
     using T = PlasticTable;
     // clang-format off
@@ -116,11 +93,6 @@ const TableSpec& plastic_table() {
     return table;
 }
 
-struct ViscoelasticTable : TableHead {
-    CheckedPairs prony;
-    WordList on;
-};
-
 const TableSpec& viscoelastic_table() {
     using T = ViscoelasticTable;
     // clang-format off
@@ -133,13 +105,6 @@ const TableSpec& viscoelastic_table() {
     // clang-format on
     return table;
 }
-
-struct LawTable : TableHead {
-    std::vector<LayerTable> layers;
-    std::optional<MomentCurvatureTable> moment_curvature;
-    std::optional<PlasticTable> plastic;
-    std::optional<ViscoelasticTable> viscoelastic;
-};
 
 }  // namespace
 
@@ -161,8 +126,6 @@ const TableSpec& law_table() {
 namespace {
 
 using SharedLaw = std::shared_ptr<const SectionLaw>;
-
-const CheckedTable& only(const CheckedTable& table, const char* key) { return table.tables(key).front(); }
 
 // The rows that a table has for a key.
 struct KeyRows {
@@ -331,31 +294,29 @@ SharedLaw make_viscoelastic_law(const ViscoelasticTable& given, const Mat6& C, c
     return std::make_shared<ViscoelasticLaw>(C, std::move(branches), on);
 }
 
-// Layers in place of all stiffness but that of shear.
-SharedLaw make_shape_law(const CheckedTable& table, const Mat6& C, const BuildContext& context) {
-    const CheckedTable& material = only(table, "material");
-    const CheckedTable& shape = only(table, "shape");
-    const auto number = [](const CheckedTable& of, const char* key) { return of.get<double>(key); };
-    const double E = number(material, "E");
-    const double G = material.gives("G") ? number(material, "G") : E / (2.0 * (1.0 + number(material, "nu")));
-    const YieldingMaterial yielding{E, G, number(material, "yield_stress")};
+// Layers in place of all stiffness but that of shear. The section is the same all along a rod.
+SharedLaw make_shape_law(const SectionTable& given, const Mat6& C, const BuildContext& context) {
+    const auto number = [](const ArcNumber& value) { return std::get<double>(value); };
+    const MaterialTable& material = *given.material;
+    const double E = number(material.E);
+    const double G = material.G ? number(*material.G) : E / (2.0 * (1.0 + number(*material.nu)));
+    const YieldingMaterial yielding{E, G, *material.yield_stress};
     constexpr double least_yield_strain = 1e-5;
     if (yielding.yield_stress < least_yield_strain * E) {
         context.notes.push_back(fmt::format(
             "{}: it is {:.2g} of E, where metals have 1e-3 and lead 2e-4; are both in one unit of stress?",
-            material.path_of("yield_stress"),
+            material.path_of(&material.yield_stress),
             yielding.yield_stress / E));
     }
     std::vector<Layer> layers;
-    if (shape.gives("circle")) {
-        layers = make_tube_layers(number(only(shape, "circle"), "radius"), 0.0, yielding);
-    } else if (shape.gives("tube")) {
-        const CheckedTable& tube = only(shape, "tube");
-        layers = make_tube_layers(number(tube, "outer_radius"), number(tube, "inner_radius"), yielding);
+    if (const auto& circle = given.shape->circle) {
+        layers = make_tube_layers(number(circle->radius), 0.0, yielding);
+    } else if (const auto& tube = given.shape->tube) {
+        layers = make_tube_layers(number(tube->outer_radius), number(tube->inner_radius), yielding);
     } else {
-        const CheckedTable& rectangle = only(shape, "rectangle");
+        const RectangleTable& rectangle = *given.shape->rectangle;
         layers = make_rectangle_layers(
-            number(rectangle, "width_y"), number(rectangle, "height_z"), C(3, 3) / G, yielding);
+            number(rectangle.width_y), number(rectangle.height_z), C(3, 3) / G, yielding);
     }
     Mat6 shear = Mat6::Zero();
     shear.block<2, 2>(1, 1) = C.block<2, 2>(1, 1);
@@ -369,57 +330,47 @@ SharedLaw make_law(const LawTable& law, const Mat6& C, const BuildContext& conte
     return make_viscoelastic_law(*law.viscoelastic, C, context);
 }
 
-bool is_trapeze(const CheckedTable& section) {
-    return section.gives("trapeze") && section.get<bool>("trapeze");
-}
-
-bool yields(const CheckedTable& section) {
-    return section.gives("material") && only(section, "material").gives("yield_stress");
-}
+bool yields(const SectionTable& section) { return section.material && section.material->yield_stress; }
 
 // Adds a fault at the key that gives the section its law.
-void add_law_fault(const CheckedTable& table, const std::string& message, const BuildContext& context) {
-    if (table.gives("law"))
-        context.add_fault(table, "law", message);
-    else if (yields(table))
-        context.add_fault(only(table, "material"), "yield_stress", message);
+void add_law_fault(const SectionTable& given, const std::string& message, const BuildContext& context) {
+    if (given.law)
+        context.add_fault(given, given.law, message);
+    else if (yields(given))
+        context.add_fault(*given.material, given.material->yield_stress, message);
     else
-        context.add_fault(table, "trapeze", message);
+        context.add_fault(given, given.trapeze, message);
 }
 
 }  // namespace
 
-bool has_law(const CheckedTable& section) {
-    return section.gives("law") || is_trapeze(section) || yields(section);
-}
-
-void set_law(const CheckedTable& table, Section& section, const BuildContext& context) {
-    if (!has_law(table)) return;
-    if (varies_along_rod(table)) {
+void set_law(const SectionTable& given, bool varies, Section& section, const BuildContext& context) {
+    const bool is_trapeze = given.trapeze.value_or(false);
+    if (!given.law && !is_trapeze && !yields(given)) return;
+    if (varies) {
         return add_law_fault(
-            table,
+            given,
             "a section with a law is the same all along a rod; expected no function of s in it",
             context);
     }
-    if (table.gives("at") || table.gives("turn")) {
+    if (given.at || given.gives(given.turn)) {
         return add_law_fault(
-            table,
+            given,
             "a law is about the rod and in its section axes; expected neither at nor turn in "
             "a section that has one",
             context);
     }
-    if (table.gives("law") && yields(table)) {
+    if (given.law && yields(given)) {
         return add_law_fault(
-            table, "yield_stress of the material is given too; only one of them can be", context);
+            given, "yield_stress of the material is given too; only one of them can be", context);
     }
     // One that is at fault itself.
     const Mat6 C = section.stiffness;
     if (!(C.diagonal().array() > 0.0).all()) return;
     SharedLaw law;
-    if (table.gives("law"))
-        law = make_law(static_cast<const LawTable&>(*only(table, "law").record), C, context);
-    if (yields(table)) law = make_shape_law(table, C, context);
-    if (is_trapeze(table)) law = std::make_shared<TrapezeLaw>(C, std::move(law));
+    if (given.law) law = make_law(*given.law, C, context);
+    if (yields(given)) law = make_shape_law(given, C, context);
+    if (is_trapeze) law = std::make_shared<TrapezeLaw>(C, std::move(law));
     if (!law) return;
     const std::vector<double> memory(static_cast<std::size_t>(law->memory_size()));
     section.stiffness =

@@ -161,7 +161,8 @@ class SectionsAlong {
         const auto index = static_cast<std::size_t>(station.section);
         const CheckedTable& table = context_.deck.tables("section")[index];
         if (!varies_along_rod(table)) return context_.model.sections[index];
-        return build_section(table, {s, "rod." + rod_.name}, context_);
+        return build_section(
+            static_cast<const SectionTable&>(*table.record), {s, "rod." + rod_.name}, context_);
     }
 
     const std::vector<Station>& stations_;

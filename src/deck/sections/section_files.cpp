@@ -210,7 +210,11 @@ SectionFiles read_section_files(const CheckedTable& deck,
         try {
             const std::string bytes = files.read(name);
             SectionFile file = read_section_file(bytes, name);
-            for (SectionRow& row : file.rows) set_damping(*table, row.section);
+            if (table->gives("damping")) {
+                const TableHead& damping = *table->tables("damping").front().record;
+                for (SectionRow& row : file.rows)
+                    set_damping(static_cast<const DampingTable&>(damping), row.section);
+            }
             keep_file(name, bytes, records);
             all.emplace(static_cast<int>(i), std::move(file));
         } catch (const FileError& error) {

@@ -6,7 +6,7 @@
 namespace gxrod {
 
 // Gives a section the properties in `fluid` of its table, if there are any, and the mass of its contents.
-void set_fluid(const CheckedTable& table,
+void set_fluid(const SectionTable& given,
                const SectionPlace& at,
                Section& section,
                const BuildContext& context);

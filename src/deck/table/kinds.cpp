@@ -112,6 +112,31 @@ std::string Kind<std::variant<double, CheckedPairs>>::print(const Value& value) 
     return std::visit([]<class One>(const One& one) { return Kind<One>::print(one); }, value);
 }
 
+std::optional<ArcNumber> Kind<ArcNumber>::read(const ValueSource& from) {
+    return FunctionReader(from.key, from.context).arc_number(from.node, from.path);
+}
+
+std::string Kind<ArcNumber>::print(const ArcNumber& value) {
+    const auto* function = std::get_if<CheckedArcFunction>(&value);
+    return Kind<double>::print(function == nullptr ? std::get<double>(value) : function->function(0.0));
+}
+
+std::optional<StrainTimes> Kind<StrainTimes>::read(const ValueSource& from) {
+    auto times = read_number_or_six(from.node, from.path, from.key, from.context);
+    return times ? std::optional(StrainTimes{std::move(*times)}) : std::nullopt;
+}
+
+std::string Kind<StrainTimes>::print(const StrainTimes& value) {
+    std::vector<std::string> items;
+    for (const double time : value.times) items.push_back(Kind<double>::print(time));
+    return items.size() == 1 ? items.front() : print_list(items);
+}
+
+std::optional<std::array<double, 2>> Kind<std::array<double, 2>>::read(const ValueSource& from) {
+    const auto point = read_section_point(from.node, from.path, from.key, from.context);
+    return point ? std::optional(Value{(*point)[0], (*point)[1]}) : std::nullopt;
+}
+
 std::optional<bool> Kind<bool>::read(const ValueSource& from) {
     return NumberReader(from.key, from.context).flag(from.node, from.path);
 }

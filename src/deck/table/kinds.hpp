@@ -57,6 +57,12 @@ struct Bounds {
 struct FieldVector {
     CheckedMotionVector components;
 };
+// A number, or a function of the arc length along a rod.
+using ArcNumber = std::variant<double, CheckedArcFunction>;
+// One time for all strains of a section, or six.
+struct StrainTimes {
+    std::vector<double> times;
+};
 // Values by stage.
 using StageFunctions = std::vector<CheckedNamedFunction>;
 
@@ -148,6 +154,33 @@ struct Kind<std::variant<double, CheckedPairs>> {
     static std::optional<Value> read(const ValueSource& from);
     static std::string print(const Value& value);
     static std::string sample(const KeySpec& key) { return Kind<CheckedPairs>::sample(key); }
+};
+
+template <>
+struct Kind<ArcNumber> {
+    static constexpr ValueType type = ValueType::arc_number;
+    static std::optional<ArcNumber> read(const ValueSource& from);
+    static std::string print(const ArcNumber& value);
+    static std::string sample(const KeySpec& key) { return Kind<double>::sample(key); }
+    static double default_value(const ArcNumber& value) { return std::get<double>(value); }
+};
+
+template <>
+struct Kind<StrainTimes> {
+    static constexpr ValueType type = ValueType::number_or_six;
+    static std::optional<StrainTimes> read(const ValueSource& from);
+    static std::string print(const StrainTimes& value);
+    static std::string sample(const KeySpec&) { return "[1, 2, 3, 4, 5, 6]"; }
+};
+
+// y and z of a section.
+template <>
+struct Kind<std::array<double, 2>> {
+    using Value = std::array<double, 2>;
+    static constexpr ValueType type = ValueType::section_point;
+    static std::optional<Value> read(const ValueSource& from);
+    static std::string print(const Value& value) { return fmt::format("[{}, {}]", value[0], value[1]); }
+    static std::string sample(const KeySpec&) { return "[1.25, 2.5]"; }
 };
 
 template <>

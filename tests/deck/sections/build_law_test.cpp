@@ -1,4 +1,4 @@
-#include "deck/sections/build_law.hpp"
+#include "deck/sections/build_sections.hpp"
 
 #include <cmath>
 

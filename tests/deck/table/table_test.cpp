@@ -76,7 +76,7 @@ TEST_CASE("No more than so many tables have keys that are fetched by strings", "
         }
     };
     collect(deck_schema());
-    CHECK(all.size() == 44);
+    CHECK(all.size() == 31);
 }
 
 }  // namespace gxrod::test

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "deck/schema/choices.hpp"
+#include "deck/table/kinds.hpp"
+#include "deck/table/table_head.hpp"
+
+// The tables of [section.NAME].
+namespace gxrod {
+
+struct StiffnessTable : TableHead {
+    ArcNumber EA, GAy, GAz, GJ, EIy, EIz;
+};
+
+struct InertiaTable : TableHead {
+    ArcNumber rhoA;
+    std::optional<ArcNumber> rhoJ, rhoIy, rhoIz;
+};
+
+struct CircleTable : TableHead {
+    ArcNumber radius;
+};
+
+struct TubeTable : TableHead {
+    ArcNumber outer_radius, inner_radius;
+};
+
+struct RectangleTable : TableHead {
+    ArcNumber width_y, height_z;
+};
+
+struct ShapeTable : TableHead {
+    std::optional<CircleTable> circle;
+    std::optional<TubeTable> tube;
+    std::optional<RectangleTable> rectangle;
+};
+
+struct MaterialTable : TableHead {
+    ArcNumber E;
+    std::optional<ArcNumber> nu, G;
+    std::optional<double> yield_stress;
+    std::optional<ArcNumber> density, shear_factor;
+};
+
+struct DampingTable : TableHead {
+    std::optional<StrainTimes> kelvin_voigt;
+    double mass_proportional = 0.0;
+};
+
+struct LayerTable : TableHead {
+    StrainPart on{};
+    double stiffness = 0.0;
+    double limit = 0.0;
+    double limit_per_tension = 0.0;
+};
+
+struct MomentCurvatureTable : TableHead {
+    std::optional<CheckedPairs> table, y, z;
+    Hysteresis hysteresis = Hysteresis::none;
+};
+
+struct YieldTable : TableHead {
+    std::array<std::optional<double>, 6> limits;
+};
+
+struct PlasticTable : TableHead {
+    std::optional<YieldTable> yield;
+    YieldInteraction interaction = YieldInteraction::ellipsoid;
+    std::variant<double, CheckedPairs> isotropic = 0.0;
+    double kinematic = 0.0;
+};
+
+struct ViscoelasticTable : TableHead {
+    CheckedPairs prony;
+    WordList on;
+};
+
+struct LawTable : TableHead {
+    std::vector<LayerTable> layers;
+    std::optional<MomentCurvatureTable> moment_curvature;
+    std::optional<PlasticTable> plastic;
+    std::optional<ViscoelasticTable> viscoelastic;
+};
+
+struct CoefficientsTable : TableHead {
+    std::optional<ArcNumber> normal, tangential, x, y, z;
+};
+
+struct ContentsTable : TableHead {
+    ArcNumber density;
+    double pressure = 0.0;
+    std::optional<ArcNumber> inner_diameter;
+};
+
+struct SectionFluidTable : TableHead {
+    std::optional<ArcNumber> outer_diameter, area;
+    std::optional<std::variant<double, CoefficientsTable>> drag, added_mass;
+    std::optional<ContentsTable> contents;
+    ArcNumber poisson = 0.5;
+};
+
+struct SectionTable : TableHead {
+    std::optional<StiffnessTable> stiffness;
+    std::optional<Mat6> stiffness_matrix;
+    std::optional<ShapeTable> shape;
+    std::optional<InertiaTable> inertia;
+    std::optional<Mat6> mass_matrix;
+    std::optional<MaterialTable> material;
+    std::optional<std::array<double, 2>> at;
+    ArcNumber turn = 0.0;
+    std::optional<DampingTable> damping;
+    std::optional<LawTable> law;
+    std::optional<bool> trapeze;
+    ArcNumber expansion = 0.0;
+    std::optional<double> radius;
+    std::optional<SectionFluidTable> fluid;
+};
+
+}  // namespace gxrod
