@@ -1,6 +1,6 @@
 #include "analyses/contact_record.hpp"
 
-#include "assembly/contact/contact_assembly.hpp"
+#include "assembly/contact/contacts.hpp"
 
 namespace gxrod {
 
@@ -18,15 +18,15 @@ ContactRecord record_contacts(const System& system,
                               const std::vector<ContactWatch>& watched,
                               bool is_for_frame) {
     ContactRecord record;
-    const ContactAssembly* contact = system.contact();
-    if (!contact) return record;
-    record.obstacles = contact->compute_obstacle_values(state, time);
-    if (is_for_frame || !watched.empty()) record.touches = contact->list_touches(state, time);
+    const Contacts contacts(system);
+    if (!contacts.are_possible()) return record;
+    record.obstacles = contacts.compute_obstacle_values(state, time);
+    if (is_for_frame || !watched.empty()) record.touches = contacts.list_touches(state, time);
     for (const ContactWatch& one : watched)
-        record.watched.push_back(contact->compute_watched(one, record.touches, state, time));
+        record.watched.push_back(contacts.compute_watched(one, record.touches, state, time));
     if (!is_for_frame) return record;
-    record.forces = contact->compute_forces(state, time);
-    record.gaps = contact->compute_gaps(state, time);
+    record.forces = contacts.compute_forces(state, time);
+    record.gaps = contacts.compute_gaps(state, time);
     return record;
 }
 

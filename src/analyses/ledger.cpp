@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "assembly/contact/contact_assembly.hpp"
+#include "assembly/contact/contacts.hpp"
 #include "state/energy_jump.hpp"
 
 namespace gxrod {
@@ -76,9 +76,7 @@ Ledger::Ledger(const System& system,
     initial_potential_ = balance.gravity_potential;
     strain_energy_ = balance.strain_energy;
     fluid_forces_ = system.compute_surrounding_forces(state, state.time);
-    if (const ContactAssembly* contact = system.contact()) {
-        contact_energy_ = initial_contact_energy_ = contact->compute_energy(state, state.time);
-    }
+    contact_energy_ = initial_contact_energy_ = Contacts(system).compute_energy(state, state.time);
     if (before == nullptr) return;
     initial_energy_ = before->initial_energy;
     work_ = before->external_work;
@@ -144,13 +142,13 @@ void Ledger::add_fluid_work(const State& state, double time) {
 }
 
 void Ledger::add_contact_work(const State& state, double time) {
-    const ContactAssembly* contact = system_->contact();
-    if (!contact) return;
-    const ContactWork work = contact->compute_work(state, time, contact_energy_);
+    const Contacts contacts(*system_);
+    if (!contacts.are_possible()) return;
+    const ContactWork work = contacts.compute_work(state, time, contact_energy_);
     work_ += work.by_obstacles;
     contact_loss_ += work.loss;
     if (integrator_->is_static()) step_work_.uncertainty += work.uncertainty;
-    const double energy = contact->compute_energy(state, time);
+    const double energy = contacts.compute_energy(state, time);
     contact_change_ = energy - contact_energy_ + work.loss - work.by_obstacles;
     contact_energy_ = energy;
 }
@@ -165,7 +163,8 @@ void Ledger::add_load_step(const State& state, const Step& step, const std::vect
     held_.clear();
     step_work_.uncertainty += release_;
     // Where rods come to touch something within the step, no rule is better than the trapezoidal one.
-    if (system_->contact()) step_work_.uncertainty += compute_step_work(forces_, load_step, {}).uncertainty;
+    if (Contacts(*system_).are_possible())
+        step_work_.uncertainty += compute_step_work(forces_, load_step, {}).uncertainty;
     work_before_ = work_;
     work_ += step_work_.work;
     load_step_ = std::move(load_step);

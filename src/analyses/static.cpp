@@ -4,6 +4,7 @@
 #include "analyses/dynamic.hpp"
 #include "analyses/path/path.hpp"
 #include "analyses/steady.hpp"
+#include "assembly/contact/contacts.hpp"
 #include "integrators/load_stepping.hpp"
 
 #include "model/settings/newton_choice.hpp"
@@ -54,7 +55,7 @@ Stage StaticAnalysis::current_stage() const {
 bool StaticAnalysis::may_relax() const {
     const bool is_counted = accepted_ >= 0 && has_potential_;
     const bool is_first = steps_->time() == 0.0 || (!is_counted && steps_->time() < nominal_step_);
-    return !gave_up_ && !system_.contact() && is_first;
+    return !gave_up_ && !Contacts(system_).are_possible() && is_first;
 }
 
 bool StaticAnalysis::diverges() {
@@ -115,14 +116,15 @@ void StaticAnalysis::judge_equilibrium(EquilibriumReport& report) {
     if (relaxes_) return;
     const bool is_counted = accepted_ >= 0 && has_potential_;
     const bool is_asked =
-        !is_counted && trial_ <= accepted_ && !system_.contact() && (is_last || may_relax());
+        !is_counted && trial_ <= accepted_ && !Contacts(system_).are_possible() && (is_last || may_relax());
     const bool leaves = is_asked && diverges();
     if (!leaves && trial_ <= accepted_) return;
     // What contact holds may leave a stable branch that ends for one that goes on in a longer step alone.
     // A later state does not tell: close to a critical point every structure is soft.
     const bool is_at_start = steps_->time() == 0.0;
     const bool is_loose = is_at_start && may_relax() && !is_counted && starts_loose();
-    const bool can_seek = (trial_ > accepted_ || is_loose) && !system_.contact() && sought_ < most_sought &&
+    const bool can_seek = (trial_ > accepted_ || is_loose) && !Contacts(system_).are_possible() &&
+                          sought_ < most_sought &&
                           steps_->time_step() > nominal_step_ * finest_part * (1.0 + 1e-9);
     wants_to_relax_ = is_loose || (is_counted && may_relax() && !can_seek);
     if (can_seek || wants_to_relax_) {
@@ -154,8 +156,8 @@ void StaticAnalysis::note_equilibrium() {
 bool StaticAnalysis::is_unstable() const { return was_unstable_ || accepted_ > 0 || !leaving_shape_.empty(); }
 
 std::vector<std::string> StaticAnalysis::list_warnings() const {
-    std::vector<std::string> warnings =
-        describe_stability(changes_, accepted_, state_.time, has_potential_, system_.contact() != nullptr);
+    std::vector<std::string> warnings = describe_stability(
+        changes_, accepted_, state_.time, has_potential_, Contacts(system_).are_possible());
     if (!leaving_shape_.empty()) {
         warnings.push_back(fmt::format(
             "the state at t = {:.10g} is unstable, though the determinant of the tangent does not show it: a "

@@ -1,5 +1,6 @@
 #include "analyses/step_interior.hpp"
 
+#include "assembly/contact/contacts.hpp"
 #include "elements/tie_values.hpp"
 #include "rotation/tangent_map.hpp"
 
@@ -75,7 +76,7 @@ void StepInterior::find_values(bool with_elements, const std::vector<RodPlace>& 
 }
 
 void StepInterior::find_contacts(bool is_for_frame, const std::vector<ContactWatch>& watched) {
-    if (!system_.contact() || has_frame_contacts_ || (has_contacts_ && !is_for_frame)) return;
+    if (!Contacts(system_).are_possible() || has_frame_contacts_ || (has_contacts_ && !is_for_frame)) return;
     State end = state_at(fractions_.size() - 1);
     system_.commit(end, end_time_);
     contact_record_ = record_contacts(system_, end, end_time_, watched, is_for_frame);

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "analyses/start_velocities.hpp"
-#include "assembly/contact/contact_assembly.hpp"
+#include "assembly/contact/contacts.hpp"
 #include "assembly/lanes/frame_columns.hpp"
 #include "check/findings/stiffness_contrast.hpp"
 #include "check/summaries/direction_words.hpp"
@@ -82,16 +82,17 @@ SteppedAnalysis::SteppedAnalysis(const Model& model,
       system_(model, team_),
       integrator_(std::move(integrator)),
       has_contrast_(!find_stiffness_contrasts(model, find_parts(model)).empty()),
-      newton_(with_patience(newton, has_contrast_, system_.contact() != nullptr, integrator_->is_static())),
+      newton_(
+          with_patience(newton, has_contrast_, Contacts(system_).are_possible(), integrator_->is_static())),
       linear_solver_(linear_solver),
       workspace_(system_, linear_solver),
       steps_(std::move(steps)),
       state_(system_.initial_state()) {}
 
 void SteppedAnalysis::refuse_overlaps(double time) {
-    if (!system_.contact()) return;
-    system_.contact()->search(state_);
-    const std::string overlap = system_.contact()->describe_overlap(state_, time);
+    const Contacts contacts(system_);
+    contacts.search(state_);
+    const std::string overlap = contacts.describe_overlap(state_, time);
     if (!overlap.empty()) throw std::runtime_error("at the start " + overlap);
 }
 
@@ -333,7 +334,7 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
     state_.joints_previous = state_.joints_trial = record.joints;
     state_.carried_previous = state_.carried_trial = record.carried;
     state_.time = state_.trial_time = steps_->time();
-    if (system_.contact()) system_.contact()->search(state_);
+    Contacts(system_).search(state_);
     resume_pivots(record.negative_pivots);
     reactions_.assign(nodes, Vec6::Zero());
     ledger_ = std::make_unique<Ledger>(system_, *integrator_);
@@ -434,8 +435,8 @@ EquilibriumReport SteppedAnalysis::advance() {
     solver_row_.time_step = steps_->time_step();
     solver_row_.newton_iterations = report.iterations + iterations;
     solver_row_.residual = report.residual;
-    if (system_.contact()) {
-        const ContactCount touching = system_.contact()->count(state_, time);
+    if (const Contacts contacts(system_); contacts.are_possible()) {
+        const ContactCount touching = contacts.count(state_, time);
         solver_row_.contacts = touching.touching;
         solver_row_.least_gap = std::min(report.least_gap, touching.least_gap);
         solver_row_.shortened = report.shortened;
@@ -482,7 +483,7 @@ std::optional<PathPoint> SteppedAnalysis::find_equilibrium(const PathPoint& from
 // afterwards; if none can be found, or there is no memory for them, the books stay as they are.
 void SteppedAnalysis::look_into_load_step(int iterations) {
     // Contact stores and loses energy as well, which points of a path do not have.
-    if (!looks_into_load_steps() || system_.contact()) return;
+    if (!looks_into_load_steps() || Contacts(system_).are_possible()) return;
     // Iterations that round-off asks for say nothing of a jump.
     const bool is_slow = iterations >= many_iterations && !has_contrast_ && !ledger_->has_released();
     if (!ledger_->is_unclear() && !is_slow) return;

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "assembly/contact/contacts.hpp"
 #include "integrators/load_stepping.hpp"
 #include "integrators/quasi_static.hpp"
 #include "model/path_dependence.hpp"
@@ -37,7 +38,8 @@ Sensitivities::Sensitivities(const SteppedAnalysis& analysis,
     if (integrator_->conserves())
         throw std::invalid_argument(
             "derivatives are not carried along by energy-momentum: take integrator \"newmark-simplified\"");
-    if (analysis.system().contact()) throw std::invalid_argument("there are no derivatives with contact yet");
+    if (Contacts(analysis.system()).are_possible())
+        throw std::invalid_argument("there are no derivatives with contact yet");
     if (const auto* statics = std::get_if<StaticSettings>(&settings)) linear_solver_ = statics->linear_solver;
     if (const auto* dynamic = std::get_if<DynamicSettings>(&settings)) {
         linear_solver_ = dynamic->linear_solver;

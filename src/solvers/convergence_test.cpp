@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "assembly/contact/contacts.hpp"
 #include "solvers/newton_steps.hpp"
 
 namespace gxrod {
@@ -56,7 +57,7 @@ bool ConvergenceTest::has_reached_round_off(const Residual& residual, const Equi
     const double nothing = std::max(1e-4 * tolerance_, rounding);
     constexpr double hardly = 1e-10;
     // What an increment takes into touch has a force from the next one on.
-    if (system_->contact() != nullptr && increment_before_ > hardly) return false;
+    if (Contacts(*system_).are_possible() && increment_before_ > hardly) return false;
     if (last_increment_ <= nothing) return true;
     if (last_increment_ <= hardly && last_increment_ >= 0.5 * increment_before_) return true;
     if (report.iterations < 2) return false;

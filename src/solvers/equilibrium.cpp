@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "assembly/contact/contact_assembly.hpp"
+#include "assembly/contact/contacts.hpp"
 #include "solvers/conservation.hpp"
 #include "solvers/coupled/coupled_step.hpp"
 #include "solvers/hidden_constraints.hpp"
@@ -15,8 +15,7 @@ namespace gxrod {
 
 SolverWorkspace::SolverWorkspace(const System& system, LinearSolverKind kind)
     : linear_solver(make_linear_solver(kind, system.pattern(), system.team())) {
-    if (system.contact() && !system.contact()->pairs().empty())
-        paired = std::make_unique<PairedMatrix>(system, kind);
+    if (Contacts(system).couple_rods()) paired = std::make_unique<PairedMatrix>(system, kind);
 }
 SolverWorkspace::~SolverWorkspace() = default;
 SolverWorkspace::SolverWorkspace(SolverWorkspace&&) noexcept = default;
@@ -141,7 +140,7 @@ void split_contact(const System& system,
                    SolverWorkspace& workspace,
                    State& state,
                    EquilibriumReport& report) {
-    if (!system.contact()->has_forces(state, stage.end_time)) return;
+    if (!Contacts(system).have_forces(state, stage.end_time)) return;
     const TimeSpan step{stage.step_time, stage.time_step};
     std::vector<Vec6> shocked(state.trial.size());
     for (std::size_t i = 0; i < shocked.size(); ++i) shocked[i] << state.trial[i].a, state.trial[i].alpha;
@@ -236,7 +235,7 @@ EquilibriumReport solve_stages(const System& system,
     const bool is_implicit = !integrator.is_explicit() && !integrator.is_static();
     if (total.converged() && is_implicit && has_hidden_constraints(system))
         restore_hidden_constraints(system, stage, workspace, state, total);
-    if (total.converged() && is_implicit && system.contact() && system.model().has_inertia)
+    if (total.converged() && is_implicit && system.model().has_inertia)
         split_contact(system, integrator, stage, workspace, state, total);
     return total;
 }

@@ -1,5 +1,6 @@
 #include "solvers/trial_moves.hpp"
 
+#include "assembly/contact/contacts.hpp"
 #include "rotation/rotation_map.hpp"
 #include "solvers/newton_steps.hpp"
 #include "state/increment.hpp"
@@ -55,7 +56,7 @@ Eigen::VectorXd compute_support_motion_force(const System& system,
         go_towards(state.trial[node], moved.trial[node], state.previous[node], part, nudged.trial[node]);
     }
     Residual other;
-    if (!system.contact()) {
+    if (!Contacts(system).are_possible()) {
         system.compute_residual(nudged, time_of_loads, other);
         return (gather_residual(system, other, values) - gather_residual(system, residual, values)) / part;
     }

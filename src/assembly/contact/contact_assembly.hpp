@@ -10,6 +10,7 @@
 #include "assembly/contact/contact_overlap.hpp"
 #include "assembly/contact/contact_pairs.hpp"
 #include "assembly/contact/contact_places.hpp"
+#include "assembly/contact/contact_work.hpp"
 #include "assembly/contact/impulse_direction.hpp"
 #include "assembly/equation_numbers.hpp"
 #include "assembly/residual.hpp"
@@ -23,13 +24,6 @@
 #include "state/values/obstacle_values.hpp"
 
 namespace gxrod {
-
-// Work of contact in a step.
-struct ContactWork {
-    double by_obstacles = 0.0;  // work of moving obstacles on rods
-    double loss = 0.0;          // lost by impacts and friction
-    double uncertainty = 0.0;   // uncertainty of their sum, in statics
-};
 
 // Contact of rods and bodies with obstacles: forces, their tangent, and the largest share of a motion without
 // penetration. Each place of a rod or body (ContactPlaces) touches each obstacle by itself. Forces belong to

@@ -8,8 +8,8 @@
 #include <limits>
 #include <numbers>
 
-#include "assembly/contact/contact_assembly.hpp"
 #include "assembly/contact/contact_lines.hpp"
+#include "assembly/contact/contacts.hpp"
 #include "assembly/element_geometry.hpp"
 #include "assembly/system.hpp"
 #include "check/motions/free_parts.hpp"
@@ -80,8 +80,8 @@ void note_kinks(const Model& model, std::vector<Finding>& findings) {
     }
 }
 
-void find_overlaps(const ContactAssembly& contact, const State& state, std::vector<Finding>& findings) {
-    const std::string overlap = contact.describe_overlap(state, 0.0);
+void find_overlaps(const Contacts& contacts, const State& state, std::vector<Finding>& findings) {
+    const std::string overlap = contacts.describe_overlap(state, 0.0);
     if (!overlap.empty()) findings.push_back({Severity::error, "at the start " + overlap});
 }
 
@@ -209,11 +209,11 @@ std::vector<Finding> examine_contact(const Model& model, const AnalysisSettings&
     if (model.contact.is_empty()) return findings;
     const System system(model);
     State state = system.initial_state();
-    if (const ContactAssembly* contact = system.contact()) {
-        contact->search(state);
-        find_overlaps(*contact, state, findings);
+    if (const Contacts contacts(system); contacts.are_possible()) {
+        contacts.search(state);
+        find_overlaps(contacts, state, findings);
         if (findings.empty()) {
-            const std::vector<ContactTouch> touches = contact->list_touches(state, 0.0);
+            const std::vector<ContactTouch> touches = contacts.list_touches(state, 0.0);
             note_touches(model, touches, findings);
             const bool is_static = has_steps(analysis) && !needs_inertia(analysis);
             if (is_static && model.surroundings.is_empty()) find_held_by_contact(model, touches, findings);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "assembly/contact/contact_assembly.hpp"
+#include "assembly/contact/contacts.hpp"
 #include "assembly/scatter.hpp"
 #include "check/summaries/direction_words.hpp"
 #include "linear/scalar_pivots.hpp"
@@ -108,9 +108,9 @@ void PivotCounter::compute_tangent(const Integrator& integrator,
     }
     if (!workspace.paired) return;
     if (!paired_) paired_ = std::make_unique<PairedMatrix>(*system_, LinearSolverKind::chains);
-    const ContactPairs& pairs = system_->contact()->pairs();
-    paired_->start(pairs.list_groups(state));
-    paired_->set_values(workspace.values, pairs.compute_tangents(state, 1.0, workspace.linearizations));
+    const Contacts contacts(*system_);
+    paired_->start(contacts.list_groups(state));
+    paired_->set_values(workspace.values, contacts.compute_tangents(state, 1.0, workspace.linearizations));
 }
 
 std::int64_t PivotCounter::count(const Integrator& integrator,

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace gxrod {
+
+// Work of contact in a step.
+struct ContactWork {
+    double by_obstacles = 0.0;  // work of moving obstacles on rods
+    double loss = 0.0;          // lost by impacts and friction
+    double uncertainty = 0.0;   // uncertainty of their sum, in statics
+};
+
+}  // namespace gxrod
