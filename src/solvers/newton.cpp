@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <cassert>
 
-#include "assembly/contact/contact_assembly.hpp"
+#include "assembly/contact/contact_limits.hpp"
+#include "assembly/contact/contacts.hpp"
+#include "assembly/contact/step_limiter.hpp"
 #include "assembly/lanes/frame_columns.hpp"
 #include "solvers/convergence_test.hpp"
 #include "solvers/difference_tangent.hpp"
@@ -38,13 +41,14 @@ class Newton {
           time_(integrator.stage_time(stage)),
           request_(request),
           moves_supports_(integrator.is_static() && system.supports().move()),
-          contact_(system.contact()),
+          contacts_(system),
+          limiter_(system),
           limits_rotation_(!integrator.is_static() || system.uses_step_rotations()),
           workspace_(workspace),
           state_(state),
           pseudo_step_(pseudo_step),
-          may_overshoot_(contact_ == nullptr && !integrator.is_static() && !system.model().has_inertia &&
-                         pseudo_step == nullptr &&
+          may_overshoot_(!contacts_.are_possible() && !integrator.is_static() &&
+                         !system.model().has_inertia && pseudo_step == nullptr &&
                          (system.model().surroundings.water || system.model().surroundings.air)),
           convergence_(system, settings, request_.level),
           guard_(system) {
@@ -69,23 +73,21 @@ class Newton {
             compute_tangent();
             if (!factorize(system_, workspace_, report_)) break;
             ++report_.iterations;
-            if (contact_) {
-                const PhaseTimer timer(workspace_.seconds.assembly);
-                contact_->replace_by_tangent_forces(
-                    state_, time_, request_.contact_weight, workspace_.residual);
-            }
-            Eigen::VectorXd residual = gather_residual(system_, workspace_.residual, workspace_.values);
-            if (moves_supports_) {
-                const PhaseTimer timer(workspace_.seconds.assembly);
-                constexpr double part = 1e-6;
-                residual += compute_support_motion_force(
-                    system_, time_, time_, part, workspace_.residual, workspace_.values, state_);
-            }
-            if (!solve_increment(system_, residual, workspace_, report_)) break;
+            if (!solve_increment(system_, compute_right_hand_side(), workspace_, report_)) break;
             if (!(may_overshoot_ ? apply_part() : apply(workspace_.vector))) break;
             if (!may_overshoot_) compute_residual();
         }
         return report_;
+    }
+
+    Eigen::VectorXd compute_right_hand_side() {
+        const PhaseTimer timer(workspace_.seconds.assembly);
+        limiter_.replace_by_tangent_forces(state_, time_, request_.contact_weight, workspace_.residual);
+        Eigen::VectorXd residual = gather_residual(system_, workspace_.residual, workspace_.values);
+        if (!moves_supports_) return residual;
+        constexpr double part = 1e-6;
+        return residual + compute_support_motion_force(
+                              system_, time_, time_, part, workspace_.residual, workspace_.values, state_);
     }
 
     // Without inertia, drag ~ v² resists nothing at rest: from there the increment overshoots the velocity by
@@ -135,12 +137,12 @@ class Newton {
         }
         integrator_.begin_stage(state_, stage_, team_);
         if (integrator_.is_static()) {
-            if (contact_) limit_prediction();
+            limit_prediction();
             return;
         }
-        if (contact_ && system_.model().has_inertia) begin_at_rest();
+        limiter_.begin_at_rest(state_);
         system_.supports().place(time_, state_);
-        if (contact_) limit_prediction();
+        limit_prediction();
         update_trial_rates(system_, integrator_, stage_, state_);
         if (system_.joints().empty() || request_.level == ConstraintLevel::position) return;
         // Of accelerations, equations are as large as those of positions.
@@ -157,43 +159,14 @@ class Newton {
         return guard_.admits(state_.previous, predicted, report_);
     }
 
-    // What contact holds chatters between impulses: where its accelerations go on it comes to touch where it
-    // does not, and half of the iterations are spent on that. The first increment takes along what moves.
-    void begin_at_rest() {
-        for (std::size_t i = 0; i < state_.trial.size(); ++i)
-            place(state_.previous[i], state_.previous[i].r, Vec3::Zero(), state_.trial[i]);
-    }
-
     // Takes the prediction as far as nothing touches.
     void limit_prediction() {
-        const std::size_t count = state_.trial.size();
-        std::vector<NodeMotion> predicted = state_.trial;
-        std::vector<Vec6> increments(count);
-        for (std::size_t i = 0; i < count; ++i)
-            increments[i] << predicted[i].r - state_.previous[i].r, predicted[i].theta;
-        state_.trial = state_.previous;
-        state_.contact.progress = 0.0;
-        state_.contact.margin = 0.0;
-        const ContactLimits limits = contact_->limit(increments, state_, time_, Approach::prediction);
-        state_.trial = std::move(predicted);
-        state_.contact.progress = limits.least;
-        if (limits.shorten()) {
+        if (limiter_.limit_prediction(state_, time_).shorten()) {
             ++report_.shortened;
-            for (std::size_t i = 0; i < count; ++i) {
-                const auto part =
-                    static_cast<std::size_t>(system_.scale_groups().part_of_node(static_cast<int>(i)));
-                const double share = limits.of_parts[part];
-                if (share < 1.0)
-                    place(state_.previous[i],
-                          state_.previous[i].r + share * increments[i].head<3>(),
-                          share * state_.trial[i].theta,
-                          state_.trial[i]);
-            }
             moves_supports_ = system_.supports().move();
         }
-        contact_->start(state_, time_);
         if (!workspace_.paired) return;
-        workspace_.paired->start(contact_->pairs().list_groups(state_));
+        workspace_.paired->start(contacts_.list_groups(state_));
         workspace_.is_paired = true;
     }
 
@@ -223,7 +196,7 @@ class Newton {
         if (report_.outcome == Outcome::not_finite) return true;
         const bool must_move = moves_supports_ || state_.contact.progress < 1.0;
         if (!must_move && convergence_.is_met(workspace_.residual, report_)) {
-            if (!contact_ || drags_ == most_drags || !contact_->pairs().counter_gain(state_)) return true;
+            if (drags_ == most_drags || !limiter_.counter_gain(state_)) return true;
             ++drags_;
             compute_residual();
         }
@@ -245,7 +218,7 @@ class Newton {
                 if (workspace_.paired) {
                     workspace_.paired->set_values(
                         workspace_.values,
-                        contact_->pairs().compute_tangents(
+                        contacts_.compute_tangents(
                             state_, request_.contact_weight, workspace_.linearizations));
                 }
                 break;
@@ -274,13 +247,13 @@ class Newton {
         if (places_supports) {
             std::vector<Vec6> with_supports = deltas;
             add_support_motion(system_, time_, state_, with_supports);
-            if (contact_ && !limit_increment(with_supports)) {
+            if (!limit_increment(with_supports)) {
                 deltas = with_supports;
                 places_supports = false;
             }
             if (!admit(with_supports)) return false;
         } else {
-            if (contact_) limit_increment(deltas);
+            limit_increment(deltas);
             if (!admit(deltas)) return false;
         }
         move_nodes(deltas);
@@ -294,17 +267,10 @@ class Newton {
 
     // Shortens the increments of parts of the model in which a gap would close; false if any.
     bool limit_increment(std::vector<Vec6>& deltas) {
-        const ContactLimits limits = contact_->limit(deltas, state_, time_);
+        const ContactLimits limits = limiter_.limit_increment(deltas, state_, time_);
         report_.least_gap = std::min(report_.least_gap, limits.least_gap);
-        contact_->advance(deltas, time_, state_);
-        double& progress = state_.contact.progress;
-        progress = limits.shorten() ? progress + limits.least * (1.0 - progress) : 1.0;
-        if (!limits.shorten()) return true;
-        ++report_.shortened;
-        for (std::size_t i = 0; i < deltas.size(); ++i)
-            deltas[i] *= limits.of_parts[static_cast<std::size_t>(
-                system_.scale_groups().part_of_node(static_cast<int>(i)))];
-        return false;
+        if (limits.shorten()) ++report_.shortened;
+        return !limits.shorten();
     }
 
     // False, and so reported, if the increments turn nodes too far; else resultants go with them.
@@ -344,7 +310,8 @@ class Newton {
     double time_;
     ConstraintRequest request_;
     bool moves_supports_;  // until they are there; within the first iteration, unless contact stops them
-    const ContactAssembly* contact_;  // nullptr where nothing can touch
+    Contacts contacts_;
+    StepLimiter limiter_;
     bool limits_rotation_;
     SolverWorkspace& workspace_;
     State& state_;
@@ -389,7 +356,7 @@ EquilibriumReport solve_pseudo_step(const System& system,
                                     const PseudoStep& step,
                                     SolverWorkspace& workspace,
                                     State& state) {
-    assert(integrator.is_static() && !system.contact());
+    assert(integrator.is_static() && !Contacts(system).are_possible());
     const ConstraintRequest request = find_request(system, integrator, stage);
     return Newton(system, integrator, settings, stage, request, workspace, state, &step).solve();
 }
