@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "batch/batch_folder.hpp"
 #include "machine/file_error.hpp"
 #include "report/report.hpp"
 
@@ -67,12 +68,6 @@ std::vector<CaseFiles> choose(const std::vector<CaseFiles>& kept,
     std::erase_if(chosen, [](const CaseFiles& files) { return is_current(files); });
     pages.kept = all - chosen.size();
     return chosen;
-}
-
-void make_folder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw FileError(folder, "cannot be created", error.message());
 }
 
 }  // namespace
