@@ -138,6 +138,7 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
     for (const AnalysisTable& table : list_analyses(context.deck)) {
         for (const PathTargetTable& target : table.at) points.check_names(target);
         for (const ExcitationTable& force : table.excite) points.check_names(force);
+        if (table.control) points.check_names(*table.control);
     }
     std::vector<RodPoint> all = points.take_points_of_rods();
     for (const std::vector<RodPoint>& more : {list_tendon_points(context), list_contact_part_ends(context)})

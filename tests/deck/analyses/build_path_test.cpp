@@ -80,6 +80,8 @@ TEST_CASE("What controls a path is free", "[deck]") {
     CHECK(with("\"r.start\", rotation = \"y\"") ==
           "x.toml:12:40: analysis.control.rotation: a support holds it");
     CHECK(with("\"r.end\"").find("displacement") != std::string::npos);
+    CHECK(with("\"q.end\", displacement = \"x\"") ==
+          "x.toml:12:18: analysis.control.of: no point \"q.end\"; did you mean \"r.end\"?");
 }
 
 TEST_CASE("Limit points are followed after a path", "[deck]") {
