@@ -174,8 +174,8 @@ class Table {
         return *this;
     }
     // The key is of use only where other keys have these words.
-    Table& only_for(std::vector<Condition> conditions) {
-        last().only_for = std::move(conditions);
+    Table& only_for(const std::vector<Condition>& conditions) {
+        last().only_for = conditions;
         return *this;
     }
     // The key may have another value when a run is resumed.
