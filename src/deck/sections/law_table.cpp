@@ -18,7 +18,7 @@ namespace {
 const TableSpec& layer_table() {
     using T = LayerTable;
     // clang-format off
-    static const TableSpec table = Table<T>("section.NAME.law.layers", "")
+    static const TableSpec table = Table<T>("section.NAME.law.layers[]", "")
         .key("on", &T::on, "The strains that it takes part in. Of bending and shear it resists both, up to a limit of "
              "their resultant.")
             .required()
@@ -28,8 +28,7 @@ const TableSpec& layer_table() {
             .unit("of force or moment").at_least(0).required()
         .key("limit_per_tension", &T::limit_per_tension,
              "What the limit grows by with the axial force, where that is tension.")
-            .unit("1 or length").at_least(0)
-        .in_list();
+            .unit("1 or length").at_least(0);
     // clang-format on
     return table;
 }

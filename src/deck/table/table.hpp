@@ -211,12 +211,6 @@ class Table {
         return *this;
     }
 
-    // The table stands in a list of tables, such as layers = [{ … }, …].
-    Table& in_list() {
-        spec_.heading = spec_.path.substr(spec_.path.rfind('.') + 1) + " = [{ … }, …]";
-        return *this;
-    }
-
     operator TableSpec() const { return spec_; }
 
   private:
