@@ -128,7 +128,7 @@ struct AnalysisTable : TableHead {
     double end_time = 0.0;
     std::optional<double> accuracy, time_step;
     std::optional<long> steps;
-    // Of a motion.
+    // These are for motions.
     OpenScheme integrator{DynamicSettings{}.scheme};
     double beta = DynamicSettings{}.beta;
     double gamma = DynamicSettings{}.gamma;
@@ -137,7 +137,7 @@ struct AnalysisTable : TableHead {
     std::optional<AdaptiveTable> adaptive;
     std::optional<NewtonTable> newton;
     LinearSolverKind linear_solver = LinearSolverKind::automatic;
-    // Of a path.
+    // These are for paths.
     std::optional<UntilTable> until;
     std::optional<double> step;
     double max_step = PathSettings{}.max_step;
@@ -147,12 +147,12 @@ struct AnalysisTable : TableHead {
     CriticalSearch critical = PathSettings{}.critical;
     long branches = PathSettings{}.branches;
     std::optional<FollowedPoint> follow;
-    // Of shapes.
+    // These are for shapes.
     std::optional<long> count;
     std::optional<double> below;
     Linearization linearization = ModesSettings{}.linearization;
     std::optional<SweepTable> sweep;
-    // Of a response.
+    // These are for responses.
     std::optional<NumbersTable> omega, frequency;
     std::vector<ExcitationTable> excite;
 };

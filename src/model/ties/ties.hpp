@@ -10,8 +10,8 @@
 #include "model/joint.hpp"
 #include "model/model.hpp"
 
-// What ties two points to each other: springs, bushings, joints, gears and sleeves. Code that concerns all of
-// them lists them here, so that it forgets no kind.
+// Lists the ties between two points: springs, bushings, joints, gears and sleeves. Code that concerns all of
+// them asks this list, so that it forgets no kind.
 namespace gxrod {
 
 enum class TieKind { spring, bushing, joint, gear, sleeve };
