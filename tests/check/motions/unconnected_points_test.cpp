@@ -54,6 +54,15 @@ TEST_CASE("Ends that nearly meet are reported", "[check]") {
     CHECK(found(rod("q", "[10, 1e-4, 0]", "[10, 5, 0]")).empty());
 }
 
+TEST_CASE("Ends that a gear ties are not a finding", "[check]") {
+    const std::string corner = rod("q", "[10, 0, 0]", "[10, 5, 0]");
+    const std::string hinges =
+        "[joint.one]\ntype = \"hinge\"\nbetween = [\"ground\", \"r.end\"]\naxis = [0, 0, 1]\n"
+        "[joint.two]\ntype = \"hinge\"\nbetween = [\"ground\", \"q.start\"]\naxis = [0, 0, 1]\n";
+    CHECK(found(corner + hinges).size() == 1);
+    CHECK(found(corner + hinges + "[gear.g]\njoints = [\"one\", \"two\"]\nratio = 2\n").empty());
+}
+
 TEST_CASE("Clamps at one place are not a finding", "[check]") {
     const std::string corner = rod("q", "[0, 0, 0]", "[0, 5, 0]");
     const std::string clamps =

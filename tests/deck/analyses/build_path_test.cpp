@@ -84,6 +84,14 @@ TEST_CASE("What controls a path is free", "[deck]") {
           "x.toml:12:18: analysis.control.of: no point \"q.end\"; did you mean \"r.end\"?");
 }
 
+TEST_CASE("A point that controls a path gets a node", "[deck]") {
+    const Problem problem = read(replaced(static_rod_deck, "\"static\"", "\"path\"") +
+                                 "until = { t = 1 }\ncontrol = { of = \"r@0.55\", displacement = \"y\" }\n");
+    const auto& control = std::get<PathSettings>(problem.stages.front().analysis).control;
+    REQUIRE(control);
+    CHECK((problem.model.nodes.at(control->node).position - Vec3(5.5, 0.0, 0.0)).norm() < 1e-12);
+}
+
 TEST_CASE("Limit points are followed after a path", "[deck]") {
     const auto with = [](const std::string& first, const std::string& more, const std::string& load = "") {
         return faults_of(replaced(static_rod_deck, "[analysis]\nkind = \"static\"\n", "") + load +

@@ -128,4 +128,24 @@ TEST_CASE("A run is not resumed with another mesh", "[deck][resume]") {
                       Catch::Contains("a.geo is another one than the run's"));
 }
 
+TEST_CASE("Models whose ties differ do not have the same mesh", "[deck][resume]") {
+    const Model model =
+        read(rod_deck +
+             "[joint.one]\ntype = \"hinge\"\nbetween = [\"ground\", \"r.start\"]\naxis = [0, 0, 1]\n"
+             "[joint.two]\ntype = \"hinge\"\nbetween = [\"ground\", \"r.end\"]\naxis = [0, 0, 1]\n"
+             "[gear.g]\njoints = [\"one\", \"two\"]\nratio = 2\n"
+             "[spring.strut]\nbetween = [\"ground\", \"r.end\"]\nat_a = [10, 1, 0]\nstiffness = 1\n")
+            .model;
+    const auto is_same_after = [&](const auto& change) {
+        Model other = model;
+        change(other);
+        return have_same_mesh(model, other);
+    };
+    CHECK(is_same_after([](Model&) {}));
+    CHECK_FALSE(is_same_after([](Model& m) { std::swap(m.gears[0].sides[0], m.gears[0].sides[1]); }));
+    CHECK_FALSE(is_same_after([](Model& m) { m.gears[0].name = "h"; }));
+    CHECK_FALSE(is_same_after([](Model& m) { m.springs[0].ends[0].arm.x() += 1.0; }));
+    CHECK_FALSE(is_same_after([](Model& m) { m.joints[1].a.axes = m.joints[1].a.axes * 2.0; }));
+}
+
 }  // namespace gxrod::test
