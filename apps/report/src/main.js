@@ -1,5 +1,5 @@
-import { Along } from "./along.js";
-import { showCharts } from "./chart.js";
+import { Along } from "./charts/along.js";
+import { showCharts } from "./charts/chart.js";
 import { Clock } from "./clock.js";
 import { bindColouring } from "./colouring.js";
 import { readData } from "./data.js";
@@ -12,13 +12,13 @@ import { shapeOf } from "./findings/modes_tab.js";
 import { describeTime, listParts, listPathStretches, listSeams } from "./findings/stages.js";
 import { Swinging } from "./findings/swinging.js";
 import { findMostMoved, Motion } from "./motion.js";
-import { Names } from "./names.js";
-import { Picture } from "./picture.js";
+import { Names } from "./scene/names.js";
+import { Picture } from "./scene/picture.js";
 import { bindPlayer } from "./player.js";
 import { showAbout, showFailure, showHeader, showModel } from "./story.js";
 import { bindTabs } from "./tabs.js";
-import { isWet, listTensions } from "./tensions.js";
-import { TouchDown } from "./touch_down.js";
+import { isWet, listTensions } from "./charts/tensions.js";
+import { TouchDown } from "./charts/touch_down.js";
 import { bindThemeButton, readTheme } from "./theme.js";
 import { readUnits } from "./units.js";
 

@@ -1,4 +1,4 @@
-import { ColourScale } from "../colours.js";
+import { ColourScale } from "../scene/colours.js";
 import { Axis } from "../figures/axis.js";
 import { count } from "./point_figure.js";
 

@@ -1,4 +1,4 @@
-import { ColourScale } from "../colours.js";
+import { ColourScale } from "../scene/colours.js";
 
 const most = 8; // values that get a name each next to the chart
 

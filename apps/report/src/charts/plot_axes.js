@@ -1,5 +1,5 @@
-import { formatNumber } from "./format.js";
-import { readTheme } from "./theme.js";
+import { formatNumber } from "../format.js";
+import { readTheme } from "../theme.js";
 
 // What the axes of all charts of a run have in common.
 function axisOptions() {

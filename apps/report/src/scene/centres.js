@@ -1,6 +1,6 @@
 import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Points, PointsMaterial } from "three";
-import { make } from "./elements.js";
-import { symbolColours } from "./theme.js";
+import { make } from "../elements.js";
+import { symbolColours } from "../theme.js";
 
 const kinds = { shear: "shear centre", tension: "tension centre", mass: "centre of mass" };
 const reach = 1.7; // of principal axes, in semi-axes of the section as drawn

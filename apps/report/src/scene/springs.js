@@ -3,7 +3,7 @@ import { materialOf } from "./arrows.js";
 import { Coil } from "./coil.js";
 import { Bounds, makeBar, makeColouredBar, makeEnds, setBar, toQuaternion } from "./ends.js";
 import { makeKnob } from "./joint_symbols.js";
-import { symbolColours } from "./theme.js";
+import { symbolColours } from "../theme.js";
 
 // Springs as coils between their points, dampers as a piston in a tube, bushings as a box on half the way between theirs; bars
 // join the points to the nodes that carry them. Grey knobs are on the ground.

@@ -2,7 +2,7 @@ import { Group, MeshStandardMaterial, Quaternion, Vector3 } from "three";
 import { materialOf } from "./arrows.js";
 import { Bounds, makeBar, makeEnds, setBar, toQuaternion } from "./ends.js";
 import { makeKnob, makeRail, makeSymbol, slides } from "./joint_symbols.js";
-import { symbolColours } from "./theme.js";
+import { symbolColours } from "../theme.js";
 
 const x = new Vector3(1, 0, 0);
 

@@ -1,11 +1,11 @@
 import uPlot from "uplot";
 import { listPlaces } from "./along.js";
-import { make } from "./elements.js";
-import { formatNumber, timeSymbol } from "./format.js";
+import { make } from "../elements.js";
+import { formatNumber, timeSymbol } from "../format.js";
 import { axesOptions, rangeAround, widen } from "./plot_axes.js";
-import { heightOfGround } from "./surroundings.js";
-import { readTheme } from "./theme.js";
-import { unitOf } from "./units.js";
+import { heightOfGround } from "../scene/surroundings.js";
+import { readTheme } from "../theme.js";
+import { unitOf } from "../units.js";
 
 const height = 150;
 

@@ -2,7 +2,7 @@ import {
   BufferAttribute, BufferGeometry, CapsuleGeometry, CatmullRomCurve3, CylinderGeometry, DoubleSide, EdgesGeometry, Group, LineBasicMaterial,
   LineSegments, Mesh, MeshLambertMaterial, PlaneGeometry, Quaternion, SphereGeometry, TubeGeometry, Vector3,
 } from "three";
-import { decode } from "./data.js";
+import { decode } from "../data.js";
 import { Bounds, toQuaternion } from "./ends.js";
 
 const nearby = 0.6; // of the model's size: a patch that is farther from it does not widen the view

@@ -3,7 +3,7 @@ import {
   SRGBColorSpace, TorusGeometry, Vector3,
 } from "three";
 import { makeArrow, materialOf, setLength } from "./arrows.js";
-import { symbolColours } from "./theme.js";
+import { symbolColours } from "../theme.js";
 
 const z = new Vector3(0, 0, 1);
 const axes = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), z];

@@ -1,10 +1,10 @@
 import uPlot from "uplot";
-import { find, make } from "./elements.js";
-import { formatNumber, inWords } from "./format.js";
+import { find, make } from "../elements.js";
+import { formatNumber, inWords } from "../format.js";
 import { axesOptions, largestSize, rangeAround, widen } from "./plot_axes.js";
-import { nameQuantity } from "./quantities.js";
-import { readTheme } from "./theme.js";
-import { unitOf } from "./units.js";
+import { nameQuantity } from "../quantities.js";
+import { readTheme } from "../theme.js";
+import { unitOf } from "../units.js";
 
 const height = 168;
 

@@ -4,7 +4,7 @@ import {
 } from "three";
 import { makeArrow } from "./arrows.js";
 import { toQuaternion } from "./ends.js";
-import { axisColours } from "./theme.js";
+import { axisColours } from "../theme.js";
 
 const mostPaths = 100;
 const axes = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)];

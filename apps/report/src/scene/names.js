@@ -1,5 +1,5 @@
 import { Vector3 } from "three";
-import { make } from "./elements.js";
+import { make } from "../elements.js";
 
 const reach = 14; // pixels around a point
 

@@ -1,6 +1,6 @@
 import { AmbientLight, CanvasTexture, PerspectiveCamera, Scene, SRGBColorSpace, Sprite, SpriteMaterial, Vector3 } from "three";
 import { makeArrow } from "./arrows.js";
-import { axisColours } from "./theme.js";
+import { axisColours } from "../theme.js";
 
 const pixels = 84;
 const axes = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)];

@@ -1,6 +1,6 @@
 import { BufferAttribute, BufferGeometry, Color, DataTexture, Mesh, MeshStandardMaterial, SRGBColorSpace } from "three";
 import { limitRadii, listRings } from "./rings.js";
-import { multiply } from "./rotation.js";
+import { multiply } from "../rotation.js";
 
 const mostVertices = 120000;
 

@@ -1,6 +1,6 @@
 import { Color, ConeGeometry, CylinderGeometry, Group, InstancedMesh, Matrix4, MeshStandardMaterial, Quaternion, Vector3 } from "three";
-import { make } from "./elements.js";
-import { contactColours } from "./theme.js";
+import { make } from "../elements.js";
+import { contactColours } from "../theme.js";
 
 const numbers = 7; // of what touches: point, force, kind
 const z = new Vector3(0, 0, 1);

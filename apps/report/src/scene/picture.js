@@ -7,7 +7,7 @@ import { Bounds } from "./ends.js";
 import { Contacts } from "./contacts.js";
 import { makeGrid } from "./grid.js";
 import { Joints } from "./joints.js";
-import { rangeOf } from "./motion.js";
+import { rangeOf } from "../motion.js";
 import { Obstacles } from "./obstacles.js";
 import { Springs } from "./springs.js";
 import { FailMarks, Loads, Supports } from "./symbols.js";

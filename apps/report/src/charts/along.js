@@ -1,11 +1,11 @@
 import uPlot from "uplot";
-import { make } from "./elements.js";
-import { formatNumber, inWords, timeSymbol } from "./format.js";
-import { componentOf } from "./motion.js";
+import { make } from "../elements.js";
+import { formatNumber, inWords, timeSymbol } from "../format.js";
+import { componentOf } from "../motion.js";
 import { axesOptions, rangeAround, widen } from "./plot_axes.js";
-import { componentsOf, dimensionOf } from "./quantities.js";
-import { readTheme } from "./theme.js";
-import { unitOf } from "./units.js";
+import { componentsOf, dimensionOf } from "../quantities.js";
+import { readTheme } from "../theme.js";
+import { unitOf } from "../units.js";
 
 const height = 190;
 const roundOff = 1e-6; // relative to the magnitude: numbers in a page have seven digits
