@@ -25,9 +25,7 @@ Mat3 differentiate_X(const HalfRotation<double>& turn, const Vec3& v) {
 }  // namespace
 
 template <int Nodes>
-BushingElement<Nodes>::BushingElement(const Bushing& bushing) : bushing_(bushing), points_(bushing.ends) {
-    this->nodes = points_.nodes();
-}
+BushingElement<Nodes>::BushingElement(const Bushing& bushing) : Base(bushing) {}
 
 template <int Nodes>
 BushingMotion BushingElement<Nodes>::compute_motion(const Motions<Nodes>& motions) const {
@@ -84,7 +82,7 @@ typename BushingElement<Nodes>::StrainColumns BushingElement<Nodes>::differentia
 
 // ḋ = Rᵀ (Ḋ − ω_m × D), Φ̇ = X Rᵀ w.
 template <int Nodes>
-typename BushingElement<Nodes>::StrainColumns BushingElement<Nodes>::differentiate_strain_rate(
+typename BushingElement<Nodes>::StrainColumns BushingElement<Nodes>::differentiate_rate(
     const Motions<Nodes>& motions,
     const BushingMotion& motion,
     const Linearizations<Nodes>& linear,
@@ -142,52 +140,10 @@ void BushingElement<Nodes>::add_tangent(const Motions<Nodes>& motions,
 }
 
 template <int Nodes>
-void BushingElement<Nodes>::add_internal_force(const Motions<Nodes>& motions,
-                                               Histories,
-                                               NodalVector<Nodes>& force) const {
-    const BushingMotion motion = compute_motion(motions);
-    add_force(motions, motion, bushing_.stiffness * motion.strain, force);
-}
-
-template <int Nodes>
-void BushingElement<Nodes>::add_internal_tangent(const Motions<Nodes>& motions,
-                                                 Histories,
-                                                 const Linearizations<Nodes>& linear,
-                                                 NodalMatrix<Nodes>& tangent) const {
-    const BushingMotion motion = compute_motion(motions);
-    const Variation variation = vary(motions, motion, linear);
-    const StrainColumns derivative = bushing_.stiffness * differentiate_strain(motion, variation);
-    add_tangent(motions, motion, linear, variation, bushing_.stiffness * motion.strain, derivative, tangent);
-}
-
-template <int Nodes>
-void BushingElement<Nodes>::add_damping_force(const Motions<Nodes>& motions,
-                                              Histories,
-                                              NodalVector<Nodes>& force) const {
-    if (!is_damped()) return;
-    const BushingMotion motion = compute_motion(motions);
-    add_force(motions, motion, bushing_.damping * motion.strain_rate, force);
-}
-
-template <int Nodes>
-void BushingElement<Nodes>::add_damping_tangent(const Motions<Nodes>& motions,
-                                                Histories,
-                                                const Linearizations<Nodes>& linear,
-                                                NodalMatrix<Nodes>& tangent) const {
-    if (!is_damped()) return;
-    const BushingMotion motion = compute_motion(motions);
-    const Variation variation = vary(motions, motion, linear);
-    const StrainColumns derivative =
-        bushing_.damping * differentiate_strain_rate(motions, motion, linear, variation);
-    add_tangent(
-        motions, motion, linear, variation, bushing_.damping * motion.strain_rate, derivative, tangent);
-}
-
-template <int Nodes>
 double BushingElement<Nodes>::damping_action(const Motions<Nodes>& before,
                                              const Motions<Nodes>& after,
                                              Histories) const {
-    if (!is_damped()) return 0.0;
+    if (!this->is_damped()) return 0.0;
     const Vec6 change = compute_motion(after).strain - compute_motion(before).strain;
     return change.dot(bushing_.damping * change);
 }
@@ -195,12 +151,6 @@ double BushingElement<Nodes>::damping_action(const Motions<Nodes>& before,
 template <int Nodes>
 double BushingElement<Nodes>::largest_relative_rotation(const Motions<Nodes>& motions) const {
     return compute_motion(motions).turn.Phi.norm();
-}
-
-template <int Nodes>
-double BushingElement<Nodes>::strain_energy(const Motions<Nodes>& motions, Histories) const {
-    const Vec6 strain = compute_motion(motions).strain;
-    return 0.5 * strain.dot(bushing_.stiffness * strain);
 }
 
 template class BushingElement<1>;

@@ -16,7 +16,7 @@ BushingMotion compute_bushing_motion(const Bushing& bushing, const NodeMotion* a
     motion.middle_spin = 0.5 * (at_A.omega + at_B.omega - tau.cross(motion.turn_rate));
     const Vec3& d = motion.distance.d;
     motion.strain << motion.axes.transpose() * d, motion.turn.Phi;
-    motion.strain_rate << motion.axes.transpose() * (motion.distance.rate - motion.middle_spin.cross(d)),
+    motion.rate << motion.axes.transpose() * (motion.distance.rate - motion.middle_spin.cross(d)),
         take_to_rotation_vector(motion.turn, motion.axes.transpose() * motion.turn_rate);
     return motion;
 }
@@ -26,7 +26,7 @@ Vec3 take_to_rotation_vector(const HalfRotation<double>& turn, const Vec3& v) {
 }
 
 Vec6 compute_bushing_force(const Bushing& bushing, const BushingMotion& motion) {
-    return bushing.stiffness * motion.strain + bushing.damping * motion.strain_rate;
+    return bushing.stiffness * motion.strain + bushing.damping * motion.rate;
 }
 
 }  // namespace gxrod

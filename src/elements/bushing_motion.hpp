@@ -13,7 +13,7 @@ struct BushingMotion {
     Vec3 turn_rate = Vec3::Zero();    // ω of B − ω of A, spatial
     Vec3 middle_spin = Vec3::Zero();  // spin of the axes, spatial
     Vec6 strain = Vec6::Zero();       // displacement and rotation vector of B against A, in the axes
-    Vec6 strain_rate = Vec6::Zero();
+    Vec6 rate = Vec6::Zero();
 };
 
 // Computes it from the motions `a`, `b` of the nodes that carry A and B; nullptr for the ground.

@@ -10,9 +10,7 @@ namespace gxrod {
 
 template <int Nodes>
 CarriedBushingElement<Nodes>::CarriedBushingElement(const Bushing& bushing)
-    : bushing_(bushing), turn_(find_bushing_turn(bushing)), points_(bushing.ends) {
-    this->nodes = points_.nodes();
-}
+    : Base(bushing), turn_(find_bushing_turn(bushing)) {}
 
 template <int Nodes>
 CarriedBushingMotion CarriedBushingElement<Nodes>::compute_motion(const Motions<Nodes>& motions) const {
@@ -157,53 +155,12 @@ void CarriedBushingElement<Nodes>::add_tangent(const Motions<Nodes>& motions,
     }
 }
 
-template <int Nodes>
-void CarriedBushingElement<Nodes>::add_internal_force(const Motions<Nodes>& motions,
-                                                      Histories,
-                                                      NodalVector<Nodes>& force) const {
-    const CarriedBushingMotion motion = compute_motion(motions);
-    add_force(motions, motion, bushing_.stiffness * motion.strain, force);
-}
-
-template <int Nodes>
-void CarriedBushingElement<Nodes>::add_internal_tangent(const Motions<Nodes>& motions,
-                                                        Histories,
-                                                        const Linearizations<Nodes>& linear,
-                                                        NodalMatrix<Nodes>& tangent) const {
-    const CarriedBushingMotion motion = compute_motion(motions);
-    const Variation variation = vary(motions, motion, linear);
-    const StrainColumns derivative = bushing_.stiffness * differentiate_strain(motion, variation);
-    add_tangent(motions, motion, linear, variation, bushing_.stiffness * motion.strain, derivative, tangent);
-}
-
-template <int Nodes>
-void CarriedBushingElement<Nodes>::add_damping_force(const Motions<Nodes>& motions,
-                                                     Histories,
-                                                     NodalVector<Nodes>& force) const {
-    if (!is_damped()) return;
-    const CarriedBushingMotion motion = compute_motion(motions);
-    add_force(motions, motion, bushing_.damping * motion.rate, force);
-}
-
-template <int Nodes>
-void CarriedBushingElement<Nodes>::add_damping_tangent(const Motions<Nodes>& motions,
-                                                       Histories,
-                                                       const Linearizations<Nodes>& linear,
-                                                       NodalMatrix<Nodes>& tangent) const {
-    if (!is_damped()) return;
-    const CarriedBushingMotion motion = compute_motion(motions);
-    const Variation variation = vary(motions, motion, linear);
-    const StrainColumns derivative =
-        bushing_.damping * differentiate_rate(motions, motion, linear, variation);
-    add_tangent(motions, motion, linear, variation, bushing_.damping * motion.rate, derivative, tangent);
-}
-
 // What has no strain, spins and the twist, is measured by the rotations of both ends in the step, half way.
 template <int Nodes>
 double CarriedBushingElement<Nodes>::damping_action(const Motions<Nodes>& before,
                                                     const Motions<Nodes>& after,
                                                     Histories) const {
-    if (!is_damped()) return 0.0;
+    if (!this->is_damped()) return 0.0;
     const CarriedBushingMotion first = compute_motion(before);
     const CarriedBushingMotion last = compute_motion(after);
     Vec3 turned = Vec3::Zero();
@@ -222,12 +179,6 @@ double CarriedBushingElement<Nodes>::damping_action(const Motions<Nodes>& before
 template <int Nodes>
 double CarriedBushingElement<Nodes>::largest_relative_rotation(const Motions<Nodes>& motions) const {
     return compute_motion(motions).turn.v.norm();
-}
-
-template <int Nodes>
-double CarriedBushingElement<Nodes>::strain_energy(const Motions<Nodes>& motions, Histories) const {
-    const Vec6 strain = compute_motion(motions).strain;
-    return 0.5 * strain.dot(bushing_.stiffness * strain);
 }
 
 template class CarriedBushingElement<1>;

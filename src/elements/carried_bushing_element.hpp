@@ -1,48 +1,30 @@
 #pragma once
 
+#include "elements/bushing_base.hpp"
 #include "elements/carried_bushing_motion.hpp"
-#include "elements/plain_element.hpp"
-#include "elements/point_pair.hpp"
 
 namespace gxrod {
 
-// A bushing whose axes one end, or the ground, carries, without inertia. With one node it lies between the
-// ground and its node.
+// A bushing whose axes one end, or the ground, carries, without inertia.
 template <int Nodes>
-class CarriedBushingElement : public PlainElement<Nodes> {
+class CarriedBushingElement : public BushingBase<Nodes, CarriedBushingElement<Nodes>, CarriedBushingMotion> {
   public:
     explicit CarriedBushingElement(const Bushing& bushing);
 
-    void add_internal_force(const Motions<Nodes>& motions, Histories, NodalVector<Nodes>& force) const;
-    void add_internal_tangent(const Motions<Nodes>& motions,
-                              Histories,
-                              const Linearizations<Nodes>& linearizations,
-                              NodalMatrix<Nodes>& tangent) const;
-    // Adds the internal tangent: there are no force points.
-    void add_mixed_tangent(const Motions<Nodes>& motions,
-                           Histories histories,
-                           Resultants,
-                           const Linearizations<Nodes>& linearizations,
-                           NodalMatrix<Nodes>& tangent) const {
-        add_internal_tangent(motions, histories, linearizations, tangent);
-    }
-    bool is_damped() const { return !bushing_.damping.isZero(0.0); }
-    void add_damping_force(const Motions<Nodes>& motions, Histories, NodalVector<Nodes>& force) const;
-    void add_damping_tangent(const Motions<Nodes>& motions,
-                             Histories,
-                             const Linearizations<Nodes>& linearizations,
-                             NodalMatrix<Nodes>& tangent) const;
     double damping_action(const Motions<Nodes>& before, const Motions<Nodes>& after, Histories) const;
     // Returns the angle that the stiffness resists: if rotations about one axis are free, the angle of the
     // swing.
     double largest_relative_rotation(const Motions<Nodes>& motions) const;
-    double strain_energy(const Motions<Nodes>& motions, Histories) const;
     // Whether the ground takes part of the moments, although neither end is the ground.
     bool leans_on_ground() const { return bushing_.carrier == BushingAxes::ground; }
 
   private:
-    using Columns = typename PointPair<Nodes>::Columns;
-    using StrainColumns = Eigen::Matrix<double, 6, 6 * Nodes>;
+    using Base = BushingBase<Nodes, CarriedBushingElement, CarriedBushingMotion>;
+    friend Base;
+    using Base::bushing_;
+    using Base::points_;
+    using typename Base::Columns;
+    using typename Base::StrainColumns;
 
     // Derivatives by (δr, δφ) of the nodes, spatial.
     struct Variation {
@@ -82,9 +64,7 @@ class CarriedBushingElement : public PlainElement<Nodes> {
                                                          const Vec3& own,
                                                          const StrainColumns& derivative) const;
 
-    Bushing bushing_;
     BushingTurn turn_;
-    PointPair<Nodes> points_;
 };
 
 extern template class CarriedBushingElement<1>;

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "elements/plain_element.hpp"
+#include "elements/point_pair.hpp"
+#include "model/model.hpp"
+
+namespace gxrod {
+
+// What bushings have in common, whatever carries their axes: linear stiffness and damping of six components.
+// `Own` computes the motion, with its strain and rate in the axes, their derivatives by the nodes, and the
+// nodal forces of a force and a moment. With one node a bushing lies between the ground and its node.
+template <int Nodes, class Own, class Motion>
+class BushingBase : public PlainElement<Nodes> {
+  public:
+    // One of the bushing's ends is the ground if this has one node.
+    explicit BushingBase(const Bushing& bushing) : bushing_(bushing), points_(bushing.ends) {
+        this->nodes = points_.nodes();
+    }
+
+    void add_internal_force(const Motions<Nodes>& motions, Histories, NodalVector<Nodes>& force) const {
+        const Motion motion = own().compute_motion(motions);
+        own().add_force(motions, motion, bushing_.stiffness * motion.strain, force);
+    }
+    void add_internal_tangent(const Motions<Nodes>& motions,
+                              Histories,
+                              const Linearizations<Nodes>& linear,
+                              NodalMatrix<Nodes>& tangent) const {
+        const Motion motion = own().compute_motion(motions);
+        const auto variation = own().vary(motions, motion, linear);
+        const StrainColumns derivative = bushing_.stiffness * own().differentiate_strain(motion, variation);
+        own().add_tangent(
+            motions, motion, linear, variation, bushing_.stiffness * motion.strain, derivative, tangent);
+    }
+    // Adds the internal tangent: there are no force points.
+    void add_mixed_tangent(const Motions<Nodes>& motions,
+                           Histories histories,
+                           Resultants,
+                           const Linearizations<Nodes>& linear,
+                           NodalMatrix<Nodes>& tangent) const {
+        add_internal_tangent(motions, histories, linear, tangent);
+    }
+    bool is_damped() const { return !bushing_.damping.isZero(0.0); }
+    void add_damping_force(const Motions<Nodes>& motions, Histories, NodalVector<Nodes>& force) const {
+        if (!is_damped()) return;
+        const Motion motion = own().compute_motion(motions);
+        own().add_force(motions, motion, bushing_.damping * motion.rate, force);
+    }
+    void add_damping_tangent(const Motions<Nodes>& motions,
+                             Histories,
+                             const Linearizations<Nodes>& linear,
+                             NodalMatrix<Nodes>& tangent) const {
+        if (!is_damped()) return;
+        const Motion motion = own().compute_motion(motions);
+        const auto variation = own().vary(motions, motion, linear);
+        const StrainColumns derivative =
+            bushing_.damping * own().differentiate_rate(motions, motion, linear, variation);
+        own().add_tangent(
+            motions, motion, linear, variation, bushing_.damping * motion.rate, derivative, tangent);
+    }
+    double strain_energy(const Motions<Nodes>& motions, Histories) const {
+        const Vec6 strain = own().compute_motion(motions).strain;
+        return 0.5 * strain.dot(bushing_.stiffness * strain);
+    }
+
+  protected:
+    using Columns = typename PointPair<Nodes>::Columns;
+    using StrainColumns = Eigen::Matrix<double, 6, 6 * Nodes>;
+
+    Bushing bushing_;
+    PointPair<Nodes> points_;
+
+  private:
+    const Own& own() const { return static_cast<const Own&>(*this); }
+};
+
+}  // namespace gxrod
