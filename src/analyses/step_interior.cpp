@@ -164,10 +164,8 @@ Snapshot StepInterior::snapshot(double time,
     joints_ = system_.joints().compute_joint_values(between_, time);
     if (!system_.model().tendons.empty()) tendons_ = system_.compute_tendon_values(between_, time);
     Snapshot snapshot{time, between_.trial, sections_, reactions_, points_};
-    springs_ = compute_spring_values(system_.model(), between_.trial);
-    bushings_ = compute_bushing_values(system_.model(), between_.trial);
-    snapshot.springs = springs_;
-    snapshot.bushings = bushings_;
+    ties_ = compute_tie_values(system_.model(), between_.trial);
+    snapshot.ties = &ties_;
     snapshot.joints = joints_;
     snapshot.bodies = bodies_;
     snapshot.tendons = tendons_;

@@ -67,8 +67,7 @@ class StepInterior {
     std::vector<PointValues> points_;
     std::vector<Vec6> reactions_;
     std::vector<PointSurroundings> bodies_;
-    std::vector<SpringValues> springs_;
-    std::vector<BushingValues> bushings_;
+    TieValues ties_;
     std::vector<JointValues> joints_;
     std::vector<TendonValues> tendons_;
 };

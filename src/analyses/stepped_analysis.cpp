@@ -572,10 +572,8 @@ Snapshot SteppedAnalysis::snapshot(bool with_elements) {
     if (with_elements) section_values_ = system_.compute_section_values(state_);
     joint_values_ = system_.joints().compute_joint_values(state_, state_.time);
     Snapshot snapshot{axis_time(), state_.trial, section_values_, reactions_, point_values_};
-    spring_values_ = compute_spring_values(system_.model(), state_.trial);
-    bushing_values_ = compute_bushing_values(system_.model(), state_.trial);
-    snapshot.springs = spring_values_;
-    snapshot.bushings = bushing_values_;
+    ties_ = compute_tie_values(system_.model(), state_.trial);
+    snapshot.ties = &ties_;
     snapshot.joints = joint_values_;
     snapshot.bodies = body_values_;
     if (!system_.model().tendons.empty()) tendon_values_ = system_.compute_tendon_values(state_, state_.time);

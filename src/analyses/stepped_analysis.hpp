@@ -233,8 +233,7 @@ class SteppedAnalysis {
     std::vector<PointValues> point_values_;
     std::vector<PointSurroundings> body_values_;
     std::vector<JointValues> joint_values_;
-    std::vector<SpringValues> spring_values_;
-    std::vector<BushingValues> bushing_values_;
+    TieValues ties_;
     std::vector<TendonValues> tendon_values_;
     ContactRecord contact_record_;
     std::vector<SectionValues> section_values_;

@@ -46,23 +46,17 @@ BushingValues measure(const Bushing& bushing, const NodeMotion* a, const NodeMot
 
 }  // namespace
 
-std::vector<SpringValues> compute_spring_values(const Model& model, std::span<const NodeMotion> nodes) {
-    std::vector<SpringValues> values;
-    values.reserve(model.springs.size());
-    for (const Spring& spring : model.springs) {
-        const auto [a, b] = find_motions(spring.ends, nodes);
-        values.push_back(measure(spring, a, b));
-    }
-    return values;
-}
-
-std::vector<BushingValues> compute_bushing_values(const Model& model, std::span<const NodeMotion> nodes) {
-    std::vector<BushingValues> values;
-    values.reserve(model.bushings.size());
-    for (const Bushing& bushing : model.bushings) {
-        const auto [a, b] = find_motions(bushing.ends, nodes);
-        values.push_back(measure(bushing, a, b));
-    }
+TieValues compute_tie_values(const Model& model, std::span<const NodeMotion> nodes) {
+    const auto measure_all = [&](const auto& ties, auto& values) {
+        values.reserve(ties.size());
+        for (const auto& tie : ties) {
+            const auto [a, b] = find_motions(tie.ends, nodes);
+            values.push_back(measure(tie, a, b));
+        }
+    };
+    TieValues values;
+    measure_all(model.springs, values.springs);
+    measure_all(model.bushings, values.bushings);
     return values;
 }
 

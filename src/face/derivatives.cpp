@@ -67,10 +67,8 @@ std::vector<double> compute_history(const Problem& problem,
     Snapshot snapshot{load_factor, state.trial, {}, reactions, points};
     snapshot.load_factor = snapshot.limit_load_factor = load_factor;
     snapshot.joints = joints;
-    const std::vector<SpringValues> springs = compute_spring_values(problem.model, state.trial);
-    const std::vector<BushingValues> bushings = compute_bushing_values(problem.model, state.trial);
-    snapshot.springs = springs;
-    snapshot.bushings = bushings;
+    const TieValues ties = compute_tie_values(problem.model, state.trial);
+    snapshot.ties = &ties;
     const std::vector<PointSurroundings> bodies = system.compute_body_surroundings(state, load_factor);
     snapshot.bodies = bodies;
     std::vector<TendonValues> tendons;

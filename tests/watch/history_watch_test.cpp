@@ -306,9 +306,9 @@ TEST_CASE("A spring's history is its elongation and its tension", "[watch]") {
     const Vec3 u = node.Lambda * spring.ends[1].arm;
     const Vec3 d = node.r + u;
     const double rate = d.normalized().dot(node.v + node.omega.cross(u));
-    const std::vector<SpringValues> springs = compute_spring_values(model, motion.nodes);
+    const TieValues ties = compute_tie_values(model, motion.nodes);
     Snapshot snapshot = motion.snapshot();
-    snapshot.springs = springs;
+    snapshot.ties = &ties;
     CHECK(point.compute("elongation", snapshot)[0] == Approx(d.norm() - 1.5).epsilon(1e-14));
     CHECK(point.compute("axial_force", snapshot)[0] ==
           Approx(7.0 * (d.norm() - 1.5) + 2.0 * rate).epsilon(1e-14));

@@ -69,15 +69,13 @@ TEST_CASE("the value of a quantity is a row of its columns", "[watch]") {
     Model model = sample::make_model();
     model.joints.resize(1);
     const sample::Motion motion(0.7);
-    const std::vector<SpringValues> springs{{0.5, 2.0}};
-    const std::vector<BushingValues> bushings{
-        {Mat3::Identity(), Vec3(1, 2, 3), Vec3(0.1, 0.2, 0.3), Vec3(4, 5, 6), Vec3(7, 8, 9)}};
+    const TieValues ties{
+        {{0.5, 2.0}}, {{Mat3::Identity(), Vec3(1, 2, 3), Vec3(0.1, 0.2, 0.3), Vec3(4, 5, 6), Vec3(7, 8, 9)}}};
     const std::vector<JointValues> joints(3, JointValues{.turn = 1.0, .slide = 2.0});
     const std::vector<TendonValues> tendons{{1.0, 2.0, 3.0}};
     const std::vector<ObstacleValues> contacts{{Vec3(1, 2, 3), Vec3(4, 5, 6), 0.1}};
     Snapshot now = motion.snapshot();
-    now.springs = springs;
-    now.bushings = bushings;
+    now.ties = &ties;
     now.joints = joints;
     now.tendons = tendons;
     now.obstacles = now.watched_contacts = contacts;

@@ -5,13 +5,12 @@
 
 #include "state/contact_touch.hpp"
 #include "state/state.hpp"
-#include "state/values/bushing_values.hpp"
 #include "state/values/joint_values.hpp"
 #include "state/values/obstacle_values.hpp"
 #include "state/values/point_values.hpp"
 #include "state/values/section_values.hpp"
-#include "state/values/spring_values.hpp"
 #include "state/values/tendon_values.hpp"
+#include "state/values/tie_values.hpp"
 
 // The data that an analysis passes to the results at an accepted step.
 namespace gxrod {
@@ -61,8 +60,7 @@ struct Snapshot {
     int branch = 0;            // branch of a path; 0: the main one
     // Load factor of the limit point in a stage that follows limit points; in other stages t, too.
     double limit_load_factor = 0.0;
-    std::span<const SpringValues> springs = {};    // in the order of Model::springs
-    std::span<const BushingValues> bushings = {};  // in the order of Model::bushings
+    const TieValues* ties = nullptr;  // nullptr only if nobody asks for springs and bushings
     // In the order of Model::joints, then of Model::gears, then of Model::sleeves.
     std::span<const JointValues> joints = {};
     std::span<const double> inputs = {};  // values of Model::inputs
