@@ -76,15 +76,14 @@ std::vector<RoundTrip> top_level_trips() {
 
 std::vector<RoundTrip> all_trips() {
     std::vector<RoundTrip> all;
-    for (const auto& trips : {top_level_trips(),     section_trips(),      shape_trips(),
-                              matrix_trips(),        law_trips(),          drive_trips(),
-                              geometry_trips(),      rod_trips(),          section_file_trips(),
-                              section_frame_trips(), spin_trips(),         rest_trips(),
-                              history_frame_trips(), body_trips(),         joint_trips(),
-                              gear_trips(),          coordinate_trips(),   plane_trips(),
-                              response_trips(),      sweep_trips(),        connection_and_initial_trips(),
-                              analysis_trips(),      path_trips(),         follow_trips(),
-                              stage_trips(),         surroundings_trips(), contact_trips()}) {
+    for (const auto& trips :
+         {top_level_trips(),     section_trips(),  shape_trips(),  matrix_trips(),
+          law_trips(),           drive_trips(),    rod_trips(),    ,
+          section_frame_trips(), spin_trips(),     rest_trips(),   history_frame_trips(),
+          body_trips(),          joint_trips(),    gear_trips(),   coordinate_trips(),
+          plane_trips(),         response_trips(), sweep_trips(),  connection_and_initial_trips(),
+          analysis_trips(),      path_trips(),     follow_trips(), stage_trips(),
+          surroundings_trips(),  contact_trips()}) {
         all.insert(all.end(), trips.begin(), trips.end());
     }
     return all;
@@ -103,7 +102,6 @@ void add_leaf_paths(const TableSpec& table, const std::string& prefix, std::set<
             case ValueType::named_tables:
                 add_leaf_paths(*key.table, path + ".NAME.", paths);
                 break;
-            case ValueType::stations:
             case ValueType::number_or_table:
                 add_leaf_paths(*key.table, path + ".", paths);
                 [[fallthrough]];

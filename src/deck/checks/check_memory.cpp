@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "deck/rods/rod_table.hpp"
 #include "state/motion.hpp"
 
 namespace gxrod {
@@ -16,16 +17,17 @@ struct RodSize {
     std::string path;
 };
 
-RodSize find_size(const CheckedTable& rod, const NamedNet* net) {
+RodSize find_size(const RodTable& rod, const NamedNet* net) {
     if (net != nullptr) {
-        const CheckedTable& mesh = rod.tables("mesh").front();
-        return {
-            static_cast<double>(net->net.positions.size()), mesh.place_of("group"), mesh.path_of("group")};
+        const RodMeshTable& mesh = *rod.mesh;
+        return {static_cast<double>(net->net.positions.size()),
+                mesh.place_of(&mesh.group),
+                mesh.path_of(&mesh.group)};
     }
-    if (!rod.gives("elements")) return {};
-    const auto elements = static_cast<double>(rod.get<long>("elements"));
-    const auto order = static_cast<double>(rod.get<long>("order"));
-    return {elements * order + 1.0, rod.place_of("elements"), rod.path_of("elements")};
+    if (!rod.elements) return {};
+    return {static_cast<double>(*rod.elements) * static_cast<double>(rod.order) + 1.0,
+            rod.place_of(&rod.elements),
+            rod.path_of(&rod.elements)};
 }
 
 }  // namespace
@@ -39,7 +41,7 @@ double least_bytes_of_node() {
 void check_memory(const CheckedTable& deck, const RodNets& nets, double usable_bytes, FaultList& faults) {
     double nodes = 0.0;
     RodSize largest;
-    const std::vector<CheckedTable>& rods = deck.tables("rod");
+    const auto rods = rods_of(deck);
     for (std::size_t i = 0; i < rods.size(); ++i) {
         const auto net = nets.find(static_cast<int>(i));
         const RodSize size = find_size(rods[i], net == nets.end() ? nullptr : &net->second);

@@ -9,9 +9,10 @@
 #include "deck/checks/check_moves.hpp"
 #include "deck/contact/build_contact_exceptions.hpp"
 #include "deck/contact/contact_bodies.hpp"
+#include "deck/contact/obstacle_tables.hpp"
 #include "deck/joints/ends.hpp"
 #include "deck/loads/acting.hpp"
-#include "deck/rods/build_centreline.hpp"
+#include "deck/rods/rod_table.hpp"
 #include "deck/schema/choices.hpp"
 #include "model/settings/scheme_card.hpp"
 
@@ -44,12 +45,13 @@ void set_radii(const CheckedTable* table, Contact& contact, const BuildContext& 
             }
         }
     }
-    const std::vector<CheckedTable>& tables = context.deck.tables("rod");
+    const auto tables = rods_of(context.deck);
     for (const std::size_t i : touching) {
         contact.radii[i] = find_radius(rods[i], context.model);
         if (contact.radii[i] > 0.0) continue;
-        context.faults.add(tables[i].place,
-                           tables[i].path,
+        const RodTable& rod = tables[i];
+        context.faults.add(rod.place,
+                           rod.path,
                            "touches obstacles, but its section has no radius; expected `radius` in the "
                            "[section.NAME], or `rods` in [contact] without this one");
     }
@@ -63,8 +65,8 @@ std::optional<Vec3> find_direction(const CheckedTable& table, const char* key, c
 }
 
 // Points of a smooth curve so close that cubic pieces between them are the curve but for 1e-8 of its bends.
-void set_curve(const CheckedTable& table, TubeShape& tube, const BuildContext& context) {
-    const std::optional<Centreline> line = find_centreline(table, table, context);
+void set_curve(const CurveTable& table, TubeShape& tube, const BuildContext& context) {
+    const std::optional<Centreline> line = find_centreline(table, context);
     if (!line) return;
     constexpr double most_turn = 0.05;
     const double turn = line->turn(0, 0.0, 1.0);
@@ -81,7 +83,7 @@ template <class Shape>
 Shape make_round(const CheckedTable& table) {
     Shape shape;
     shape.radius = table.get<double>("radius");
-    shape.is_hollow = value_of(obstacle_side_choices, table.get<std::string>("side"));
+    shape.is_hollow = value_of(obstacle_side_choices, table.get<std::string>("side")) == ObstacleSide::inside;
     return shape;
 }
 
@@ -113,8 +115,10 @@ ObstacleShape build_shape(const CheckedTable& table, const BuildContext& context
             context.add_fault(given, "to", "expected an end away from its start");
         return cylinder;
     }
-    const CheckedTable& given = only(table, "tube");
-    auto tube = make_round<TubeShape>(given);
+    const auto& given = static_cast<const TubeObstacleTable&>(*only(table, "tube").record);
+    TubeShape tube;
+    tube.radius = given.radius;
+    tube.is_hollow = given.side == ObstacleSide::inside;
     set_curve(given, tube, context);
     return tube;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "deck/places/name_pattern.hpp"
+#include "deck/rods/rod_table.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "mesh/rod_mesh.hpp"
 
@@ -73,12 +74,13 @@ std::vector<ContactPart> find_side(const CheckedWord& word, const BuildContext& 
                             word.word.substr(at + 1)));
     }
     std::vector<ContactPart> parts;
+    const auto tables = rods_of(context.deck);
     for (std::size_t i = 0; i < model.rods.size(); ++i) {
         const Rod& rod = model.rods[i];
         if (!matches_pattern(rod.name, pattern)) continue;
         ContactPart part{.index = static_cast<int>(i)};
         if (range) {
-            if (context.deck.tables("rod")[i].gives("mesh") && context.rod_fractions[i].empty())
+            if (tables[i].get().mesh && context.rod_fractions[i].empty())
                 return add_fault(fmt::format(
                     "rod {} is no single line with two ends, along which a fraction has a meaning",
                     rod.name));
@@ -139,13 +141,14 @@ bool has_touching(const ContactException& one, const Contact& contact) {
 
 std::vector<RodPoint> list_contact_part_ends(const BuildContext& context) {
     std::vector<RodPoint> ends;
-    const std::vector<CheckedTable>& rods = context.deck.tables("rod");
+    const auto rods = rods_of(context.deck);
     const auto add = [&](const CheckedWord& word) {
         const std::size_t at = word.word.find('@');
         if (at == std::string::npos) return;
         const std::optional<Fractions> range = read_range(std::string_view(word.word).substr(at + 1));
         for (std::size_t i = 0; range && i < rods.size(); ++i) {
-            if (rods[i].gives("mesh") || !matches_pattern(rods[i].name, word.word.substr(0, at))) continue;
+            const RodTable& rod = rods[i];
+            if (rod.mesh || !matches_pattern(rod.name, word.word.substr(0, at))) continue;
             for (const double end : {range->first, range->second}) {
                 if (end > 0.0 && end < 1.0) ends.push_back({static_cast<int>(i), end});
             }

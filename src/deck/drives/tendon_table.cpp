@@ -8,6 +8,7 @@
 #include "deck/drives/tendon_path.hpp"
 #include "deck/loads/acting.hpp"
 #include "deck/places/part.hpp"
+#include "deck/rods/rod_table.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "model/settings/scheme_card.hpp"
 
@@ -152,7 +153,7 @@ void add_tendon(const TendonTable& given, BuildContext& context) {
     const std::optional<Part> part = find_part(given, given.on, context);
     const std::optional<TendonRange> range = find_tendon_range(given, context);
     if (!part || !range) return;
-    if (context.deck.tables("rod")[static_cast<std::size_t>(part->rod)].gives("mesh"))
+    if (rods_of(context.deck)[static_cast<std::size_t>(part->rod)].get().mesh)
         return context.add_fault(
             given, given.on, "a rod from a mesh has no tendons; expected one along a line");
     const double length = rod_of(part->rod, context).length;

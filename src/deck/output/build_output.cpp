@@ -10,6 +10,7 @@
 #include "deck/contact/build_contact_exceptions.hpp"
 #include "deck/output/build_output_times.hpp"
 #include "deck/output/history_place.hpp"
+#include "deck/rods/rod_table.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "deck/schema/synonyms.hpp"
@@ -53,7 +54,7 @@ void set_reference(const CheckedTable& table, HistoryRequest& request, const Bui
     if (table.get<std::string>("axes") == section_axes_word) return;
     if (point->body >= 0)
         context.add_fault(table, "axes", "only sections of rods have a twist; this point is a body's");
-    if (point->rod >= 0 && context.deck.tables("rod")[static_cast<std::size_t>(point->rod)].gives("mesh"))
+    if (point->rod >= 0 && rods_of(context.deck)[static_cast<std::size_t>(point->rod)].get().mesh)
         context.add_fault(table, "axes", "a rod from a mesh has its section axes only");
     request.relative_to += ", untwisted";
     request.relative_axes = twisted(request.relative_axes, -context.twist_at(*point));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "deck/rods/rod_table.hpp"
 #include "deck/schema/choices.hpp"
 
 namespace gxrod {
@@ -23,7 +24,7 @@ int find_normal(const Mat3& axes, const Plane& plane) {
     return -1;
 }
 
-void check_rod(const Rod& rod, const CheckedTable& table, const Plane& plane, const BuildContext& context) {
+void check_rod(const Rod& rod, const TableHead& table, const Plane& plane, const BuildContext& context) {
     const auto height = [&](int node) { return context.model.nodes[node].position[plane.normal]; };
     const double size = std::max(rod.length, std::abs(height(rod.nodes.front())));
     for (const int node : rod.nodes) {
@@ -52,7 +53,7 @@ void build_plane(BuildContext& context) {
     if (!context.deck.gives("plane")) return;
     const Plane plane{value_of(plane_choices, context.deck.get<std::string>("plane"))};
     context.model.plane = plane;
-    const std::vector<CheckedTable>& tables = context.deck.tables("rod");
+    const auto tables = rods_of(context.deck);
     for (std::size_t i = 0; i < context.model.rods.size(); ++i) {
         const Rod& rod = context.model.rods[i];
         if (!rod.nodes.empty()) check_rod(rod, tables[i], plane, context);

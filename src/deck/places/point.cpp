@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "deck/rods/rod_table.hpp"
 #include "deck/schema/suggestion.hpp"
 
 namespace gxrod {
@@ -66,7 +67,7 @@ PointNames::PointNames(const CheckedTable& deck, std::map<int, NetPoints> nets)
       rod_index_(index(rods_)),
       body_index_(index(bodies_)),
       nets_(std::move(nets)) {
-    for (const CheckedTable& rod : deck.tables("rod")) is_meshed_.push_back(rod.gives("mesh"));
+    for (const RodTable& rod : rods_of(deck)) is_meshed_.push_back(rod.mesh.has_value());
 }
 
 std::variant<Point, std::string> PointNames::find(const std::string& text, PointNeeds needs) const {

@@ -103,9 +103,7 @@ struct CheckedPairs {
 // A section at a place along a rod, 0 … 1.
 struct CheckedStation {
     double fraction;
-    std::string section;
-    Place place;
-    std::string path;
+    CheckedWord section;
 };
 
 // Rows of a fraction, 0 … 1, and a number.
@@ -152,19 +150,11 @@ struct CheckedValue {
                  long,
                  bool,
                  Vec3,
-                 Mat3,
-                 Mat6,
-                 std::vector<CheckedVector>,
                  std::vector<double>,
                  TimeTable,
-                 std::vector<CheckedStation>,
-                 CheckedPairs,
-                 CheckedProfile,
                  CheckedTimeFunction,
                  std::vector<CheckedNamedFunction>,
                  CheckedTimeVector,
-                 CheckedArcFunction,
-                 CheckedPlaceVector,
                  std::vector<CheckedWord>,
                  std::vector<CheckedTable>>  // one entry for a single table
         value;

@@ -97,7 +97,7 @@ std::optional<std::vector<CheckedStation>> RowReader::stations(const DeckNode& n
             expect(name, name_path, "the name of a section");
             return false;
         }
-        stations.push_back({fraction, *name.text(), name.place, name_path});
+        stations.push_back({fraction, {*name.text(), name.place, name_path}});
         return true;
     };
     return fractions(node, path, read) ? std::optional(std::move(stations)) : std::nullopt;

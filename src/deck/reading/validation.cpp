@@ -169,7 +169,7 @@ class Validator {
                 return check_named_tables(entry, path, key);
             case ValueType::table_list:
                 return check_table_list(entry, path, key);
-            case ValueType::stations:
+            case ValueType::bound:
             case ValueType::number_or_table:
                 if (entry.node.table() != nullptr) return check_single_table(entry, path, key);
                 return read_value(entry.node, path, key, context_);

@@ -55,31 +55,18 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
         case ValueType::joints:
         case ValueType::partners:
             return wrap(read_points(node, path, key, context));
-        case ValueType::vectors:
-            return wrap(read_vectors(node, path, key, context));
         case ValueType::numbers:
             return wrap(read_number_list(node, path, key, context));
         case ValueType::bounds:
             return wrap(read_bounds(node, path, key, context));
-        case ValueType::mesh_group:
-            return read_mesh_group(node, path, key, context);
         case ValueType::time_expression:
             return wrap(reader.time_function(node, path));
         case ValueType::coordinate_functions:
             return wrap(reader.coordinate_functions(node, path));
         case ValueType::time_vector:
             return wrap(reader.functions<3>(node, path, &FunctionReader::time_function));
-        case ValueType::place_vector:
-            return wrap(reader.functions<3>(node, path, &FunctionReader::place_function));
         case ValueType::time_table:
             return wrap(reader.time_table(node, path));
-        case ValueType::profile:
-            if (node.array() == nullptr) return wrap(reader.number(node, path));
-            return wrap(reader.profile(node, path));
-        case ValueType::fraction_rows:
-            return wrap(reader.profile(node, path));
-        case ValueType::stations:
-            return wrap(reader.stations(node, path));
         case ValueType::columns:
             return std::monostate{};  // read with their file, which is a table then
         default:

@@ -127,14 +127,4 @@ std::optional<std::vector<CheckedWord>> read_points(const DeckNode& node,
     return points.size() == count ? std::optional(std::move(points)) : std::nullopt;
 }
 
-decltype(CheckedValue::value) read_mesh_group(const DeckNode& node,
-                                              const std::string& path,
-                                              const KeySpec& key,
-                                              const ReadingContext& context) {
-    if (node.text() != nullptr) return *node.text();
-    if (const auto* number = std::get_if<std::int64_t>(&node.value)) return static_cast<long>(*number);
-    expect(node, path, key, context);
-    return std::monostate{};
-}
-
 }  // namespace gxrod

@@ -39,10 +39,4 @@ std::optional<std::vector<CheckedWord>> read_points(const DeckNode& node,
                                                     const KeySpec& key,
                                                     const ReadingContext& context);
 
-// Reads the name or the number of a physical group.
-decltype(CheckedValue::value) read_mesh_group(const DeckNode& node,
-                                              const std::string& path,
-                                              const KeySpec& key,
-                                              const ReadingContext& context);
-
 }  // namespace gxrod

@@ -22,13 +22,13 @@ std::string name_node(const std::string& rod, const NetPoints& points, int posit
 }
 
 // The axes at the start of each chain; empty, with a fault, if one cannot be.
-std::vector<Quat> find_chain_axes(const CheckedTable& table, const RodNet& net, BuildContext& context) {
+std::vector<Quat> find_chain_axes(const RodTable& table, const RodNet& net, BuildContext& context) {
     std::vector<Quat> axes;
-    if (net.chains.size() > 1 && !table.gives("y_axis")) {
+    if (net.chains.size() > 1 && !table.y_axis) {
         context.notes.push_back(fmt::format(
             "{}: not given; section y at the start of each of {} lines is from the global axis least aligned "
             "with it",
-            table.path_of("y_axis"),
+            table.path_of(&table.y_axis),
             net.chains.size()));
         for (const NetChain& chain : net.chains) {
             axes.push_back(choose_axes(chain.elements.front().start_tangent));
@@ -37,13 +37,12 @@ std::vector<Quat> find_chain_axes(const CheckedTable& table, const RodNet& net, 
     }
     for (const NetChain& chain : net.chains) {
         const NetElement& first = chain.elements.front();
-        const bool is_given = table.gives("y_axis") && !table.get<Vec3>("y_axis").isZero(0.0);
-        if (is_given && net.chains.size() > 1 &&
-            !project_axes(first.start_tangent, table.get<Vec3>("y_axis"))) {
+        const bool is_given = table.y_axis && !table.y_axis->isZero(0.0);
+        if (is_given && net.chains.size() > 1 && !project_axes(first.start_tangent, *table.y_axis)) {
             const Vec3& at = net.positions[static_cast<std::size_t>(first.nodes.front())];
             context.add_fault(
                 table,
-                "y_axis",
+                table.y_axis,
                 fmt::format(
                     "parallel to the line that starts at ({:.6g}, {:.6g}, {:.6g}), so that section y is "
                     "not defined there; expected another direction, or rods of their own for its lines",
@@ -52,7 +51,7 @@ std::vector<Quat> find_chain_axes(const CheckedTable& table, const RodNet& net, 
                     at[2]));
             return {};
         }
-        const std::optional<Quat> start = find_start_axes(table, first.start_tangent, context);
+        const std::optional<Quat> start = find_start_axes(table, table.y_axis, first.start_tangent, context);
         if (!start) return {};
         axes.push_back(*start);
     }
@@ -88,17 +87,16 @@ struct NetBuilder {
 };
 
 // Where a chain goes straight back, with a fault.
-bool has_reversal(const CheckedTable& table, const RodNet& net, const BuildContext& context) {
+bool has_reversal(const RodTable& table, const RodNet& net, const BuildContext& context) {
     constexpr double zero_angle = 1e-10;
     for (const NetChain& chain : net.chains) {
         for (std::size_t e = 1; e < chain.elements.size(); ++e) {
             const NetElement& element = chain.elements[e];
             if ((chain.elements[e - 1].end_tangent + element.start_tangent).norm() > zero_angle) continue;
             const Vec3& at = net.positions[static_cast<std::size_t>(element.nodes.front())];
-            const CheckedTable& mesh = table.tables("mesh").front();
             context.add_fault(
-                mesh,
-                "group",
+                *table.mesh,
+                table.mesh->group,
                 fmt::format("a line goes straight back at ({:.6g}, {:.6g}, {:.6g})", at[0], at[1], at[2]));
             return true;
         }
@@ -108,17 +106,20 @@ bool has_reversal(const CheckedTable& table, const RodNet& net, const BuildConte
 
 }  // namespace
 
-void check_meshed_rod(const CheckedTable& table, const BuildContext& context) {
-    for (const char* key : {"elements", "spacing", "order"}) {
-        if (table.gives(key)) context.add_fault(table, key, "comes from the mesh; leave it out");
-    }
-    if (table.gives("rest"))
-        context.add_fault(table, "rest", "a rod from a mesh is free of stress where the mesh has it");
-    if (std::holds_alternative<CheckedProfile>(table.find("twist")->value))
-        context.add_fault(table, "twist", "along a rod from a mesh twist is even; expected a number");
+void check_meshed_rod(const RodTable& table, const BuildContext& context) {
+    const auto refuse = [&](const auto& field) {
+        if (table.gives(field)) context.add_fault(table, field, "comes from the mesh; leave it out");
+    };
+    refuse(table.elements);
+    refuse(table.spacing);
+    refuse(table.order);
+    if (table.rest)
+        context.add_fault(table, table.rest, "a rod from a mesh is free of stress where the mesh has it");
+    if (std::holds_alternative<CheckedProfile>(table.twist))
+        context.add_fault(table, table.twist, "along a rod from a mesh twist is even; expected a number");
 }
 
-void build_net(const CheckedTable& table, const NamedNet& named, int index, BuildContext& context) {
+void build_net(const RodTable& table, const NamedNet& named, int index, BuildContext& context) {
     const RodNet& net = named.net;
     if (has_reversal(table, net, context)) return;
     const std::vector<Quat> axes = find_chain_axes(table, net, context);
@@ -131,10 +132,11 @@ void build_net(const CheckedTable& table, const NamedNet& named, int index, Buil
         context.model.nodes.push_back(
             {name_node(rod.name, named.points, static_cast<int>(i)), net.positions[i]});
     }
-    if (!std::holds_alternative<double>(table.find("twist")->value)) return;
-    NetBuilder builder{rod, table.get<double>("twist")};
+    const double* twist = std::get_if<double>(&table.twist);
+    if (twist == nullptr) return;
+    NetBuilder builder{rod, *twist};
     for (std::size_t i = 0; i < net.chains.size(); ++i) builder.add_chain(net.chains[i], axes[i]);
-    check_element_turn(builder.largest_turn, net.order, table, "mesh", context);
+    check_element_turn(builder.largest_turn, net.order, table, &table.mesh, context);
     context.rod_fractions[static_cast<std::size_t>(index)] = named.points.fractions;
 }
 

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <optional>
 
+#include "deck/rods/rod_table.hpp"
 #include "deck/schema/suggestion.hpp"
 
 namespace gxrod {
@@ -38,10 +39,9 @@ struct GroupKey {
     }
 };
 
-GroupKey group_key_of(const CheckedTable& table) {
-    const auto& value = table.find("group")->value;
-    if (const auto* number = std::get_if<long>(&value)) return {"", static_cast<int>(*number)};
-    const std::string& text = std::get<std::string>(value);
+GroupKey group_key_of(const RodMeshTable& table) {
+    if (const auto* number = std::get_if<long>(&table.group)) return {"", static_cast<int>(*number)};
+    const std::string& text = std::get<std::string>(table.group);
     return {text, read_number(text)};
 }
 
@@ -110,14 +110,14 @@ class NetReader {
     NetReader(const MeshFiles& files, FaultList& faults, std::vector<MeshRecord>& records)
         : files_(files), faults_(faults), records_(records) {}
 
-    std::optional<NamedNet> read(const CheckedTable& table) {
+    std::optional<NamedNet> read(const RodMeshTable& table) {
         const LineMesh* mesh = find_mesh(table);
         if (mesh == nullptr) return std::nullopt;
         const GroupKey key = group_key_of(table);
         const MeshLines* lines = find_group(mesh->lines, key);
         const std::string reason = lines == nullptr ? explain_no_lines(*mesh, key) : explain_elements(*lines);
         if (!reason.empty()) {
-            add(table, "group", reason);
+            add(table, &table.group, reason);
             return std::nullopt;
         }
         try {
@@ -125,28 +125,27 @@ class NetReader {
             NetPoints points = find_points(*mesh, net);
             return NamedNet{std::move(net), std::move(points)};
         } catch (const MeshError& error) {
-            add(table, "group", error.what());
+            add(table, &table.group, error.what());
             return std::nullopt;
         }
     }
 
   private:
-    void add(const CheckedTable& table, const char* key, const std::string& message) {
-        faults_.add(table.place_of(key), table.path_of(key), message);
+    void add(const RodMeshTable& table, const void* field, const std::string& message) {
+        faults_.add(table.place_of(field), table.path_of(field), message);
     }
 
     // Several rods may be groups of one file. nullptr if it cannot be read.
-    const LineMesh* find_mesh(const CheckedTable& table) {
-        const std::string& file = table.get<std::string>("file");
-        const std::filesystem::path path = files_.find(file);
+    const LineMesh* find_mesh(const RodMeshTable& table) {
+        const std::filesystem::path path = files_.find(table.file);
         auto found = meshes_.find(path);
         if (found == meshes_.end()) {
             std::optional<LineMesh> mesh;
             try {
                 mesh = read_line_mesh(path);
-                records_.push_back({file, read_bytes(path)});
+                records_.push_back({table.file, read_bytes(path)});
             } catch (const MeshError& error) {
-                add(table, "file", fmt::format("{}: {}", path.string(), error.what()));
+                add(table, &table.file, fmt::format("{}: {}", path.string(), error.what()));
             }
             found = meshes_.emplace(path, std::move(mesh)).first;
         }
@@ -167,10 +166,11 @@ RodNets read_rod_nets(const CheckedTable& deck,
                       std::vector<MeshRecord>& records) {
     NetReader reader(files, faults, records);
     RodNets nets;
-    const std::vector<CheckedTable>& rods = deck.tables("rod");
+    const auto rods = rods_of(deck);
     for (std::size_t i = 0; i < rods.size(); ++i) {
-        if (!rods[i].gives("mesh")) continue;
-        if (auto net = reader.read(rods[i].tables("mesh").front())) nets.emplace(static_cast<int>(i), *net);
+        const std::optional<RodMeshTable>& mesh = rods[i].get().mesh;
+        if (!mesh) continue;
+        if (auto net = reader.read(*mesh)) nets.emplace(static_cast<int>(i), *net);
     }
     return nets;
 }

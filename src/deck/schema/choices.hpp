@@ -58,8 +58,10 @@ inline constexpr std::array<Choice<Stretching>, 4> stretching_choices{
      {"extrapolate", Stretching::extrapolate},
      {"none", Stretching::none}}};
 
-// Whether rods are within an obstacle.
-inline constexpr std::array<Choice<bool>, 2> obstacle_side_choices{{{"outside", false}, {"inside", true}}};
+// Where rods are that touch an obstacle.
+enum class ObstacleSide { outside, inside };
+inline constexpr std::array<Choice<ObstacleSide>, 2> obstacle_side_choices{
+    {{"outside", ObstacleSide::outside}, {"inside", ObstacleSide::inside}}};
 
 // By the axis across it.
 inline constexpr std::array<Choice<int>, 3> plane_choices{{{"yz", 0}, {"xz", 1}, {"xy", 2}}};

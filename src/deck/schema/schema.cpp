@@ -153,18 +153,12 @@ std::string describe_range(const Range& range) {
 
 std::string variables_of(const KeySpec& key) {
     const ValueKind* kind = find_kind(key);
-    if (kind != nullptr && kind->variables != nullptr) return kind->variables();
-    switch (key.type) {
-        case ValueType::place_vector:
-            return "x, y, z and s";
-        default:
-            return "t";
-    }
+    return kind != nullptr && kind->variables != nullptr ? kind->variables() : "t";
 }
 
 std::string spell(const KeySpec& key) {
     const bool is_table =
-        key.table != nullptr && key.type != ValueType::stations && key.type != ValueType::number_or_table;
+        key.table != nullptr && key.type != ValueType::bound && key.type != ValueType::number_or_table;
     return is_table ? key.table->heading : key.name;
 }
 
@@ -208,8 +202,6 @@ std::string describe_expected(const KeySpec& key) {
             return "a number" + ranged + " or an expression in s";
         case ValueType::vector:
             return "an array of 3 numbers or expressions";
-        case ValueType::vectors:
-            return "an array of 2 vectors or more, each of 3 numbers or expressions";
         case ValueType::section_point:
             return "an array of 2 numbers or expressions, y and z";
         case ValueType::number_or_six:
@@ -220,25 +212,15 @@ std::string describe_expected(const KeySpec& key) {
             return "an array of rows of 2 numbers or expressions, one at least";
         case ValueType::number_or_pairs:
             return "a number" + ranged + " or an expression, or an array of rows of 2";
-        case ValueType::profile:
-            return "a number or an expression, or an array of rows [fraction, number], from 0 to 1";
-        case ValueType::fraction_rows:
-            return "an array of rows [fraction, number" + ranged + "], two at least, from 0 to 1";
-        case ValueType::stations:
-            return "an array of rows [fraction, \"section\"], two at least, from 0 to 1, or a table { file = "
-                   "\"…\" }";
         case ValueType::bounds:
             return "a number or an expression, or an array of 2: the lower and the upper bound";
         case ValueType::section_matrix:
             return "an array of 6 rows of 6 numbers or expressions";
-        case ValueType::mesh_group:
-            return "the name or the number of a physical group";
         case ValueType::time_expression:
             return "a number or an expression in " + variables_of(key);
         case ValueType::coordinate_functions:
             return "a number or an expression in t, or a table { turn = \"…\", slide = \"…\" } of them";
         case ValueType::time_vector:
-        case ValueType::place_vector:
             return "an array of 3 numbers or expressions in " + variables_of(key);
         case ValueType::time_table:
             return "an array of rows [t, value]";

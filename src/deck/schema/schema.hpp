@@ -33,22 +33,16 @@ enum class ValueType {
     number,
     arc_number,            // a number, or f(s), s the arc length along a rod
     vector,                // 3 numbers
-    vectors,               // 2 vectors or more
     section_point,         // 2 numbers: y and z of a section
     numbers,               // a list of numbers that is not empty
     pairs,                 // rows of 2 numbers
     number_or_pairs,       // a number, or rows of 2
-    profile,               // a number, or rows of 2: a fraction from 0 to 1, and a number
-    fraction_rows,         // rows of 2: a fraction from 0 to 1, and a number
-    stations,              // rows of 2: a fraction, and the name of a section
     number_or_six,         // a number, or 6 of them: one for each strain of a section
     bounds,                // a number, or 2 of them: the lower and the upper one
     section_matrix,        // 6 rows of 6 numbers
-    mesh_group,            // the name or number of a physical group
     time_expression,       // f(t)
     coordinate_functions,  // f(t), or a table of one for the turn, one for the slide or both
     time_vector,           // 3 f(t)
-    place_vector,          // 3 f(x, y, z, s) of the reference position
     time_table,            // rows of 2 numbers, the first of each increasing
     columns,               // 2 names or numbers of columns
     table,                 // keys of its own

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <vector>
 
+#include "deck/contact/obstacle_tables.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 
@@ -68,19 +69,15 @@ const TableSpec& cylinder_obstacle_table() {
 }
 
 const TableSpec& tube_obstacle_table() {
-    static const TableSpec table = [] {
-        std::vector<KeySpec> keys = curve_keys();
-        std::erase_if(keys, [](const KeySpec& key) {
-            return key.name != "arc" && key.name != "helix" && key.name != "spline";
-        });
-        keys.push_back(length_key("radius", "Its own, inside if the rods are there."));
-        keys.push_back(side_key());
-        return TableSpec{.path = "obstacle.NAME.tube",
-                         .heading = "tube = { … }",
-                         .sentence = "",
-                         .keys = std::move(keys),
-                         .groups = {{GroupRule::exactly_one, {"arc", "helix", "spline"}}}};
-    }();
+    using T = TubeObstacleTable;
+    // clang-format off
+    static const TableSpec table = Table<T>("obstacle.NAME.tube", "")
+        .keys_of(curve_keys(), {"arc", "helix", "spline"})
+        .key("radius", &T::radius, "Its own, inside if the rods are there.")
+            .unit("length").above(0).required()
+        .key("side", &T::side, "Where the rods are.")
+        .exactly_one_of({"arc", "helix", "spline"});
+    // clang-format on
     return table;
 }
 

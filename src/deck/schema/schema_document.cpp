@@ -82,8 +82,6 @@ std::string describe_type(const KeySpec& key) {
             return "number or f(s)";
         case ValueType::vector:
             return "vector";
-        case ValueType::vectors:
-            return "2 vectors or more";
         case ValueType::section_point:
             return "2 numbers";
         case ValueType::number_or_six:
@@ -94,26 +92,16 @@ std::string describe_type(const KeySpec& key) {
             return "rows of 2 numbers";
         case ValueType::number_or_pairs:
             return "number or rows of 2";
-        case ValueType::profile:
-            return "number or rows [fraction, number]";
-        case ValueType::fraction_rows:
-            return "rows [fraction, number]";
-        case ValueType::stations:
-            return "rows [fraction, section], or table";
         case ValueType::bounds:
             return "number or 2 numbers";
         case ValueType::section_matrix:
             return "6×6";
-        case ValueType::mesh_group:
-            return "name or number";
         case ValueType::time_expression:
             return "f(t)";
         case ValueType::coordinate_functions:
             return "f(t), or { turn = f(t), slide = f(t) }";
         case ValueType::time_vector:
             return "3 f(t)";
-        case ValueType::place_vector:
-            return "3 f(x, y, z, s)";
         case ValueType::time_table:
             return "rows [t, value]";
         case ValueType::number_or_table:
@@ -174,9 +162,9 @@ std::string write_rows(const TableSpec& table, const std::string& prefix) {
                             describe_range(key.range),
                             describe_default(key),
                             sentence_of(key));
-        if (key.type == ValueType::table || key.type == ValueType::number_or_table ||
-            key.type == ValueType::stations)
-            rows += write_rows(*key.table, prefix + key.name + ".");
+        const bool has_table = key.type == ValueType::table || key.type == ValueType::number_or_table ||
+                               key.type == ValueType::bound;
+        if (has_table && key.table != nullptr) rows += write_rows(*key.table, prefix + key.name + ".");
         if (key.type == ValueType::table_list) rows += write_rows(*key.table, prefix + key.name + "[].");
     }
     return rows;

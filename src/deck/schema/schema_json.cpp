@@ -54,7 +54,10 @@ Json named_tables(const char* pattern, const Json& table) {
 }
 
 Json make_type(const KeySpec& key) {
-    if (const ValueKind* kind = find_kind(key)) return Json::parse(kind->schema(key));
+    if (const ValueKind* kind = find_kind(key)) {
+        Json json = Json::parse(kind->schema(key));
+        return key.table == nullptr ? json : any_of({json, make_table(*key.table)});
+    }
     switch (key.type) {
         case ValueType::bound:
             break;
@@ -85,10 +88,7 @@ Json make_type(const KeySpec& key) {
             return any_of({make_range("number", key.range), reference("expression")});
         case ValueType::vector:
         case ValueType::time_vector:
-        case ValueType::place_vector:
             return array_of(reference("number"), 3);
-        case ValueType::vectors:
-            return array_of_at_least(array_of(reference("number"), 3), 2);
         case ValueType::section_point:
             return array_of(reference("number"), 2);
         case ValueType::number_or_six:
@@ -103,20 +103,10 @@ Json make_type(const KeySpec& key) {
             return any_of({make_range("number", key.range),
                            reference("expression"),
                            array_of_at_least(array_of(reference("number"), 2), 1)});
-        case ValueType::profile:
-            return any_of({reference("number"), array_of_at_least(array_of(reference("number"), 2), 2)});
-        case ValueType::fraction_rows:
-            return array_of_at_least(array_of(reference("number"), 2), 2);
-        case ValueType::stations:
-            return any_of(
-                {array_of_at_least(array_of(any_of({reference("number"), {{"type", "string"}}}), 2), 2),
-                 make_table(*key.table)});
         case ValueType::bounds:
             return any_of({reference("number"), array_of(reference("number"), 2)});
         case ValueType::section_matrix:
             return array_of(array_of(reference("number"), 6), 6);
-        case ValueType::mesh_group:
-            return {{"type", {"string", "integer"}}};
         case ValueType::time_expression:
             return reference("number");
         case ValueType::coordinate_functions:

@@ -36,9 +36,6 @@ const TableSpec& rotation_table();
 const TableSpec& output_table();
 const TableSpec& history_table();
 
-// Curves that a rod, its rest or a tube can have.
-std::vector<KeySpec> curve_keys();
-
 // Whether expressions use the names of these tables.
 inline bool is_for_expressions(const KeySpec& key) {
     return key.table == &function_table() || key.table == &input_table();

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "deck/rods/build_centreline.hpp"
 #include "deck/rods/element_turn.hpp"
 #include "deck/sections/rod_sections.hpp"
 #include "deck/sections/section_axes.hpp"
@@ -44,16 +43,15 @@ std::optional<Vec3> find_rest_curvature(const CheckedPlaceVector* components,
 }
 
 // From y_axis of the rest, or that of the rod.
-std::optional<Quat> find_rest_axes(const CheckedTable& rest,
-                                   const CheckedTable& rod,
+std::optional<Quat> find_rest_axes(const RestTable& rest,
+                                   const RodTable& rod,
                                    const Vec3& tangent,
                                    BuildContext& context) {
-    if (rest.gives("y_axis") || !rod.gives("y_axis")) return find_start_axes(rest, tangent, context);
-    const Vec3& of_rod = rod.get<Vec3>("y_axis");
-    if (of_rod.isZero(0.0)) return std::nullopt;  // a fault of the rod
-    std::optional<Quat> axes = project_axes(tangent, of_rod);
+    if (rest.y_axis || !rod.y_axis) return find_start_axes(rest, rest.y_axis, tangent, context);
+    if (rod.y_axis->isZero(0.0)) return std::nullopt;  // a fault of the rod
+    std::optional<Quat> axes = project_axes(tangent, *rod.y_axis);
     if (!axes)
-        context.add_fault(rest, "y_axis", "missing; that of the rod is parallel to the start of the rest");
+        context.add_fault(rest, rest.y_axis, "missing; that of the rod is parallel to the start of the rest");
     return axes;
 }
 
@@ -63,7 +61,7 @@ Quat turn_before(const std::vector<Quat>& triads, std::size_t first) {
 }
 
 // A corner is rigid, so start and rest have the same ones.
-void check_corners(const CheckedTable& table,
+void check_corners(const RodTable& table,
                    const std::vector<double>& element_fractions,
                    const Rod& rod,
                    const BuildContext& context) {
@@ -76,7 +74,7 @@ void check_corners(const CheckedTable& table,
         if (start.angularDistance(rest) <= same_turn) continue;
         context.add_fault(
             table,
-            "rest",
+            table.rest,
             fmt::format("corners are rigid, but at {:.6g} of the length the rest turns by {:.4g}° "
                         "and the start by {:.4g}°{}; expected the same corners, seen from the "
                         "section, or a rod for each piece",
@@ -90,25 +88,26 @@ void check_corners(const CheckedTable& table,
 
 }  // namespace
 
-std::optional<RestCurve> find_rest_curve(const CheckedTable& table,
+std::optional<RestCurve> find_rest_curve(const RodTable& table,
                                          const SectionTwist& twist,
                                          BuildContext& context) {
-    if (!table.gives("rest")) return std::nullopt;
-    const CheckedTable& rest = table.tables("rest").front();
-    if (rest.gives("curvature")) {
-        for (const char* key : {"y_axis", "twist"}) {
-            if (rest.gives(key))
+    if (!table.rest) return std::nullopt;
+    const RestTable& rest = *table.rest;
+    if (rest.curvature) {
+        const auto refuse = [&](const auto& field) {
+            if (field)
                 context.add_fault(
-                    rest, key, "curvature is in section axes, twist first; expected a curve with it");
-        }
+                    rest, field, "curvature is in section axes, twist first; expected a curve with it");
+        };
+        refuse(rest.y_axis);
+        refuse(rest.twist);
         return std::nullopt;
     }
-    std::optional<Centreline> line = find_centreline(rest, table, context);
+    std::optional<Centreline> line = find_centreline(rest, context, table.section);
     if (!line) return std::nullopt;
     const std::optional<Quat> axes = find_rest_axes(rest, table, line->start_tangent(), context);
     if (!axes) return std::nullopt;
-    return RestCurve{
-        std::move(*line), *axes, rest.gives("twist") ? SectionTwist(*rest.find("twist")) : twist};
+    return RestCurve{std::move(*line), *axes, rest.twist ? SectionTwist(*rest.twist) : twist};
 }
 
 void add_corners(const std::vector<double>& corners, RodBreaks& breaks) {
@@ -119,7 +118,7 @@ void add_corners(const std::vector<double>& corners, RodBreaks& breaks) {
     std::ranges::sort(breaks.corners);
 }
 
-void set_rest(const CheckedTable& table,
+void set_rest(const RodTable& table,
               const RestCurve& rest,
               const std::vector<double>& element_fractions,
               Rod& rod,
@@ -146,19 +145,18 @@ void set_rest(const CheckedTable& table,
     rod.length = rest.line.length();
     for (double& s : rod.arc_length) s /= rod.start_stretch;
     check_corners(table, element_fractions, rod, context);
-    check_element_turn(largest_turn, rod.order, table, "rest", context);
+    check_element_turn(largest_turn, rod.order, table, &table.rest, context);
 }
 
-void set_rest(const CheckedTable& table,
+void set_rest(const RodTable& table,
               const DrawnRod& drawn,
               const std::vector<double>& element_fractions,
               Rod& rod,
               const BuildContext& context) {
     // A hung line is straight and without twist where it is free of stress.
-    if (!table.gives("rest") && !table.gives("catenary")) return;
-    const CheckedPlaceVector* components = nullptr;
-    if (table.gives("rest") && !table.tables("rest").front().gives("curvature")) return;  // with a fault
-    if (table.gives("rest")) components = &table.tables("rest").front().get<CheckedPlaceVector>("curvature");
+    if (!table.rest && !table.catenary) return;
+    if (table.rest && !table.rest->curvature) return;  // with a fault
+    const CheckedPlaceVector* components = table.rest ? &*table.rest->curvature : nullptr;
     const std::vector<double> points = list_force_points(rod.order);
     std::vector<Vec6> strains;
     for (std::size_t e = 0; e + 1 < element_fractions.size(); ++e) {

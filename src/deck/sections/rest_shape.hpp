@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "deck/places/build_context.hpp"
+#include "deck/rods/rod_table.hpp"
 #include "deck/sections/section_twist.hpp"
 #include "geometry/centreline.hpp"
 #include "mesh/rod_mesh.hpp"
@@ -25,7 +26,7 @@ struct RestCurve {
 
 // Finds the rest curve of the deck's table; nullopt if there is none, or with a fault. `twist` is the rod's
 // own.
-std::optional<RestCurve> find_rest_curve(const CheckedTable& table,
+std::optional<RestCurve> find_rest_curve(const RodTable& table,
                                          const SectionTwist& twist,
                                          BuildContext& context);
 
@@ -35,14 +36,14 @@ void add_corners(const std::vector<double>& corners, RodBreaks& breaks);
 // Gives a rod the strains of its start relative to its rest shape, for elements that meet at these fractions
 // of its length; none if the deck's table has no rest shape and the rod is not a hung line. Errors become
 // faults.
-void set_rest(const CheckedTable& table,
+void set_rest(const RodTable& table,
               const DrawnRod& drawn,
               const std::vector<double>& element_fractions,
               Rod& rod,
               const BuildContext& context);
 
 // Gives a rod the nodes of a rest curve and its arc length.
-void set_rest(const CheckedTable& table,
+void set_rest(const RodTable& table,
               const RestCurve& rest,
               const std::vector<double>& element_fractions,
               Rod& rod,

@@ -14,28 +14,25 @@
 namespace gxrod {
 namespace {
 
-int find_section(const std::string& name,
-                 const Place& place,
-                 const std::string& path,
-                 const BuildContext& context) {
+int find_section(const CheckedWord& name, const BuildContext& context) {
     std::vector<std::string> known;
     for (std::size_t i = 0; i < context.model.sections.size(); ++i) {
-        if (context.model.sections[i].name == name) return static_cast<int>(i);
+        if (context.model.sections[i].name == name.word) return static_cast<int>(i);
         known.push_back(context.model.sections[i].name);
     }
-    std::string hint = did_you_mean(name, known);
+    std::string hint = did_you_mean(name.word, known);
     if (hint.empty())
         hint = known.empty() ? "; the deck has no section" : "; the deck has " + plain_list(known);
-    context.faults.add(place, path, fmt::format("no section \"{}\"{}", name, hint));
+    context.faults.add(name.place, name.path, fmt::format("no section \"{}\"{}", name.word, hint));
     return 0;
 }
 
-std::vector<Station> list_stations(const CheckedTable& rod,
+std::vector<Station> list_stations(const RodTable& rod,
                                    const SectionFile& file,
                                    const BuildContext& context) {
     if (context.needs_inertia() && file.rows.front().section.mass.isZero(0.0)) {
-        const CheckedTable& table = *find_section_file(rod);
-        context.add_fault(table, "file", "has no columns M11 … M66; a dynamic analysis needs them");
+        const SectionFileTable& table = *rod.find_section_file();
+        context.add_fault(table, table.file, "has no columns M11 … M66; a dynamic analysis needs them");
     }
     std::vector<Station> stations;
     for (const SectionRow& row : file.rows)
@@ -50,9 +47,7 @@ const Section& section_of(const Station& station, const BuildContext& context) {
 }
 
 // Damping is that of a rod, not of its points.
-void check_damping(const CheckedTable& rod,
-                   const std::vector<Station>& stations,
-                   const BuildContext& context) {
+void check_damping(const RodTable& rod, const std::vector<Station>& stations, const BuildContext& context) {
     if (context.model.sections.empty()) return;
     const Section& first = section_of(stations.front(), context);
     for (const Station& station : stations) {
@@ -63,7 +58,7 @@ void check_damping(const CheckedTable& rod,
             continue;
         context.add_fault(
             rod,
-            "sections",
+            rod.sections,
             fmt::format("expected the same damping in all sections of a rod, found kelvin_voigt "
                         "= {}, mass_proportional = {} in \"{}\", {} and {} in \"{}\"",
                         first.kelvin_voigt,
@@ -77,7 +72,7 @@ void check_damping(const CheckedTable& rod,
 }
 
 // All of a rod takes part in fluids, or nothing of it.
-void check_fluid(const CheckedTable& rod, const std::vector<Station>& stations, const BuildContext& context) {
+void check_fluid(const RodTable& rod, const std::vector<Station>& stations, const BuildContext& context) {
     if (context.model.sections.empty()) return;
     const Section& first = section_of(stations.front(), context);
     for (const Station& station : stations) {
@@ -85,7 +80,7 @@ void check_fluid(const CheckedTable& rod, const std::vector<Station>& stations, 
         if (other.fluid.has_value() == first.fluid.has_value()) continue;
         const bool is_first = first.fluid.has_value();
         return context.add_fault(rod,
-                                 "sections",
+                                 rod.sections,
                                  fmt::format("section \"{}\" has `fluid` and \"{}\" has not; expected it in "
                                              "all sections of a rod, or in none",
                                              (is_first ? first : other).name,
@@ -94,7 +89,7 @@ void check_fluid(const CheckedTable& rod, const std::vector<Station>& stations, 
 }
 
 // Whether a rod has the section of its first station everywhere. One with a law must, or it is a fault.
-bool has_one_law(const CheckedTable& rod, const std::vector<Station>& stations, const BuildContext& context) {
+bool has_one_law(const RodTable& rod, const std::vector<Station>& stations, const BuildContext& context) {
     if (context.model.sections.empty()) return false;
     const auto with_law = std::ranges::find_if(
         stations, [&](const Station& station) { return section_of(station, context).law != nullptr; });
@@ -105,7 +100,7 @@ bool has_one_law(const CheckedTable& rod, const std::vector<Station>& stations, 
     if (!is_constant) {
         context.add_fault(
             rod,
-            "sections",
+            rod.sections,
             fmt::format("section \"{}\" has a law, so that the rod cannot have another section; "
                         "expected \"{}\" at all stations, or a rod for each section",
                         section_of(*with_law, context).name,
@@ -178,20 +173,18 @@ std::vector<double> list_force_points(int order) {
     return points;
 }
 
-std::vector<Station> find_stations(const CheckedTable& rod, const SectionFile* file, BuildContext& context) {
+std::vector<Station> find_stations(const RodTable& rod, const SectionFile* file, BuildContext& context) {
     if (file != nullptr) return list_stations(rod, *file, context);
-    if (rod.gives("section")) {
-        const std::string& name = rod.get<std::string>("section");
-        const int section = find_section(name, rod.place_of("section"), rod.path_of("section"), context);
+    if (rod.section) {
+        const int section = find_section(*rod.section, context);
         const std::vector<CheckedTable>& tables = context.deck.tables("section");
         if (tables.empty() || !varies_along_rod(tables[static_cast<std::size_t>(section)]))
             return {{0.0, section}};
         return {{0.0, section}, {1.0, section}};
     }
     std::vector<Station> stations;
-    for (const CheckedStation& station : rod.get<std::vector<CheckedStation>>("sections"))
-        stations.push_back(
-            {station.fraction, find_section(station.section, station.place, station.path, context)});
+    for (const CheckedStation& station : std::get<std::vector<CheckedStation>>(*rod.sections))
+        stations.push_back({station.fraction, find_section(station.section, context)});
     check_damping(rod, stations, context);
     check_fluid(rod, stations, context);
     if (has_one_law(rod, stations, context)) return {stations.front()};

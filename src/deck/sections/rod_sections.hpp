@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "deck/places/build_context.hpp"
+#include "deck/rods/rod_table.hpp"
 #include "deck/sections/section_files.hpp"
 
 // The section of a rod, or its sections that vary along it.
@@ -18,7 +19,7 @@ struct Station {
 // Finds the stations from start to end; a single one for a constant section. `file` belongs to the rod and
 // must outlive them; nullptr if there is none. If a section is wrong, adds a fault and uses the first section
 // of the model.
-std::vector<Station> find_stations(const CheckedTable& rod, const SectionFile* file, BuildContext& context);
+std::vector<Station> find_stations(const RodTable& rod, const SectionFile* file, BuildContext& context);
 
 // Finds fractions at which the section jumps, so that a node has to be there.
 std::vector<double> find_jumps(const std::vector<Station>& stations);

@@ -46,25 +46,27 @@ std::optional<Quat> project_axes(const Vec3& tangent, const Vec3& y_axis) {
 
 Quat choose_axes(const Vec3& tangent) { return *project_axes(tangent, choose_y_axis(tangent).direction); }
 
-std::optional<Quat> find_start_axes(const CheckedTable& rod, const Vec3& tangent, BuildContext& context) {
-    if (!rod.gives("y_axis")) {
+std::optional<Quat> find_start_axes(const TableHead& table,
+                                    const std::optional<Vec3>& y_axis,
+                                    const Vec3& tangent,
+                                    BuildContext& context) {
+    if (!y_axis) {
         Quat axes = choose_axes(tangent);
         context.notes.push_back(fmt::format("{}: not given; section y at the start is {}, from global {}",
-                                            rod.path_of("y_axis"),
+                                            table.path_of(&y_axis),
                                             in_brackets(axes * Vec3::UnitY(), 6, round_off),
                                             choose_y_axis(tangent).name));
         return axes;
     }
-    const Vec3& given = rod.get<Vec3>("y_axis");
-    if (given.isZero(0.0)) {
-        context.add_fault(rod, "y_axis", "expected a direction, found a vector of zero length");
+    if (y_axis->isZero(0.0)) {
+        context.add_fault(table, y_axis, "expected a direction, found a vector of zero length");
         return std::nullopt;
     }
-    std::optional<Quat> axes = project_axes(tangent, given);
+    std::optional<Quat> axes = project_axes(tangent, *y_axis);
     if (!axes) {
         context.add_fault(
-            rod,
-            "y_axis",
+            table,
+            y_axis,
             "parallel to the rod, so that section y is not defined; expected another direction");
     }
     return axes;

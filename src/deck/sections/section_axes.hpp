@@ -7,9 +7,12 @@
 // The section axes of rods at t = 0.
 namespace gxrod {
 
-// Finds the axes at the start, from the unit tangent and the deck's y_axis or, with a note, a global axis. If
+// Finds the axes at the start, from the unit tangent and a table's y_axis or, with a note, a global axis. If
 // y_axis is wrong, adds a fault and returns nullopt.
-std::optional<Quat> find_start_axes(const CheckedTable& rod, const Vec3& tangent, BuildContext& context);
+std::optional<Quat> find_start_axes(const TableHead& table,
+                                    const std::optional<Vec3>& y_axis,
+                                    const Vec3& tangent,
+                                    BuildContext& context);
 
 // Chooses axes from a unit tangent and the global axis least aligned with it.
 Quat choose_axes(const Vec3& tangent);

@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 
+#include "deck/rods/rod_table.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "deck/sections/build_sections.hpp"
 #include "deck/sections/section_matrices.hpp"
@@ -190,35 +191,25 @@ SectionFile read_section_file(std::string_view bytes, const std::string& file) {
     return SectionFileReader(table, file).read();
 }
 
-const CheckedTable* find_section_file(const CheckedTable& rod) {
-    const CheckedValue* sections = rod.find("sections");
-    if (sections == nullptr) return nullptr;
-    const auto* tables = std::get_if<std::vector<CheckedTable>>(&sections->value);
-    return tables == nullptr ? nullptr : &tables->front();
-}
-
 SectionFiles read_section_files(const CheckedTable& deck,
                                 const TableFiles& files,
                                 FaultList& faults,
                                 std::vector<MeshRecord>& records) {
     SectionFiles all;
-    const std::vector<CheckedTable>& rods = deck.tables("rod");
+    const auto rods = rods_of(deck);
     for (std::size_t i = 0; i < rods.size(); ++i) {
-        const CheckedTable* table = find_section_file(rods[i]);
+        const SectionFileTable* table = rods[i].get().find_section_file();
         if (table == nullptr) continue;
-        const std::string& name = table->get<std::string>("file");
         try {
-            const std::string bytes = files.read(name);
-            SectionFile file = read_section_file(bytes, name);
-            if (table->gives("damping")) {
-                const TableHead& damping = *table->tables("damping").front().record;
-                for (SectionRow& row : file.rows)
-                    set_damping(static_cast<const DampingTable&>(damping), row.section);
+            const std::string bytes = files.read(table->file);
+            SectionFile file = read_section_file(bytes, table->file);
+            if (table->damping) {
+                for (SectionRow& row : file.rows) set_damping(*table->damping, row.section);
             }
-            keep_file(name, bytes, records);
+            keep_file(table->file, bytes, records);
             all.emplace(static_cast<int>(i), std::move(file));
         } catch (const FileError& error) {
-            faults.add(table->place_of("file"), table->path_of("file"), error.what());
+            faults.add(table->place_of(&table->file), table->path_of(&table->file), error.what());
         }
     }
     return all;

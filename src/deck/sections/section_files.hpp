@@ -36,7 +36,4 @@ SectionFiles read_section_files(const CheckedTable& deck,
                                 FaultList& faults,
                                 std::vector<MeshRecord>& records);
 
-// Finds the table of a rod that names a file of sections; nullptr if there is none.
-const CheckedTable* find_section_file(const CheckedTable& rod);
-
 }  // namespace gxrod

@@ -6,11 +6,11 @@
 
 namespace gxrod {
 
-SectionTwist::SectionTwist(const CheckedValue& twist) {
-    if (const auto* total = std::get_if<double>(&twist.value)) {
+SectionTwist::SectionTwist(const NumberAlong& twist) {
+    if (const auto* total = std::get_if<double>(&twist)) {
         rows_ = {{0.0, 0.0}, {1.0, *total}};
     } else {
-        rows_ = std::get<CheckedProfile>(twist.value).rows;
+        rows_ = std::get<CheckedProfile>(twist).rows;
     }
 }
 
@@ -30,16 +30,16 @@ double SectionTwist::find_largest() const {
     return largest;
 }
 
-SectionTwist find_twist(const CheckedTable& rod, const SectionFile* file, const BuildContext& context) {
+SectionTwist find_twist(const RodTable& rod, const SectionFile* file, const BuildContext& context) {
     if (file == nullptr || file->twist.empty()) {
-        const SectionTwist twist(*rod.find("twist"));
+        const SectionTwist twist(rod.twist);
         const std::string note = describe_many_turns(twist.find_largest());
-        if (!note.empty()) context.notes.push_back(rod.path_of("twist") + ": " + note);
+        if (!note.empty()) context.notes.push_back(rod.path_of(&rod.twist) + ": " + note);
         return twist;
     }
-    if (rod.gives("twist"))
+    if (rod.gives(rod.twist))
         context.add_fault(
-            rod, "twist", "the file of its sections has a column twist; only one of them can be");
+            rod, rod.twist, "the file of its sections has a column twist; only one of them can be");
     return SectionTwist(file->twist);
 }
 

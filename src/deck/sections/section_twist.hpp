@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "deck/places/build_context.hpp"
+#include "deck/rods/rod_table.hpp"
 #include "deck/sections/section_files.hpp"
 
 namespace gxrod {
@@ -14,7 +15,7 @@ class SectionTwist {
     // Takes rows of fractions and angles, linear between them.
     explicit SectionTwist(std::vector<std::pair<double, double>> rows) : rows_(std::move(rows)) {}
     // Takes the key twist of a rod or of its rest shape.
-    explicit SectionTwist(const CheckedValue& twist);
+    explicit SectionTwist(const NumberAlong& twist);
 
     double at(double fraction) const;
     // Finds the angle farthest from 0.
@@ -26,6 +27,6 @@ class SectionTwist {
 };
 
 // Finds the twist of a rod or of the file of its sections; adds a fault if both have one.
-SectionTwist find_twist(const CheckedTable& rod, const SectionFile* file, const BuildContext& context);
+SectionTwist find_twist(const RodTable& rod, const SectionFile* file, const BuildContext& context);
 
 }  // namespace gxrod

@@ -32,7 +32,7 @@ struct ValueKind {
 };
 
 struct Binding {
-    const ValueKind* kind = nullptr;  // nullptr of a table in a table
+    const ValueKind* kind = nullptr;  // nullptr of a table in a table, or in place of a number
     // The address of the field, by which faults find their key.
     std::function<const void*(const TableHead& table)> field;
     // The address of the value in the field; nullptr if the field is an std::optional without one

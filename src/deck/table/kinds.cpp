@@ -39,6 +39,11 @@ std::string print_words(const std::vector<CheckedWord>& words) {
     return print_list(items);
 }
 
+// An array of so many values at least, as JSON Schema.
+std::string schema_of_list(const std::string& items, std::size_t least) {
+    return fmt::format(R"({{"type": "array", "items": {}, "minItems": {}}})", items, least);
+}
+
 template <class Word>
 std::optional<Word> read_one_word(const ValueSource& from) {
     const std::optional<std::string> text = read_text(from.node, from.path, from.key, from.context);
@@ -262,9 +267,9 @@ std::string Kind<FieldVector>::print(const FieldVector& value) {
 }
 
 std::string Kind<CheckedTendonPath>::schema(const KeySpec&) {
-    return fmt::format(R"({{"anyOf": [{}, {{"type": "array", "items": {}, "minItems": 2}}]}})",
+    return fmt::format(R"({{"anyOf": [{}, {}]}})",
                        schema_of_array(number_schema, 2),
-                       schema_of_array(number_schema, 3));
+                       schema_of_list(schema_of_array(number_schema, 3), 2));
 }
 
 std::optional<CheckedTendonPath> Kind<CheckedTendonPath>::read(const ValueSource& from) {
@@ -279,6 +284,82 @@ std::string Kind<CheckedTendonPath>::print(const CheckedTendonPath& value) {
             if (function) items.push_back(Kind<double>::print(function(0.0)));
     }
     return print_list(items);
+}
+
+std::string Kind<std::vector<CheckedVector>>::schema(const KeySpec&) {
+    return schema_of_list(schema_of_array(number_schema, 3), 2);
+}
+
+std::optional<std::vector<CheckedVector>> Kind<std::vector<CheckedVector>>::read(const ValueSource& from) {
+    return read_vectors(from.node, from.path, from.key, from.context);
+}
+
+std::string Kind<std::vector<CheckedVector>>::print(const std::vector<CheckedVector>& value) {
+    std::vector<std::string> items;
+    for (const CheckedVector& one : value) items.push_back(Kind<Vec3>::print(one.value));
+    return print_list(items);
+}
+
+std::string Kind<CheckedProfile>::words(const KeySpec& key) {
+    const std::string range = describe_range(key.range);
+    return fmt::format("an array of rows [fraction, number{}{}], two at least, from 0 to 1",
+                       range.empty() ? "" : " ",
+                       range);
+}
+
+std::string Kind<CheckedProfile>::schema(const KeySpec&) {
+    return schema_of_list(schema_of_array(number_schema, 2), 2);
+}
+
+std::optional<CheckedProfile> Kind<CheckedProfile>::read(const ValueSource& from) {
+    return RowReader(from.key, from.context).profile(from.node, from.path);
+}
+
+std::string Kind<CheckedProfile>::print(const CheckedProfile& value) {
+    return Kind<CheckedPairs>::print({value.rows, {}});
+}
+
+std::string Kind<NumberAlong>::schema(const KeySpec& key) {
+    return fmt::format(R"({{"anyOf": [{}, {}]}})", number_schema, Kind<CheckedProfile>::schema(key));
+}
+
+std::optional<NumberAlong> Kind<NumberAlong>::read(const ValueSource& from) {
+    const auto as_value = [](auto read) { return read ? std::optional<NumberAlong>(*read) : std::nullopt; };
+    return from.node.array() == nullptr ? as_value(Kind<double>::read(from))
+                                        : as_value(Kind<CheckedProfile>::read(from));
+}
+
+std::string Kind<NumberAlong>::print(const NumberAlong& value) {
+    return std::visit([]<class One>(const One& one) { return Kind<One>::print(one); }, value);
+}
+
+std::string Kind<std::vector<CheckedStation>>::schema(const KeySpec&) {
+    const std::string item = fmt::format(R"({{"anyOf": [{}, {{"type": "string"}}]}})", number_schema);
+    return schema_of_list(schema_of_array(item, 2), 2);
+}
+
+std::optional<std::vector<CheckedStation>> Kind<std::vector<CheckedStation>>::read(const ValueSource& from) {
+    return RowReader(from.key, from.context).stations(from.node, from.path);
+}
+
+std::string Kind<std::vector<CheckedStation>>::print(const std::vector<CheckedStation>& value) {
+    std::vector<std::string> items;
+    for (const CheckedStation& one : value)
+        items.push_back(print_list({Kind<double>::print(one.fraction), quote(one.section)}));
+    return print_list(items);
+}
+
+std::optional<GroupName> Kind<GroupName>::read(const ValueSource& from) {
+    if (const std::string* text = from.node.text()) return *text;
+    if (const auto* number = std::get_if<std::int64_t>(&from.node.value)) return *number;
+    from.context.faults.add(from.node.place,
+                            from.path,
+                            fmt::format("expected {}, found {}", words(from.key), describe_found(from.node)));
+    return std::nullopt;
+}
+
+std::string Kind<GroupName>::print(const GroupName& value) {
+    return std::visit([]<class One>(const One& one) { return Kind<One>::print(one); }, value);
 }
 
 std::string Kind<StageFunctions>::schema(const KeySpec&) {

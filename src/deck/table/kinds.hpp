@@ -63,9 +63,19 @@ using ArcNumber = std::variant<double, CheckedArcFunction>;
 struct StrainTimes {
     std::vector<double> times;
 };
+// A number, or rows of a fraction of a rod's length and a number.
+using NumberAlong = std::variant<double, CheckedProfile>;
+// The name or the number of a physical group of a mesh.
+using GroupName = std::variant<std::string, long>;
 // Values by stage.
 using StageFunctions = std::vector<CheckedNamedFunction>;
 
+inline constexpr const std::array<Choice<ElementKind>, 2>& choices_of(ElementKind) {
+    return element_kind_choices;
+}
+inline constexpr const std::array<Choice<ObstacleSide>, 2>& choices_of(ObstacleSide) {
+    return obstacle_side_choices;
+}
 inline constexpr const std::array<Choice<Frame>, 3>& choices_of(Frame) { return frame_choices; }
 inline constexpr const std::array<Choice<BushingAxes>, 4>& choices_of(BushingAxes) {
     return bushing_axes_choices;
@@ -327,6 +337,65 @@ struct Kind<CheckedTendonPath> {
     static std::optional<CheckedTendonPath> read(const ValueSource& from);
     static std::string print(const CheckedTendonPath& value);
     static std::string sample(const KeySpec&) { return "[[0.25, 1, 2], [0.75, 3, 4]]"; }
+};
+
+template <>
+struct Kind<std::vector<CheckedVector>> {
+    static std::string words(const KeySpec&) {
+        return "an array of 2 vectors or more, each of 3 numbers or expressions";
+    }
+    static std::string column(const KeySpec&) { return "2 vectors or more"; }
+    static std::string schema(const KeySpec&);
+    static std::optional<std::vector<CheckedVector>> read(const ValueSource& from);
+    static std::string print(const std::vector<CheckedVector>& value);
+    static std::string sample(const KeySpec&) { return "[[1, 2, 3], [4, 5, 6]]"; }
+};
+
+template <>
+struct Kind<CheckedProfile> {
+    static std::string words(const KeySpec& key);
+    static std::string column(const KeySpec&) { return "rows [fraction, number]"; }
+    static std::string schema(const KeySpec&);
+    static std::optional<CheckedProfile> read(const ValueSource& from);
+    static std::string print(const CheckedProfile& value);
+    static std::string sample(const KeySpec&) { return "[[0, 1.25], [1, 2.5]]"; }
+};
+
+template <>
+struct Kind<NumberAlong> {
+    static std::string words(const KeySpec&) {
+        return "a number or an expression, or an array of rows [fraction, number], from 0 to 1";
+    }
+    static std::string column(const KeySpec&) { return "number or rows [fraction, number]"; }
+    static std::string schema(const KeySpec& key);
+    static std::optional<NumberAlong> read(const ValueSource& from);
+    static std::string print(const NumberAlong& value);
+    static std::string sample(const KeySpec& key) { return Kind<CheckedProfile>::sample(key); }
+    static double default_value(const NumberAlong& value) { return std::get<double>(value); }
+};
+
+// Of a key that can have a table in their place.
+template <>
+struct Kind<std::vector<CheckedStation>> {
+    static std::string words(const KeySpec&) {
+        return "an array of rows [fraction, \"section\"], two at least, from 0 to 1, or a table { file = "
+               "\"…\" }";
+    }
+    static std::string column(const KeySpec&) { return "rows [fraction, section], or table"; }
+    static std::string schema(const KeySpec&);
+    static std::optional<std::vector<CheckedStation>> read(const ValueSource& from);
+    static std::string print(const std::vector<CheckedStation>& value);
+    static std::string sample(const KeySpec&) { return "[[0, \"first\"], [1, \"second\"]]"; }
+};
+
+template <>
+struct Kind<GroupName> {
+    static std::string words(const KeySpec&) { return "the name or the number of a physical group"; }
+    static std::string column(const KeySpec&) { return "name or number"; }
+    static std::string schema(const KeySpec&) { return R"({"type": ["string", "integer"]})"; }
+    static std::optional<GroupName> read(const ValueSource& from);
+    static std::string print(const GroupName& value);
+    static std::string sample(const KeySpec&) { return "22"; }
 };
 
 template <>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <functional>
 #include <initializer_list>
@@ -34,12 +35,14 @@ struct FieldTraits<std::optional<Inner>> {
     static void hold(const Inner& table, std::optional<Inner>& field) { field = table; }
 };
 
-// A number, or a table in its place.
-template <IsTable Inner>
-struct FieldTraits<std::optional<std::variant<double, Inner>>> {
-    using Field = std::optional<std::variant<double, Inner>>;
+// A number or rows, or a table in their place.
+template <class Other, IsTable Inner>
+struct FieldTraits<std::optional<std::variant<Other, Inner>>> {
+    using Field = std::optional<std::variant<Other, Inner>>;
     using Value = Inner;
-    static constexpr ValueType type = ValueType::number_or_table;
+    using Alternative = Other;
+    static constexpr ValueType type =
+        std::is_same_v<Other, double> ? ValueType::number_or_table : ValueType::bound;
     static const void* find(const Field& field) { return field ? &*field : nullptr; }
     static void hold(const Inner& table, Field& field) { field = table; }
 };
@@ -95,8 +98,8 @@ class Table {
         return *this;
     }
 
-    // Adds a table in this table as an std::optional, in place of a number or not, or a list of them as an
-    // std::vector.
+    // Adds a table in this table as an std::optional, in place of a number or of rows or not, or a list of
+    // them as an std::vector.
     template <class Access>
     Table& key(const std::string& name, Access access, const TableSpec& inner, const std::string& sentence) {
         using Traits = FieldTraits<FieldOf<Access>>;
@@ -105,14 +108,32 @@ class Table {
         binding.hold = [access](const TableHead& one, TableHead& table) {
             Traits::hold(static_cast<const Inner&>(one), field(access, table));
         };
-        if constexpr (Traits::type == ValueType::number_or_table) {
+        if constexpr (requires { typename Traits::Alternative; }) {
+            using Other = typename Traits::Alternative;
+            if (Traits::type == ValueType::bound) binding.kind = &value_kind<Other>;
             binding.read = [access](const ValueSource& from, TableHead& table) {
-                const std::optional<double> number = Kind<double>::read(from);
-                if (number) field(access, table) = *number;
-                return number.has_value();
+                auto value = Kind<Other>::read(from);
+                if (value) field(access, table) = std::move(*value);
+                return value.has_value();
+            };
+            binding.print = [access](const TableHead& table) {
+                const auto& given = field(access, table);
+                const Other* value = given ? std::get_if<Other>(&*given) : nullptr;
+                return value == nullptr ? "" : Kind<Other>::print(*value);
             };
         }
         add({.name = name, .type = Traits::type, .sentence = sentence, .table = &inner}, binding);
+        return *this;
+    }
+
+    // Adds keys of another table, whose struct is a base of T: all of them, or those of these names.
+    template <class Base>
+        requires std::is_base_of_v<Base, T>
+    Table& keys_of(const Table<Base>& base, const std::vector<std::string>& names = {}) {
+        const TableSpec spec = base;
+        for (const KeySpec& key : spec.keys) {
+            if (names.empty() || std::ranges::find(names, key.name) != names.end()) spec_.keys.push_back(key);
+        }
         return *this;
     }
 
@@ -186,6 +207,12 @@ class Table {
     // Ends messages that the key is missing or out of range.
     Table& remark(const std::string& text) {
         last().remark = text;
+        return *this;
+    }
+
+    // Ends the message that the key is above its range.
+    Table& above_range(const std::string& text) {
+        last().above_range = text;
         return *this;
     }
 

@@ -2,7 +2,6 @@
 
 #include "deck/decks.hpp"
 #include "deck/round_trips.hpp"
-#include "deck/schema/choices.hpp"
 
 namespace gxrod::test {
 namespace {
@@ -16,20 +15,6 @@ std::string with_shape(const std::string& shape, const std::string& material) {
 }
 
 const std::string circle = "circle = { radius = 1 }";
-
-// rod_deck with another centreline.
-std::string with_geometry(const std::string& geometry) {
-    return replaced(rod_deck, "line = { from = [0, 0, 0], to = [10, 0, 0] }", geometry);
-}
-
-// Whether the node at a fraction of the rod's nodes is at a place.
-std::function<bool(const Problem&)> passes(double fraction, const Vec3& place) {
-    return [=](const Problem& p) {
-        const Rod& rod = p.model.rods[0];
-        const auto position = static_cast<std::size_t>(fraction * static_cast<double>(rod.nodes.size() - 1));
-        return (p.model.nodes[static_cast<std::size_t>(rod.nodes[position])].position - place).norm() < 1e-13;
-    };
-}
 
 }  // namespace
 
@@ -112,112 +97,12 @@ std::vector<RoundTrip> matrix_trips() {
              [](const Problem& p) { return p.model.sections[0].mass_proportional == 0.125; }}};
 }
 
-std::vector<RoundTrip> geometry_trips() {
-    const auto arc = [](const std::string& keys) { return with_geometry("arc = { " + keys + " }"); };
-    const auto helix = [](const std::string& keys) { return with_geometry("helix = { " + keys + " }"); };
-    const std::string mesh = "mesh = { file = \"" GXROD_SOURCE_DIR "/meshes/truss.geo\", group = ";
-    const auto meshed = [&](const std::string& group) {
-        return replaced(with_geometry(mesh + group + " }"), "elements = 10\n", "");
-    };
-    return {{"rod.NAME.arc.from",
-             arc("from = [4, 0, 0], through = [5, 1, 0], to = [6, 0, 0]"),
-             passes(0.0, {4, 0, 0})},
-            {"rod.NAME.arc.through",
-             arc("from = [4, 0, 0], through = [5, 1, 0], to = [6, 0, 0]"),
-             passes(0.5, {5, 1, 0})},
-            {"rod.NAME.arc.to",
-             arc("from = [4, 0, 0], through = [5, 1, 0], to = [6, 0, 0]"),
-             passes(1.0, {6, 0, 0})},
-            {"rod.NAME.arc.centre",
-             arc("from = [4, 0, 0], centre = [5, 0, 0], axis = [0, 0, 1], angle = \"pi\""),
-             passes(1.0, {6, 0, 0})},
-            {"rod.NAME.arc.axis",
-             arc("from = [4, 0, 0], centre = [5, 0, 0], axis = [0, 2, 0], angle = \"pi\""),
-             passes(0.5, {5, 0, 1})},
-            {"rod.NAME.arc.angle",
-             arc("from = [4, 0, 0], centre = [5, 0, 0], axis = [0, 0, 1], angle = \"pi/2\""),
-             passes(1.0, {5, -1, 0})},
-            {"rod.NAME.helix.centre",
-             helix("centre = [1, 0, 9], axis = [0, 0, 1], from = [2, 0, 3], turns = 1.5, pitch = 2"),
-             passes(1.0, {0, 0, 6})},
-            {"rod.NAME.helix.axis",
-             helix("centre = [0, 0, 0], axis = [0, 5, 0], from = [2, 0, 0], turns = 0.5, pitch = 2"),
-             passes(1.0, {-2, 1, 0})},
-            {"rod.NAME.helix.from",
-             helix("centre = [0, 0, 0], axis = [0, 0, 1], from = [3, 0, 1], turns = 1, pitch = 2"),
-             passes(0.0, {3, 0, 1})},
-            {"rod.NAME.helix.turns",
-             helix("centre = [0, 0, 0], axis = [0, 0, 1], from = [3, 0, 0], turns = 2.5, pitch = 2"),
-             passes(1.0, {-3, 0, 5})},
-            {"rod.NAME.helix.pitch",
-             helix("centre = [0, 0, 0], axis = [0, 0, 1], from = [3, 0, 0], turns = 2, pitch = 7"),
-             passes(1.0, {3, 0, 14})},
-            {"rod.NAME.polyline",
-             with_geometry("polyline = [[0, 0, 0], [2, 0, 0], [2, 2, 0]]"),
-             passes(0.5, {2, 0, 0})},
-            {"rod.NAME.spline",
-             with_geometry("spline = [[0, 0, 1], [2, 1, 1], [4, 0, 1]]"),
-             passes(0.5, {2, 1, 1})},
-            {"rod.NAME.mesh.file",
-             meshed("\"truss\""),
-             [](const Problem& p) { return p.model.rods[0].element_count() == 12; }},
-            {"rod.NAME.mesh.group", meshed("22"), [](const Problem& p) {
-                 return p.model.rods[0].element_count() == 2;
-             }}};
-}
-
 std::vector<RoundTrip> rod_trips() {
     return {{"rod.NAME.section",
              replaced(rod_deck, "section = \"s\"", "section = \"other\"") +
                  "[section.other]\nstiffness = { EA = 1, GAy = 1, GAz = 1, GJ = 1, EIy = 1, EIz = 1 }\n"
                  "inertia = { rhoA = 1, rhoIy = 1, rhoIz = 1 }\n",
-             [](const Problem& p) { return p.model.sections[p.model.rods[0].section].name == "other"; }},
-            {"rod.NAME.line.from",
-             replaced(rod_deck, "from = [0, 0, 0]", "from = [1, 2, 3]"),
-             [](const Problem& p) {
-                 return p.model.nodes[p.model.rods[0].nodes.front()].position == Vec3(1, 2, 3);
-             }},
-            {"rod.NAME.line.to",
-             replaced(rod_deck, "to = [10, 0, 0]", "to = [1, 2, 3]"),
-             [](const Problem& p) {
-                 return p.model.nodes[p.model.rods[0].nodes.back()].position == Vec3(1, 2, 3);
-             }},
-            {"rod.NAME.elements",
-             replaced(rod_deck, "elements = 10", "elements = \"3 + 4\""),
-             [](const Problem& p) { return p.model.rods[0].element_count() == 7; }},
-            {"rod.NAME.spacing",
-             with_rod_key("spacing = [[0, 1], [1, 3]]"),
-             [](const Problem& p) {
-                 const Rod& rod = p.model.rods[0];
-                 // The last of n elements is 3^(1 - 1/n) as long as the first.
-                 const double ratio =
-                     (rod.length - rod.arc_length[rod.arc_length.size() - 2]) / rod.arc_length[1];
-                 return std::abs(ratio - std::pow(3.0, 1.0 - 1.0 / rod.element_count())) < 1e-12;
-             }},
-            {"rod.NAME.order",
-             with_rod_key("order = 3"),
-             [](const Problem& p) { return p.model.rods[0].order == 3; }},
-            {"rod.NAME.element",
-             replaced(rod_deck, "\"simo\"", "\"objective\""),
-             [](const Problem& p) { return p.model.rods[0].kind == ElementKind::objective; }},
-            {"rod.NAME.sections",
-             replaced(rod_deck, "section = \"s\"", "sections = [[0, \"s\"], [1, \"other\"]]") +
-                 "[section.other]\nstiffness = { EA = 1, GAy = 1, GAz = 1, GJ = 1, EIy = 1, EIz = 1 }\n"
-                 "inertia = { rhoA = 1, rhoIy = 1, rhoIz = 1 }\n",
-             [](const Problem& p) {
-                 const Rod& rod = p.model.rods[0];
-                 return rod.has_varying_sections() && rod.varying.at_nodes.back().stiffness(0, 0) == 1.0;
-             }},
-            {"rod.NAME.twist",
-             with_rod_key("twist = \"pi/2\""),
-             [](const Problem& p) {
-                 return (p.model.rods[0].triads.back() * Vec3::UnitY()).isApprox(Vec3::UnitZ(), 1e-15);
-             }},
-            {"rod.NAME.y_axis",
-             replaced(rod_deck, "element = \"simo\"", "element = \"simo\"\ny_axis = [5, 0, -2]"),
-             [](const Problem& p) {
-                 return (p.model.rods[0].triads[0] * Vec3::UnitY()).isApprox(Vec3(0, 0, -1), 1e-15);
-             }}};
+             [](const Problem& p) { return p.model.sections[p.model.rods[0].section].name == "other"; }}};
 }
 
 std::vector<RoundTrip> body_trips() {

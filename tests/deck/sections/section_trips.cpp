@@ -5,27 +5,6 @@
 
 namespace gxrod::test {
 
-std::vector<RoundTrip> section_file_trips() {
-    const auto with = [](const std::string& keys) {
-        return replaced(
-            rod_deck,
-            "section = \"s\"",
-            "sections = { file = \"" GXROD_SOURCE_DIR "/tests/deck/sections/blade.csv\"" + keys + " }");
-    };
-    const auto mean = [](const Problem& p) { return p.model.sections.back(); };
-    return {{"rod.NAME.sections.file",
-             with(""),
-             [=](const Problem& p) {
-                 return p.model.rods[0].has_varying_sections() && std::abs(mean(p).mass(0, 0) - 2.0) < 1e-12;
-             }},
-            {"rod.NAME.sections.damping.kelvin_voigt",
-             with(", damping = { kelvin_voigt = 0.5 }"),
-             [=](const Problem& p) { return mean(p).kelvin_voigt == 0.5; }},
-            {"rod.NAME.sections.damping.mass_proportional",
-             with(", damping = { mass_proportional = 0.5 }"),
-             [=](const Problem& p) { return mean(p).mass_proportional == 0.5; }}};
-}
-
 std::vector<RoundTrip> section_frame_trips() {
     const auto with = [](const std::string& line) {
         return replaced(rod_deck, "[rod.r]", line + "\n[rod.r]");

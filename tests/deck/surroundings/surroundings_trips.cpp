@@ -309,42 +309,12 @@ std::vector<RoundTrip> wet_body_trips() {
              })};
 }
 
-std::vector<RoundTrip> catenary_trips() {
-    const std::string line = "line = { from = [0, 0, 0], to = [10, 0, 0] }";
-    const std::string bed = "[seabed]\nz = -2\nstiffness = 1e4\n";
-    const auto with = [=](const std::string& keys) {
-        return replaced(tube_deck(), line, "catenary = { from = [0, 0, 1], " + keys + " }") + bed;
-    };
-    const auto node = [](const Problem& p, std::size_t i) { return p.model.nodes.at(i).position; };
-    const std::string hung = "to = [8, 6, 0], length = 14";
-    const auto is_catenary = [](const Problem& p) { return !p.model.rods.at(0).rest_strains.empty(); };
-    const std::string path = "rod.NAME.catenary.";
-    return {
-        trip(path + "from",
-             with(hung),
-             [=](const Problem& p) { return is_catenary(p) && node(p, 0) == Vec3(0, 0, 1); }),
-        trip(path + "to",
-             with(hung),
-             [=](const Problem& p) { return is_catenary(p) && node(p, 4) == Vec3(8, 6, 0); }),
-        trip(
-            path + "length", with(hung), [=](const Problem& p) { return p.model.rods.at(0).length == 14.0; }),
-        trip(path + "bed", with(hung + ", bed = true"), [=](const Problem& p) {
-            return is_catenary(p) &&
-                   node(p, 2).z() == Approx(-1.75 - 7850.0 * M_PI * 0.0225 * 9.81 / 5e3).epsilon(1e-9);
-        })};
-}
-
 }  // namespace
 
 std::vector<RoundTrip> surroundings_trips() {
     std::vector<RoundTrip> all;
-    for (const auto& trips : {water_trips(),
-                              wave_trips(),
-                              air_trips(),
-                              bed_trips(),
-                              wet_section_trips(),
-                              wet_body_trips(),
-                              catenary_trips()})
+    for (const auto& trips :
+         {water_trips(), wave_trips(), air_trips(), bed_trips(), wet_section_trips(), wet_body_trips()})
         all.insert(all.end(), trips.begin(), trips.end());
     return all;
 }

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "deck/rods/curve_table.hpp"
+#include "deck/sections/section_tables.hpp"
+#include "deck/table/kinds.hpp"
+
+// The tables of [rod.NAME].
+namespace gxrod {
+
+struct SectionFileTable : TableHead {
+    std::string file;
+    std::optional<DampingTable> damping;
+};
+
+struct RodMeshTable : TableHead {
+    std::string file;
+    GroupName group;
+};
+
+struct RestTable : CurveTable {
+    std::optional<CheckedPlaceVector> curvature;
+    std::optional<Vec3> y_axis;
+    std::optional<NumberAlong> twist;
+};
+
+struct RodTable : CurveTable {
+    std::optional<TableName> section;
+    std::optional<std::variant<std::vector<CheckedStation>, SectionFileTable>> sections;
+    std::optional<RodMeshTable> mesh;
+    std::optional<long> elements;
+    std::optional<CheckedProfile> spacing;
+    long order = Rod{}.order;
+    ElementKind element = Rod{}.kind;
+    std::optional<Vec3> y_axis;
+    NumberAlong twist = 0.0;
+    std::optional<RestTable> rest;
+
+    // The table that names a file of sections; nullptr if there is none.
+    const SectionFileTable* find_section_file() const {
+        return sections ? std::get_if<SectionFileTable>(&*sections) : nullptr;
+    }
+};
+
+// The rods of a deck, in its order.
+std::vector<std::reference_wrapper<const RodTable>> rods_of(const CheckedTable& deck);
+
+}  // namespace gxrod
