@@ -16,9 +16,6 @@ struct RoundTrip {
     std::function<bool(const Problem&)> is_seen;
 };
 
-std::vector<RoundTrip> joint_trips();
-std::vector<RoundTrip> gear_trips();
-std::vector<RoundTrip> coordinate_trips();
 std::vector<RoundTrip> section_trips();
 std::vector<RoundTrip> shape_trips();
 std::vector<RoundTrip> matrix_trips();

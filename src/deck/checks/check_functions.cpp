@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "deck/drives/tendon_path.hpp"
-#include "deck/joints/joint_coordinates.hpp"
+#include "deck/joints/joint_table.hpp"
 #include "deck/loads/acting.hpp"
 #include "deck/output/sample_times.hpp"
 #include "deck/places/part.hpp"
@@ -162,7 +162,7 @@ void check_functions(const BuildContext& context) {
         for (const CheckedTimeFunction& move : values_of<CheckedTimeFunction>(*support.move))
             check(move, times, context);
     }
-    for (const CheckedTable& joint : context.deck.tables("joint")) {
+    for (const JointTable& joint : tables_of<JointTable>(context.deck, joint_table())) {
         for (const CheckedTimeFunction* function : functions_of(joint)) check(*function, times, context);
     }
 }

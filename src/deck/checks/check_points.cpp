@@ -6,6 +6,7 @@
 #include "deck/contact/build_contact_exceptions.hpp"
 #include "deck/drives/tendon_path.hpp"
 #include "deck/joints/ends.hpp"
+#include "deck/joints/joint_table.hpp"
 #include "deck/places/part.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
@@ -112,14 +113,12 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
         }
     };
     check_names({&body_table(), &connect_table(), &spring_table(), &bushing_table()});
-    for (const CheckedTable& table : context.deck.tables("joint")) {
-        const bool slides = table.get<std::string>("type") == "sleeve";
-        for (const CheckedWord& word : ends_of(table)) {
-            if (slides && &word == &ends_of(table).front()) {
-                check_rod(word, context);
-            } else {
-                points.check_end(word);
-            }
+    for (const JointTable& joint : tables_of<JointTable>(context.deck, joint_table())) {
+        if (joint.is_sleeve()) {
+            check_rod(joint.between[0], context);
+            points.check_end(joint.between[1]);
+        } else {
+            points.check_names(joint);
         }
     }
     check_names({&load_table(), &support_table()});

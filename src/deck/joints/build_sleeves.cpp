@@ -1,15 +1,13 @@
-#include "deck/joints/build_sleeves.hpp"
+#include "deck/joints/joints.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "deck/checks/check_moves.hpp"
 #include "deck/joints/ends.hpp"
-#include "deck/joints/joint_coordinates.hpp"
+#include "deck/joints/joint_table.hpp"
 #include "deck/places/part.hpp"
-#include "deck/schema/choices.hpp"
 #include "numerics/smooth_line.hpp"
 
 namespace gxrod {
@@ -20,18 +18,6 @@ namespace {
 constexpr double largest_distance = 1e-3;
 constexpr int samples = 8;  // of a piece of the line, from which the nearest place is sought
 constexpr int iterations = 50;
-
-bool is_sleeve(const CheckedTable& table) {
-    return value_of(joint_kind_choices, table.get<std::string>("type")) == JointKind::sleeve;
-}
-
-// A joint with the coordinates of a sleeve.
-Joint make_keys(const std::string& name) {
-    Joint joint;
-    joint.name = name;
-    joint.kind = JointKind::sleeve;
-    return joint;
-}
 
 // The place of a line that is nearest to a point.
 struct Nearest {
@@ -100,17 +86,15 @@ bool is_line(const Rod& rod) {
 
 class SleeveBuilder {
   public:
-    SleeveBuilder(const CheckedTable& table, const BuildContext& context)
-        : table_(table), context_(context) {}
+    SleeveBuilder(const JointTable& given, const BuildContext& context) : given_(given), context_(context) {}
 
     std::optional<Sleeve> build() const {
-        Joint keys = make_keys(table_.name);
-        check_coordinates(table_, keys, context_);
-        const auto index = find_index(context_.deck.tables("rod"), ends_of(table_)[0].word);
+        check_coordinates(given_, context_);
+        const auto index = find_index(context_.deck.tables("rod"), given_.between[0].word);
         if (!index || context_.model.rods[*index].nodes.empty()) return std::nullopt;  // a fault elsewhere
-        const std::optional<Anchor> anchor = find_anchor(table_, 1, "at", context_);
+        const std::optional<Anchor> anchor = find_anchor(given_, given_.between[1], given_.at, context_);
         if (!anchor) return std::nullopt;
-        Sleeve sleeve{.name = table_.name, .rod = static_cast<int>(*index), .point = *anchor};
+        Sleeve sleeve{.name = given_.name, .rod = static_cast<int>(*index), .point = *anchor};
         const Rod& rod = context_.model.rods[*index];
         if (!is_line(rod)) {
             add_fault(fmt::format(
@@ -121,7 +105,7 @@ class SleeveBuilder {
             add_fault(
                 fmt::format("\"{}\" is a point of rod {}, which cannot slide along itself; expected a point "
                             "of another part",
-                            ends_of(table_)[1].word,
+                            given_.between[1].word,
                             rod.name));
             return std::nullopt;
         }
@@ -129,7 +113,7 @@ class SleeveBuilder {
     }
 
   private:
-    void add_fault(std::string message) const { context_.add_fault(table_, "between", std::move(message)); }
+    void add_fault(const std::string& message) const { context_.add_fault(given_, given_.between, message); }
 
     // On the line, to which the point is moved by as much as the line misses the rod.
     bool place(const Rod& rod, Sleeve& sleeve) const {
@@ -139,43 +123,41 @@ class SleeveBuilder {
         sleeve.place = nearest.place;
         sleeve.point.arm += nearest.position - point;
         if (nearest.distance <= largest_distance * nearest.spacing) return true;
-        context_.add_fault(
-            table_,
-            table_.gives("at") ? "at" : "between",
-            fmt::format("the point is {:.6g} from rod {}; expected a point on it: the nearest is [{:.9g}, "
-                        "{:.9g}, {:.9g}]",
-                        nearest.distance,
-                        rod.name,
-                        nearest.position[0],
-                        nearest.position[1],
-                        nearest.position[2]));
+        const std::string message = fmt::format(
+            "the point is {:.6g} from rod {}; expected a point on it: the nearest is [{:.9g}, "
+            "{:.9g}, {:.9g}]",
+            nearest.distance,
+            rod.name,
+            nearest.position[0],
+            nearest.position[1],
+            nearest.position[2]);
+        if (given_.at)
+            context_.add_fault(given_, given_.at, message);
+        else
+            add_fault(message);
         return false;
     }
 
-    const CheckedTable& table_;
+    const JointTable& given_;
     const BuildContext& context_;
 };
 
 }  // namespace
 
 void build_sleeves(BuildContext& context) {
-    for (const CheckedTable& table : context.deck.tables("joint")) {
-        if (!is_sleeve(table)) continue;
-        if (std::optional<Sleeve> sleeve = SleeveBuilder(table, context).build())
+    for (const JointTable& given : tables_of<JointTable>(context.deck, joint_table())) {
+        if (!given.is_sleeve()) continue;
+        if (std::optional<Sleeve> sleeve = SleeveBuilder(given, context).build())
             context.model.sleeves.push_back(std::move(*sleeve));
     }
 }
 
 void build_sleeve_actions(BuildContext& context) {
     for (Sleeve& sleeve : context.model.sleeves) {
-        const auto& tables = context.deck.tables("joint");
-        const CheckedTable& table = tables[*find_index(tables, sleeve.name)];
+        const JointTable& given = *find_joint(context.deck, sleeve.name);
         const double length = context.model.rods[sleeve.rod].length;
-        Joint keys = make_keys(sleeve.name);
-        set_coordinates(table, length, keys, context);
-        sleeve.slide = keys.slide;
-        for (const CheckedNamedFunction& move : joint_moves_of(table))
-            check_move(move.value, length, context);
+        sleeve.slide = build_slide(given, length, context);
+        check_motors(given, length, context);
     }
 }
 

@@ -6,22 +6,16 @@
 
 namespace gxrod {
 
-const std::vector<CheckedWord>& ends_of(const CheckedTable& table) {
-    return table.get<std::vector<CheckedWord>>("between");
-}
-
-namespace {
-
-std::optional<Anchor> find_anchor_at(const CheckedWord& end,
-                                     const std::optional<Vec3>& place,
-                                     const std::string& place_key,
-                                     const BuildContext& context) {
+std::optional<Anchor> find_anchor(const TableHead& table,
+                                  const CheckedWord& end,
+                                  const std::optional<Vec3>& place,
+                                  const BuildContext& context) {
     if (end.word == ground_word) {
         if (place) return Anchor{.arm = *place};
-        context.faults.add(
-            end.place,
-            end.path,
-            fmt::format("the ground has no place of its own; expected {} = [x, y, z]", place_key));
+        context.faults.add(end.place,
+                           end.path,
+                           fmt::format("the ground has no place of its own; expected {} = [x, y, z]",
+                                       table.key_of(&place).name));
         return std::nullopt;
     }
     const std::optional<PlacedPoint> point = context.place(end.word);
@@ -29,24 +23,6 @@ std::optional<Anchor> find_anchor_at(const CheckedWord& end,
     Anchor anchor{.node = point->node};
     if (place) anchor.arm = *place - context.model.nodes[static_cast<std::size_t>(point->node)].position;
     return anchor;
-}
-
-}  // namespace
-
-std::optional<Anchor> find_anchor(const TableHead& table,
-                                  const CheckedWord& end,
-                                  const std::optional<Vec3>& place,
-                                  const BuildContext& context) {
-    return find_anchor_at(end, place, table.key_of(&place).name, context);
-}
-
-std::optional<Anchor> find_anchor(const CheckedTable& table,
-                                  std::size_t index,
-                                  const char* place_key,
-                                  const BuildContext& context) {
-    std::optional<Vec3> place;
-    if (table.gives(place_key)) place = table.get<Vec3>(place_key);
-    return find_anchor_at(ends_of(table)[index], place, place_key, context);
 }
 
 double measure_size(const Model& model, std::span<const Anchor> anchors) {

@@ -12,18 +12,11 @@ namespace gxrod {
 // The word for the ground, which does not move.
 inline constexpr const char* ground_word = "ground";
 
-const std::vector<CheckedWord>& ends_of(const CheckedTable& table);
-
 // Finds the point of an end: at the place that a field of the table gives, or else at its node. nullopt if
 // there is no such point; the ground without a place is a fault.
 std::optional<Anchor> find_anchor(const TableHead& table,
                                   const CheckedWord& end,
                                   const std::optional<Vec3>& place,
-                                  const BuildContext& context);
-// The same of between[index] and the key `place_key`.
-std::optional<Anchor> find_anchor(const CheckedTable& table,
-                                  std::size_t index,
-                                  const char* place_key,
                                   const BuildContext& context);
 
 // Returns the diagonal of the box around all nodes and these points.

@@ -1,13 +1,11 @@
-#include "deck/joints/build_gears.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "deck/joints/joint_coordinates.hpp"
-#include "deck/places/part.hpp"
-#include "deck/schema/schema_tables.hpp"
+#include "deck/joints/joint_table.hpp"
+#include "deck/joints/joints.hpp"
 #include "deck/schema/suggestion.hpp"
+#include "model/ties/joint_card.hpp"
 
 namespace gxrod {
 namespace {
@@ -81,16 +79,14 @@ class GearBuilder {
     std::optional<GearSide> find_side(const CheckedWord& word) const {
         const std::size_t dot = word.word.find('.');
         const std::string name = word.word.substr(0, dot);
-        const std::vector<CheckedTable>& tables = context_.deck.tables("joint");
-        const std::optional<int> table = find_index(tables, name);
-        if (!table) {
+        const JointTable* table = find_joint(context_.deck, name);
+        if (table == nullptr) {
             add(word, explain_unknown(name));
             return std::nullopt;
         }
-        const JointKind kind = value_of(joint_kind_choices, tables[*table].get<std::string>("type"));
         const std::string given = dot == std::string::npos ? "" : word.word.substr(dot + 1);
-        const std::string coordinate = given.empty() ? std::string(plain_coordinate(kind)) : given;
-        const std::string reason = explain_coordinate(name, kind, coordinate);
+        const std::string coordinate = given.empty() ? std::string(plain_coordinate(table->type)) : given;
+        const std::string reason = explain_coordinate(name, table->type, coordinate);
         if (!reason.empty()) {
             add(word, reason);
             return std::nullopt;
@@ -102,7 +98,8 @@ class GearBuilder {
 
     std::string explain_unknown(const std::string& name) const {
         std::vector<std::string> known;
-        for (const CheckedTable& joint : context_.deck.tables("joint")) known.push_back(joint.name);
+        for (const JointTable& joint : tables_of<JointTable>(context_.deck, joint_table()))
+            known.push_back(joint.name);
         const std::string nearest = did_you_mean(name, known);
         const std::string hint = !nearest.empty() ? nearest
                                  : known.empty()  ? "; the deck has no joint"
@@ -114,19 +111,18 @@ class GearBuilder {
     static std::string explain_coordinate(const std::string& name,
                                           JointKind kind,
                                           const std::string& coordinate) {
-        Joint joint;
-        joint.kind = kind;
-        const std::string type = kind == JointKind::free ? "free joint" : word_of(joint_kind_choices, kind);
+        const JointCard& card = card_of(kind);
+        const std::string_view type = kind == JointKind::free ? "free joint" : card.word;
         if (coordinate.empty()) {
             return fmt::format(
                 "a {} has a turn and a slide; expected \"{}.turn\" or \"{}.slide\"", type, name, name);
         }
         if (kind == JointKind::sleeve) return "a gear cannot tie the slide of a sleeve";
-        if (!joint.has_turn() && !joint.has_slide())
+        if (!card.has_turn && !card.has_slide)
             return fmt::format("a {} has no turn about one axis and no slide that a gear could tie", type);
         if (coordinate != "turn" && coordinate != "slide")
             return fmt::format("no coordinate \"{}\"; expected turn or slide", coordinate);
-        const bool has_it = coordinate == "turn" ? joint.has_turn() : joint.has_slide();
+        const bool has_it = coordinate == "turn" ? card.has_turn : card.has_slide;
         return has_it ? "" : fmt::format("a {} has no {}", type, coordinate);
     }
 

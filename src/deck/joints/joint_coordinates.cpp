@@ -1,5 +1,3 @@
-#include "deck/joints/joint_coordinates.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,73 +5,81 @@
 #include <limits>
 #include <numbers>
 
+#include "deck/checks/check_moves.hpp"
+#include "deck/joints/joint_table.hpp"
 #include "deck/loads/acting.hpp"
 #include "deck/places/angle_note.hpp"
+#include "model/ties/joint_card.hpp"
 
 namespace gxrod {
 namespace {
-
-using NamedFunctions = std::vector<CheckedNamedFunction>;
 
 // Of a turn in rad, and of a slide relative to the model's size.
 constexpr double turn_stick = 1e-4;
 constexpr double slide_stick = 1e-5;
 
-constexpr std::array<const char*, 2> coordinate_names{"turn", "slide"};
-constexpr std::array<const char*, 3> table_keys{"spring", "friction", "limits"};
-constexpr std::array<const char*, 2> function_keys{"move", "drive"};
+constexpr std::array<std::string_view, 2> coordinate_names{"turn", "slide"};
 
-bool has_coordinate(const Joint& joint, std::string_view name) {
-    return name == "turn" ? joint.has_turn() : joint.has_slide();
+bool has_coordinate(JointKind kind, std::string_view name) {
+    return name == "turn" ? card_of(kind).has_turn : card_of(kind).has_slide;
 }
 
-bool is_name(std::string_view key) { return key == "turn" || key == "slide"; }
-
-const CheckedTable* find_table(const CheckedTable& joint, const char* key) {
-    return joint.gives(key) ? &joint.tables(key).front() : nullptr;
+// The coordinate of a value of `move` or `drive`.
+std::string_view name_coordinate(const CheckedNamedFunction& value, JointKind kind) {
+    return value.name.empty() ? plain_coordinate(kind) : std::string_view(value.name);
 }
 
-// The table of one coordinate; nullptr if there is none.
-const CheckedTable* find_table(const CheckedTable& joint,
-                               const char* key,
-                               JointKind kind,
-                               std::string_view coordinate) {
-    const CheckedTable* table = find_table(joint, key);
-    if (table == nullptr) return nullptr;
-    if (table->gives(coordinate)) return &table->tables(coordinate).front();
-    const bool is_named = table->gives("turn") || table->gives("slide");
-    return !is_named && plain_coordinate(kind) == coordinate ? table : nullptr;
-}
+// What a deck gives one coordinate; nullptr where it gives nothing.
+struct GivenActions {
+    const CheckedTimeFunction* move;
+    const CheckedTimeFunction* drive;
+    const JointSpringTable* spring;
+    const JointFrictionTable* friction;
+    const JointLimitsTable* limits;
+};
 
-const CheckedTimeFunction* find_function(const CheckedTable& joint,
-                                         const char* key,
-                                         JointKind kind,
-                                         std::string_view coordinate) {
-    if (!joint.gives(key)) return nullptr;
-    for (const CheckedNamedFunction& one : joint.get<NamedFunctions>(key)) {
-        if (name_coordinate(one, kind) == coordinate) return &one.value;
-    }
-    return nullptr;
+GivenActions find_actions(const JointTable& given, std::string_view coordinate) {
+    const auto find_function =
+        [&](const std::optional<CoordinateFunctions>& functions) -> const CheckedTimeFunction* {
+        if (!functions) return nullptr;
+        const auto found = std::ranges::find_if(functions->named, [&](const CheckedNamedFunction& one) {
+            return name_coordinate(one, given.type) == coordinate;
+        });
+        return found == functions->named.end() ? nullptr : &found->value;
+    };
+    const auto find_table = [&]<class One>(const std::optional<CoordinateTable<One>>& table) -> const One* {
+        if (!table) return nullptr;
+        const std::optional<One>& own = coordinate == "turn" ? table->turn : table->slide;
+        if (own) return &*own;
+        const bool is_named = table->turn || table->slide;
+        return !is_named && plain_coordinate(given.type) == coordinate ? &*table : nullptr;
+    };
+    return {find_function(given.move),
+            find_function(given.drive),
+            find_table(given.spring),
+            find_table(given.friction),
+            find_table(given.limits)};
 }
 
 // Says that a key has to name its coordinate, or names one that the joint has not.
 class CoordinateCheck {
   public:
-    CoordinateCheck(const CheckedTable& table, const Joint& joint, const BuildContext& context)
-        : table_(table),
-          joint_(joint),
-          type_(joint.kind == JointKind::free ? "free joint" : table.get<std::string>("type")),
+    CoordinateCheck(const JointTable& given, const BuildContext& context)
+        : given_(given),
+          type_(given.type == JointKind::free ? "free joint" : card_of(given.type).word),
           context_(context) {}
 
     void check() const {
-        for (const char* key : function_keys) check_functions_of(key);
-        for (const char* key : table_keys) {
-            if (const CheckedTable* table = find_table(table_, key)) check_table(key, *table);
-        }
-        for (const char* coordinate : coordinate_names) {
-            check_motor(coordinate);
-            check_friction(coordinate);
-            check_limits(coordinate);
+        check_functions_of(given_.move);
+        check_functions_of(given_.drive);
+        check_table(given_.spring);
+        check_table(given_.friction);
+        check_table(given_.limits);
+        for (const std::string_view coordinate : coordinate_names) {
+            const GivenActions actions = find_actions(given_, coordinate);
+            if (actions.move != nullptr) check_motor(actions, coordinate);
+            if (actions.friction != nullptr) check_friction(*actions.friction, coordinate);
+            if (actions.limits != nullptr) check_limits(*actions.limits);
         }
     }
 
@@ -86,114 +92,101 @@ class CoordinateCheck {
         add(place, path, fmt::format("a {} has no {}", type_, coordinate));
     }
 
-    void check_functions_of(const char* key) const {
-        if (!table_.gives(key)) return;
-        const NamedFunctions& functions = table_.get<NamedFunctions>(key);
-        for (const CheckedNamedFunction& one : functions) {
-            const std::string_view name = name_coordinate(one, joint_.kind);
+    void check_functions_of(const std::optional<CoordinateFunctions>& functions) const {
+        if (!functions) return;
+        for (const auto& [word, value] : functions->named) {
+            const std::string_view name = word.empty() ? plain_coordinate(given_.type) : word;
             if (name.empty()) {
-                add(one.value.place,
-                    one.value.path,
+                add(value.place,
+                    value.path,
                     fmt::format(
                         "a {} has a turn and a slide; expected {} = {{ turn = … }}, {{ slide = … }} or "
                         "both",
                         type_,
-                        key));
-            } else if (!has_coordinate(joint_, name)) {
-                add_lack(one.value.place, one.value.path, name);
+                        given_.key_of(&functions).name));
+            } else if (!has_coordinate(given_.type, name)) {
+                add_lack(value.place, value.path, name);
             }
         }
     }
 
-    void check_table(const char* key, const CheckedTable& table) const {
-        const bool is_named = table.gives("turn") || table.gives("slide");
-        for (const CheckedValue& value : table.values) {
-            if (!value.given) continue;
-            const std::string path = table.path_of(value.key);
-            if (is_name(value.key)) {
-                if (!has_coordinate(joint_, value.key)) add_lack(value.place, path, value.key);
-            } else if (is_named) {
-                add(value.place, path, "belongs into turn or slide, where this table has these");
-            } else if (plain_coordinate(joint_.kind).empty()) {
-                return add(table.place,
-                           table.path,
+    template <class One>
+    void check_table(const std::optional<CoordinateTable<One>>& table) const {
+        if (!table) return;
+        for (const auto& [key, place] : table->given) {
+            const std::string path = table->path + "." + key;
+            if (key == "turn" || key == "slide") {
+                if (!has_coordinate(given_.type, key)) add_lack(place, path, key);
+            } else if (table->turn || table->slide) {
+                add(place, path, "belongs into turn or slide, where this table has these");
+            } else if (plain_coordinate(given_.type).empty()) {
+                return add(table->place,
+                           table->path,
                            fmt::format("a {} has a turn and a slide; expected {} = {{ turn = {{ … }} }}, {{ "
                                        "slide = {{ … }} }} or both",
                                        type_,
-                                       key));
+                                       given_.key_of(&table).name));
             }
         }
     }
 
-    void check_motor(const char* coordinate) const {
-        const CheckedTimeFunction* move = find_function(table_, "move", joint_.kind, coordinate);
-        const CheckedTimeFunction* drive = find_function(table_, "drive", joint_.kind, coordinate);
-        if (move == nullptr) return;
-        if (drive != nullptr) {
-            add(drive->place,
-                drive->path,
+    void check_motor(const GivenActions& actions, std::string_view coordinate) const {
+        const CheckedTimeFunction& move = *actions.move;
+        if (actions.drive != nullptr) {
+            add(actions.drive->place,
+                actions.drive->path,
                 fmt::format("`move` says what the {} is, whatever drives it; expected one of the two",
                             coordinate));
         }
-        const bool is_screw = joint_.kind == JointKind::screw && std::string_view(coordinate) == "slide";
-        if (is_screw && find_function(table_, "move", joint_.kind, "turn") != nullptr)
-            add(move->place, move->path, "the turn of a screw says what its slide is; expected one of them");
+        const bool is_screw = given_.type == JointKind::screw && coordinate == "slide";
+        if (is_screw && find_actions(given_, "turn").move != nullptr)
+            add(move.place, move.path, "the turn of a screw says what its slide is; expected one of them");
     }
 
-    void check_friction(const char* coordinate) const {
-        const CheckedTable* friction = find_table(table_, "friction", joint_.kind, coordinate);
-        if (friction == nullptr) return;
-        const bool is_turn = std::string_view(coordinate) == "turn";
-        check_coefficient(*friction, is_turn);
-        const char* wrong = is_turn ? "force" : "moment";
-        if (!friction->gives(wrong)) return;
-        add(friction->place_of(wrong),
-            friction->path_of(wrong),
+    void check_friction(const JointFrictionTable& friction, std::string_view coordinate) const {
+        const bool is_turn = coordinate == "turn";
+        check_coefficient(friction, is_turn);
+        const std::optional<double>& wrong = is_turn ? friction.force : friction.moment;
+        if (!wrong) return;
+        context_.add_fault(
+            friction,
+            wrong,
             fmt::format("the friction of a {} is a {}", coordinate, is_turn ? "moment" : "force"));
     }
 
     // The friction of a turn needs a radius at which its force acts, and that of a slide none.
-    void check_coefficient(const CheckedTable& friction, bool is_turn) const {
-        if (!friction.gives("coefficient")) return;
-        if (joint_.kind == JointKind::sleeve) {
-            add(friction.place_of("coefficient"),
-                friction.path_of("coefficient"),
+    void check_coefficient(const JointFrictionTable& friction, bool is_turn) const {
+        if (!friction.coefficient) return;
+        if (given_.is_sleeve()) {
+            context_.add_fault(
+                friction,
+                friction.coefficient,
                 "the friction of a sleeve does not depend on the force that it holds; expected force");
-        } else if (joint_.kind == JointKind::free) {
-            add(friction.place_of("coefficient"),
-                friction.path_of("coefficient"),
-                "a free joint holds no force; expected moment or force");
-        } else if (is_turn && !friction.gives("radius")) {
-            add(friction.place,
-                friction.path_of("radius"),
+        } else if (given_.type == JointKind::free) {
+            context_.add_fault(
+                friction, friction.coefficient, "a free joint holds no force; expected moment or force");
+        } else if (is_turn && !friction.radius) {
+            context_.add_fault(
+                friction,
+                friction.radius,
                 "missing; expected the radius of the pin, a number greater than 0 or an expression");
-        } else if (!is_turn && friction.gives("radius")) {
-            add(friction.place_of("radius"),
-                friction.path_of("radius"),
-                "only the friction of a turn has a radius");
+        } else if (!is_turn && friction.radius) {
+            context_.add_fault(friction, friction.radius, "only the friction of a turn has a radius");
         }
     }
 
-    void check_limits(const char* coordinate) const {
-        const CheckedTable* limits = find_table(table_, "limits", joint_.kind, coordinate);
-        if (limits == nullptr) return;
-        if (!limits->gives("stiffness")) {
-            add(limits->place,
-                limits->path_of("stiffness"),
-                "missing; expected a number greater than 0 or an expression");
+    void check_limits(const JointLimitsTable& limits) const {
+        if (!limits.stiffness) {
+            context_.add_fault(
+                limits, limits.stiffness, "missing; expected a number greater than 0 or an expression");
         }
-        if (!limits->gives("lower") || !limits->gives("upper")) return;
-        const double lower = limits->get<double>("lower");
-        const double upper = limits->get<double>("upper");
-        if (lower <= upper) return;
-        add(limits->place_of("lower"),
-            limits->path_of("lower"),
-            fmt::format("{:.6g} is above upper, {:.6g}", lower, upper));
+        if (!limits.lower || !limits.upper || *limits.lower <= *limits.upper) return;
+        context_.add_fault(
+            limits, limits.lower, fmt::format("{:.6g} is above upper, {:.6g}", *limits.lower, *limits.upper));
     }
 
-    const CheckedTable& table_;
-    const Joint& joint_;
-    const std::string type_;
+    const JointTable& given_;
+    const std::string_view type_;
     const BuildContext& context_;
 };
 
@@ -215,61 +208,34 @@ TimeFunction scale(const TimeFunction& function, double factor) {
     return TimeFunction([function, factor](double t) { return factor * function(t); }, function.switches());
 }
 
-class CoordinateBuilder {
-  public:
-    CoordinateBuilder(const CheckedTable& table,
-                      JointKind kind,
-                      const char* coordinate,
-                      const BuildContext& context)
-        : table_(table), kind_(kind), coordinate_(coordinate), acting_(find_acting(context)) {}
+Friction build_friction(const JointFrictionTable& given, double default_stick) {
+    Friction built;
+    built.force = given.moment ? *given.moment : given.force.value_or(0.0);
+    built.stick = given.stick.value_or(default_stick);
+    built.lever = given.coefficient.value_or(0.0);
+    if (given.radius) built.lever *= *given.radius;
+    return built;
+}
 
-    JointCoordinate build(double default_stick) const {
-        JointCoordinate built;
-        if (const auto* move = find_function(table_, "move", kind_, coordinate_))
-            built.motion = acting_.apply(move->function);
-        if (const auto* drive = find_function(table_, "drive", kind_, coordinate_))
-            built.drive = acting_.apply(drive->function);
-        if (const CheckedTable* spring = find_table(table_, "spring", kind_, coordinate_))
-            set_spring(*spring, built);
-        if (const CheckedTable* friction = find_table(table_, "friction", kind_, coordinate_))
-            built.friction = build_friction(*friction, default_stick);
-        if (const CheckedTable* limits = find_table(table_, "limits", kind_, coordinate_))
-            built.limits = build_limits(*limits);
-        return built;
+JointCoordinate build_coordinate(const JointTable& given,
+                                 std::string_view coordinate,
+                                 double default_stick,
+                                 const BuildContext& context) {
+    const auto [move, drive, spring, friction, limits] = find_actions(given, coordinate);
+    const Acting acting = find_acting(context);
+    JointCoordinate built;
+    if (move != nullptr) built.motion = acting.apply(move->function);
+    if (drive != nullptr) built.drive = acting.apply(drive->function);
+    if (spring != nullptr) {
+        built.stiffness = spring->stiffness;
+        built.damping = spring->damping;
+        if (spring->rest) built.rest = acting.apply(spring->rest->function);
     }
-
-  private:
-    void set_spring(const CheckedTable& spring, JointCoordinate& built) const {
-        built.stiffness = spring.get<double>("stiffness");
-        built.damping = spring.get<double>("damping");
-        if (spring.gives("rest"))
-            built.rest = acting_.apply(spring.get<CheckedTimeFunction>("rest").function);
-    }
-
-    static Friction build_friction(const CheckedTable& friction, double default_stick) {
-        const char* key = friction.gives("moment") ? "moment" : "force";
-        Friction built;
-        if (friction.gives(key)) built.force = friction.get<double>(key);
-        built.stick = friction.gives("stick") ? friction.get<double>("stick") : default_stick;
-        if (friction.gives("coefficient")) built.lever = friction.get<double>("coefficient");
-        if (friction.gives("radius")) built.lever *= friction.get<double>("radius");
-        return built;
-    }
-
-    static CoordinateLimits build_limits(const CheckedTable& limits) {
-        CoordinateLimits built;
-        built.damping = limits.get<double>("damping");
-        if (limits.gives("stiffness")) built.stiffness = limits.get<double>("stiffness");
-        if (limits.gives("lower")) built.lower = limits.get<double>("lower");
-        if (limits.gives("upper")) built.upper = limits.get<double>("upper");
-        return built;
-    }
-
-    const CheckedTable& table_;
-    JointKind kind_;
-    const char* coordinate_;
-    Acting acting_;
-};
+    if (friction != nullptr) built.friction = build_friction(*friction, default_stick);
+    if (limits != nullptr)
+        built.limits = {limits->lower, limits->upper, limits->stiffness.value_or(0.0), limits->damping};
+    return built;
+}
 
 }  // namespace
 
@@ -278,72 +244,66 @@ std::string_view plain_coordinate(JointKind kind) {
     return kind == JointKind::slider || kind == JointKind::sleeve ? "slide" : "turn";
 }
 
-std::string_view name_coordinate(const CheckedNamedFunction& value, JointKind kind) {
-    return value.name.empty() ? plain_coordinate(kind) : std::string_view(value.name);
-}
-
-std::vector<CheckedNamedFunction> joint_moves_of(const CheckedTable& joint) {
-    return joint.gives("move") ? joint.get<NamedFunctions>("move") : NamedFunctions{};
-}
-
-std::vector<const CheckedTimeFunction*> functions_of(const CheckedTable& joint) {
+std::vector<const CheckedTimeFunction*> functions_of(const JointTable& joint) {
     std::vector<const CheckedTimeFunction*> functions;
-    for (const char* key : function_keys) {
-        if (!joint.gives(key)) continue;
-        for (const CheckedNamedFunction& one : joint.get<NamedFunctions>(key))
-            functions.push_back(&one.value);
+    for (const CoordinateFunctions& given : values_of<CoordinateFunctions>(joint)) {
+        for (const CheckedNamedFunction& one : given.named) functions.push_back(&one.value);
     }
-    const CheckedTable* spring = find_table(joint, "spring");
-    if (spring == nullptr) return functions;
-    std::vector<const CheckedTable*> springs{spring};
-    for (const char* coordinate : coordinate_names) {
-        if (spring->gives(coordinate)) springs.push_back(&spring->tables(coordinate).front());
-    }
-    for (const CheckedTable* one : springs) {
-        if (one->gives("rest")) functions.push_back(&one->get<CheckedTimeFunction>("rest"));
-    }
+    const auto add_rest = [&](const auto& spring) {
+        if (spring && spring->rest) functions.push_back(&*spring->rest);
+    };
+    add_rest(joint.spring);
+    if (!joint.spring) return functions;
+    add_rest(joint.spring->turn);
+    add_rest(joint.spring->slide);
     return functions;
 }
 
-void check_coordinates(const CheckedTable& table, const Joint& joint, const BuildContext& context) {
-    CoordinateCheck(table, joint, context).check();
+void check_coordinates(const JointTable& given, const BuildContext& context) {
+    CoordinateCheck(given, context).check();
 }
 
-void note_coordinates(const CheckedTable& table,
-                      const Joint& joint,
-                      double size,
-                      const BuildContext& context) {
-    const auto* friction = find_table(table, "friction", joint.kind, "turn");
-    if (friction != nullptr && friction->gives("radius")) {
-        const double radius = friction->get<double>("radius");
+void note_coordinates(const JointTable& given, const Joint& joint, double size, const BuildContext& context) {
+    const GivenActions turn = find_actions(given, "turn");
+    if (turn.friction != nullptr && turn.friction->radius) {
+        const double radius = *turn.friction->radius;
         const double length = find_joined_length(joint, size, context.model);
         if (radius > length) {
             context.notes.push_back(
                 fmt::format("{}: {:.6g} is longer than what the joint joins, {:.6g}; the "
                             "radius is that of the pin on which the friction acts",
-                            friction->path_of("radius"),
+                            turn.friction->path_of(&turn.friction->radius),
                             radius,
                             length));
         }
     }
-    const auto* limits = find_table(table, "limits", joint.kind, "turn");
-    if (limits == nullptr) return;
-    for (const char* key : {"lower", "upper"}) {
-        if (!limits->gives(key)) continue;
-        const std::string note = describe_many_turns(limits->get<double>(key));
-        if (!note.empty()) context.notes.push_back(limits->path_of(key) + ": " + note);
+    if (turn.limits == nullptr) return;
+    for (const std::optional<double>* bound : {&turn.limits->lower, &turn.limits->upper}) {
+        const std::string note = *bound ? describe_many_turns(**bound) : "";
+        if (!note.empty()) context.notes.push_back(turn.limits->path_of(bound) + ": " + note);
     }
 }
 
-void set_coordinates(const CheckedTable& table, double size, Joint& joint, const BuildContext& context) {
-    joint.turn = CoordinateBuilder(table, joint.kind, "turn", context).build(turn_stick);
-    joint.slide = CoordinateBuilder(table, joint.kind, "slide", context).build(slide_stick * size);
-    if (joint.slide.friction.acts() && joint.slide.friction.stick == 0.0) {
-        context.add_fault(table,
-                          "friction",
+void check_motors(const JointTable& given, double size, const BuildContext& context) {
+    if (!given.move) return;
+    for (const CheckedNamedFunction& move : given.move->named)
+        check_move(move.value, name_coordinate(move, given.type) == "turn" ? 1.0 : size, context);
+}
+
+JointCoordinate build_slide(const JointTable& given, double size, const BuildContext& context) {
+    JointCoordinate slide = build_coordinate(given, "slide", slide_stick * size, context);
+    if (slide.friction.acts() && slide.friction.stick == 0.0) {
+        context.add_fault(given,
+                          given.friction,
                           "all is at one place, so the model has no size of which `stick` could be a part; "
                           "expected a stick");
     }
+    return slide;
+}
+
+void set_coordinates(const JointTable& given, double size, Joint& joint, const BuildContext& context) {
+    joint.turn = build_coordinate(given, "turn", turn_stick, context);
+    joint.slide = build_slide(given, size, context);
     if (joint.kind != JointKind::screw || !joint.slide.motion) return;
     joint.turn.motion = scale(*joint.slide.motion, 2.0 * std::numbers::pi / joint.lead);
     joint.slide.motion.reset();

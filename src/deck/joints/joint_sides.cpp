@@ -1,5 +1,3 @@
-#include "deck/joints/joint_sides.hpp"
-
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -8,6 +6,7 @@
 #include <cmath>
 
 #include "deck/joints/ends.hpp"
+#include "deck/joints/joint_table.hpp"
 #include "rotation/vector_text.hpp"
 
 namespace gxrod {
@@ -21,10 +20,10 @@ constexpr double right_angle = 1e-9;
 // The points of A and B; nullopt of the ground.
 using Points = std::array<std::optional<PlacedPoint>, 2>;
 
-std::optional<Points> find_points(const CheckedTable& table, const BuildContext& context) {
+std::optional<Points> find_points(const JointTable& given, const BuildContext& context) {
     Points points;
     for (std::size_t i = 0; i < 2; ++i) {
-        const std::string& word = ends_of(table)[i].word;
+        const std::string& word = given.between[i].word;
         if (word == ground_word) continue;
         points[i] = context.place(word);
         if (!points[i]) return std::nullopt;
@@ -33,17 +32,18 @@ std::optional<Points> find_points(const CheckedTable& table, const BuildContext&
 }
 
 // Whether the sides can move against each other; a fault if not.
-bool are_apart(const CheckedTable& table, const Points& points, const BuildContext& context) {
-    const std::string& a = ends_of(table)[0].word;
-    const std::string& b = ends_of(table)[1].word;
+bool are_apart(const JointTable& given, const Points& points, const BuildContext& context) {
+    const std::string& a = given.between[0].word;
+    const std::string& b = given.between[1].word;
     if (!points[0] && !points[1]) {
-        context.add_fault(table, "between", "both sides are the ground; expected a point that moves, too");
+        context.add_fault(
+            given, given.between, "both sides are the ground; expected a point that moves, too");
         return false;
     }
     if (!points[0] || !points[1] || points[0]->node != points[1]->node) return true;
     context.add_fault(
-        table,
-        "between",
+        given,
+        given.between,
         a == b
             ? fmt::format("both sides are \"{}\"; expected two points that can move against each other", a)
             : fmt::format("\"{}\" and \"{}\" are one node, which a [[connect]] or the `at` of a body makes "
@@ -55,7 +55,7 @@ bool are_apart(const CheckedTable& table, const Points& points, const BuildConte
 
 // Where the joint is if the deck does not say: where both sides are, or the only one that is a point of a
 // rod. nullopt, with a fault, if these are several places.
-std::optional<Vec3> find_common_place(const CheckedTable& table,
+std::optional<Vec3> find_common_place(const JointTable& given,
                                       const Points& points,
                                       double size,
                                       const BuildContext& context) {
@@ -66,10 +66,10 @@ std::optional<Vec3> find_common_place(const CheckedTable& table,
     if (distance <= same_place * size) return place(0);
     const bool is_a_of_body = points[0]->body >= 0;
     if (is_a_of_body != (points[1]->body >= 0)) return is_a_of_body ? place(1) : place(0);
-    const auto& words = ends_of(table);
+    const auto& words = given.between;
     context.add_fault(
-        table,
-        "between",
+        given,
+        given.between,
         fmt::format("the points are {:.6g} apart; expected `at`: {} is where \"{}\" is, {} where "
                     "\"{}\" is",
                     distance,
@@ -85,11 +85,10 @@ Anchor anchor_at(const std::optional<PlacedPoint>& point, const Vec3& place, con
     return {.node = point->node, .arm = place - model.nodes[point->node].position};
 }
 
-bool place_at_one_point(const CheckedTable& table, double size, Joint& joint, const BuildContext& context) {
-    const std::optional<Points> points = find_points(table, context);
-    if (!points || !are_apart(table, *points, context)) return false;
-    const std::optional<Vec3> place =
-        table.gives("at") ? table.get<Vec3>("at") : find_common_place(table, *points, size, context);
+bool place_at_one_point(const JointTable& given, double size, Joint& joint, const BuildContext& context) {
+    const std::optional<Points> points = find_points(given, context);
+    if (!points || !are_apart(given, *points, context)) return false;
+    const std::optional<Vec3> place = given.at ? given.at : find_common_place(given, *points, size, context);
     if (!place) return false;
     joint.a.anchor = anchor_at((*points)[0], *place, context.model);
     joint.b.anchor = anchor_at((*points)[1], *place, context.model);
@@ -97,37 +96,38 @@ bool place_at_one_point(const CheckedTable& table, double size, Joint& joint, co
 }
 
 // Of a distance joint, whose points are two.
-bool place_apart(const CheckedTable& table, double size, Joint& joint, const BuildContext& context) {
-    const std::optional<Points> points = find_points(table, context);
-    if (!points || !are_apart(table, *points, context)) return false;
-    const std::optional<Anchor> a = find_anchor(table, 0, "at_a", context);
-    const std::optional<Anchor> b = find_anchor(table, 1, "at_b", context);
+bool place_apart(const JointTable& given, double size, Joint& joint, const BuildContext& context) {
+    const std::optional<Points> points = find_points(given, context);
+    if (!points || !are_apart(given, *points, context)) return false;
+    const std::optional<Anchor> a = find_anchor(given, given.between[0], given.at_a, context);
+    const std::optional<Anchor> b = find_anchor(given, given.between[1], given.at_b, context);
     if (!a || !b) return false;
     joint.a.anchor = *a;
     joint.b.anchor = *b;
     const double now = (find_place(context.model, *b) - find_place(context.model, *a)).norm();
     const double least = same_place * std::max(size, now);
-    joint.length = table.gives("length") ? table.get<double>("length") : now;
+    joint.length = given.length.value_or(now);
     if (now <= least) {
-        context.add_fault(table,
-                          "between",
+        context.add_fault(given,
+                          given.between,
                           "the points are at one place, where their distance has no direction; expected "
                           "points apart, or a ball");
         return false;
     }
     if (std::abs(now - joint.length) <= least) return true;
     context.add_fault(
-        table,
-        "length",
+        given,
+        given.length,
         fmt::format("the points are {:.9g} apart at t = 0; expected this length, or none", now));
     return false;
 }
 
 // A direction of length 1; nullopt, with a fault, of no length.
-std::optional<Vec3> find_axis(const CheckedTable& table, const char* key, const BuildContext& context) {
-    const Vec3& axis = table.get<Vec3>(key);
-    if (axis.stableNorm() > 0.0) return axis.stableNormalized();
-    context.add_fault(table, key, "has no length; expected a direction");
+std::optional<Vec3> find_axis(const JointTable& given,
+                              const std::optional<Vec3>& axis,
+                              const BuildContext& context) {
+    if (axis->stableNorm() > 0.0) return axis->stableNormalized();
+    context.add_fault(given, axis, "has no length; expected a direction");
     return std::nullopt;
 }
 
@@ -143,41 +143,41 @@ Mat3 axes_about(const Vec3& axis) {
 }
 
 // Of a universal joint: A's axes are axis, axis_b and their product, B's axis_b, axis and theirs.
-bool set_crossed_axes(const CheckedTable& table, const Vec3& a, Joint& joint, const BuildContext& context) {
-    const std::optional<Vec3> given = find_axis(table, "axis_b", context);
-    if (!given) return false;
-    const double dot = a.dot(*given);
+bool set_crossed_axes(const JointTable& given, const Vec3& a, Joint& joint, const BuildContext& context) {
+    const std::optional<Vec3> across = find_axis(given, given.axis_b, context);
+    if (!across) return false;
+    const double dot = a.dot(*across);
     if (std::abs(dot) > right_angle) {
         context.add_fault(
-            table,
-            "axis_b",
+            given,
+            given.axis_b,
             fmt::format("expected a direction at right angles to axis; the product of both, as unit vectors, "
                         "is {:.6g}",
                         dot));
         return false;
     }
-    const Vec3 b = (*given - dot * a).normalized();
+    const Vec3 b = (*across - dot * a).normalized();
     joint.a.axes << a, b, a.cross(b);
     joint.b.axes << b, a, b.cross(a);
     return true;
 }
 
-bool set_axes(const CheckedTable& table, Joint& joint, const BuildContext& context) {
-    if (!table.gives("axis")) return true;
-    const std::optional<Vec3> axis = find_axis(table, "axis", context);
+bool set_axes(const JointTable& given, Joint& joint, const BuildContext& context) {
+    if (!given.axis) return true;
+    const std::optional<Vec3> axis = find_axis(given, given.axis, context);
     if (!axis) return false;
-    if (joint.kind == JointKind::universal) return set_crossed_axes(table, *axis, joint, context);
+    if (joint.kind == JointKind::universal) return set_crossed_axes(given, *axis, joint, context);
     joint.a.axes = joint.b.axes = axes_about(*axis);
     return true;
 }
 
 }  // namespace
 
-bool place_joint(const CheckedTable& table, double size, Joint& joint, const BuildContext& context) {
+bool place_joint(const JointTable& given, double size, Joint& joint, const BuildContext& context) {
     const bool is_placed = joint.kind == JointKind::distance
-                               ? place_apart(table, size, joint, context)
-                               : place_at_one_point(table, size, joint, context);
-    return set_axes(table, joint, context) && is_placed;
+                               ? place_apart(given, size, joint, context)
+                               : place_at_one_point(given, size, joint, context);
+    return set_axes(given, joint, context) && is_placed;
 }
 
 }  // namespace gxrod

@@ -153,7 +153,6 @@ struct CheckedValue {
                  std::vector<double>,
                  TimeTable,
                  CheckedTimeFunction,
-                 std::vector<CheckedNamedFunction>,
                  CheckedTimeVector,
                  std::vector<CheckedWord>,
                  std::vector<CheckedTable>>  // one entry for a single table

@@ -50,9 +50,6 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
             return wrap(reader.number(node, path));
         case ValueType::vector:
             return wrap(reader.vector(node, path));
-        case ValueType::points:
-        case ValueType::ends:
-        case ValueType::joints:
         case ValueType::partners:
             return wrap(read_points(node, path, key, context));
         case ValueType::numbers:
@@ -61,8 +58,6 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
             return wrap(read_bounds(node, path, key, context));
         case ValueType::time_expression:
             return wrap(reader.time_function(node, path));
-        case ValueType::coordinate_functions:
-            return wrap(reader.coordinate_functions(node, path));
         case ValueType::time_vector:
             return wrap(reader.functions<3>(node, path, &FunctionReader::time_function));
         case ValueType::time_table:

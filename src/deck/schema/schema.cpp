@@ -218,8 +218,6 @@ std::string describe_expected(const KeySpec& key) {
             return "an array of 6 rows of 6 numbers or expressions";
         case ValueType::time_expression:
             return "a number or an expression in " + variables_of(key);
-        case ValueType::coordinate_functions:
-            return "a number or an expression in t, or a table { turn = \"…\", slide = \"…\" } of them";
         case ValueType::time_vector:
             return "an array of 3 numbers or expressions in " + variables_of(key);
         case ValueType::time_table:

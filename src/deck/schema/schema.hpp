@@ -31,26 +31,25 @@ enum class ValueType {
     flag,       // true or false
     integer,    // or an expression whose value is one
     number,
-    arc_number,            // a number, or f(s), s the arc length along a rod
-    vector,                // 3 numbers
-    section_point,         // 2 numbers: y and z of a section
-    numbers,               // a list of numbers that is not empty
-    pairs,                 // rows of 2 numbers
-    number_or_pairs,       // a number, or rows of 2
-    number_or_six,         // a number, or 6 of them: one for each strain of a section
-    bounds,                // a number, or 2 of them: the lower and the upper one
-    section_matrix,        // 6 rows of 6 numbers
-    time_expression,       // f(t)
-    coordinate_functions,  // f(t), or a table of one for the turn, one for the slide or both
-    time_vector,           // 3 f(t)
-    time_table,            // rows of 2 numbers, the first of each increasing
-    columns,               // 2 names or numbers of columns
-    table,                 // keys of its own
-    number_or_table,       // a number, or keys of its own
-    named_tables,          // [rod.NAME], any number
-    table_list,            // [[load]], any number
-    parameters,            // any names, a number each
-    variations             // any keys of a deck in quotes, a list of values or a table each
+    arc_number,       // a number, or f(s), s the arc length along a rod
+    vector,           // 3 numbers
+    section_point,    // 2 numbers: y and z of a section
+    numbers,          // a list of numbers that is not empty
+    pairs,            // rows of 2 numbers
+    number_or_pairs,  // a number, or rows of 2
+    number_or_six,    // a number, or 6 of them: one for each strain of a section
+    bounds,           // a number, or 2 of them: the lower and the upper one
+    section_matrix,   // 6 rows of 6 numbers
+    time_expression,  // f(t)
+    time_vector,      // 3 f(t)
+    time_table,       // rows of 2 numbers, the first of each increasing
+    columns,          // 2 names or numbers of columns
+    table,            // keys of its own
+    number_or_table,  // a number, or keys of its own
+    named_tables,     // [rod.NAME], any number
+    table_list,       // [[load]], any number
+    parameters,       // any names, a number each
+    variations        // any keys of a deck in quotes, a list of values or a table each
 };
 
 enum class Bound { closed, open };

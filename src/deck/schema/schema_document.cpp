@@ -98,8 +98,6 @@ std::string describe_type(const KeySpec& key) {
             return "6×6";
         case ValueType::time_expression:
             return "f(t)";
-        case ValueType::coordinate_functions:
-            return "f(t), or { turn = f(t), slide = f(t) }";
         case ValueType::time_vector:
             return "3 f(t)";
         case ValueType::time_table:

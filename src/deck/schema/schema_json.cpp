@@ -109,12 +109,6 @@ Json make_type(const KeySpec& key) {
             return array_of(array_of(reference("number"), 6), 6);
         case ValueType::time_expression:
             return reference("number");
-        case ValueType::coordinate_functions:
-            return any_of({reference("number"),
-                           {{"type", "object"},
-                            {"properties", {{"turn", reference("number")}, {"slide", reference("number")}}},
-                            {"minProperties", 1},
-                            {"additionalProperties", false}}});
         case ValueType::time_table:
             return {{"type", "array"}, {"items", array_of(reference("number"), 2)}, {"minItems", 1}};
         case ValueType::columns:

@@ -379,4 +379,15 @@ std::string Kind<StageFunctions>::print(const StageFunctions& value) {
     return fmt::format("{{ {} }}", fmt::join(items, ", "));
 }
 
+std::string Kind<CoordinateFunctions>::schema(const KeySpec&) {
+    return fmt::format(
+        R"({{"anyOf": [{0}, {{"type": "object", "properties": {{"turn": {0}, "slide": {0}}}, "minProperties": 1, "additionalProperties": false}}]}})",
+        number_schema);
+}
+
+std::optional<CoordinateFunctions> Kind<CoordinateFunctions>::read(const ValueSource& from) {
+    auto named = FunctionReader(from.key, from.context).coordinate_functions(from.node, from.path);
+    return named ? std::optional(CoordinateFunctions{std::move(*named)}) : std::nullopt;
+}
+
 }  // namespace gxrod

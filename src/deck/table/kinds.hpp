@@ -69,6 +69,10 @@ using NumberAlong = std::variant<double, CheckedProfile>;
 using GroupName = std::variant<std::string, long>;
 // Values by stage.
 using StageFunctions = std::vector<CheckedNamedFunction>;
+// Values of the turn and the slide of a joint.
+struct CoordinateFunctions {
+    std::vector<CheckedNamedFunction> named;
+};
 
 inline constexpr const std::array<Choice<ElementKind>, 2>& choices_of(ElementKind) {
     return element_kind_choices;
@@ -77,6 +81,7 @@ inline constexpr const std::array<Choice<ObstacleSide>, 2>& choices_of(ObstacleS
     return obstacle_side_choices;
 }
 inline constexpr const std::array<Choice<Frame>, 3>& choices_of(Frame) { return frame_choices; }
+inline constexpr const auto& choices_of(JointKind) { return joint_kind_choices; }
 inline constexpr const std::array<Choice<BushingAxes>, 4>& choices_of(BushingAxes) {
     return bushing_axes_choices;
 }
@@ -409,6 +414,20 @@ struct Kind<StageFunctions> {
     static std::optional<StageFunctions> read(const ValueSource& from);
     static std::string print(const StageFunctions& value);
     static std::string sample(const KeySpec&) { return "{ first = 1.25, second = 2.5 }"; }
+};
+
+template <>
+struct Kind<CoordinateFunctions> {
+    static std::string words(const KeySpec&) {
+        return "a number or an expression in t, or a table { turn = \"…\", slide = \"…\" } of them";
+    }
+    static std::string column(const KeySpec&) { return "f(t), or { turn = f(t), slide = f(t) }"; }
+    static std::string schema(const KeySpec&);
+    static std::optional<CoordinateFunctions> read(const ValueSource& from);
+    static std::string print(const CoordinateFunctions& value) {
+        return Kind<StageFunctions>::print(value.named);
+    }
+    static std::string sample(const KeySpec&) { return "{ turn = 1.25, slide = 2.5 }"; }
 };
 
 template <class Value>

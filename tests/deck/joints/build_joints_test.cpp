@@ -1,5 +1,3 @@
-#include "deck/joints/build_joints.hpp"
-
 #include <cmath>
 
 #include "deck/decks.hpp"
@@ -24,6 +22,20 @@ std::string faults(const std::string& lines) { return faults_of(parts + joint(li
 // A joint's first two lines.
 std::string from_ground(const std::string& type) {
     return "type = \"" + type + "\"\nbetween = [\"ground\", \"b\"]\n";
+}
+
+// A coordinate with something of everything, by `name`, or by no name if that is "".
+JointCoordinate read_coordinate(const std::string& type, const std::string& name, const std::string& pin) {
+    const auto line = [&](const std::string& key, const std::string& value) {
+        return key + " = " + (name.empty() ? value : "{ " + name + " = " + value + " }") + "\n";
+    };
+    const Joint built = read_joint(from_ground(type) + "axis = [0, 2, 0]\n" + line("drive", "\"3*t\"") +
+                                   line("spring", "{ stiffness = 2, damping = 4, rest = \"7*t\" }") +
+                                   line("friction", "{ coefficient = 3, stick = 0.5" + pin + " }") +
+                                   line("limits", "{ lower = -5, upper = 6, stiffness = 8, damping = 9 }"));
+    const bool is_turn = name.empty() ? built.has_turn() : name == "turn";
+    CHECK((is_turn ? built.slide : built.turn).stiffness == 0.0);
+    return is_turn ? built.turn : built.slide;
 }
 
 Vec3 place_of(const JointSide& side, const Model& model) { return find_place(model, side.anchor); }
@@ -189,6 +201,9 @@ TEST_CASE("A distance is between two places", "[deck][joint]") {
     const Joint& built = problem.model.joints.at(0);
     CHECK(built.length == 5.0);
     CHECK(built.b.anchor.arm == Vec3(0, 3, 0));
+    const Joint given = read_joint(from_ground("distance") + "at_a = [0, 0, 4]\nlength = 2.0000000001\n");
+    CHECK(given.length == 2.0000000001);
+    CHECK(given.a.anchor.arm == Vec3(0, 0, 4));
     CHECK(faults(from_ground("distance")) ==
           "x.toml:23:12: joint.j.between[0]: the ground has no place of its own; expected at_a = [x, y, z]");
     CHECK(
@@ -232,9 +247,32 @@ TEST_CASE("What acts on a coordinate is that of a joint's own, or of the one tha
     const Joint moved = read_joint(screw("move = { slide = \"t\" }\n"));
     CHECK(std::abs(moved.turn.motion->operator()(3.0) - 3.0 * M_PI) < 1e-14);
     CHECK_FALSE(moved.slide.motion);
+    CHECK(moved.lead == 2.0);
     CHECK(
         faults(screw("move = { turn = \"t\", slide = \"t\" }\n")) ==
         "x.toml:26:30: joint.j.move.slide: the turn of a screw says what its slide is; expected one of them");
+}
+
+TEST_CASE("A coordinate is acted on by the deck's numbers, whether the deck names it or not",
+          "[deck][joint]") {
+    const auto check = [](const JointCoordinate& built, double lever) {
+        CHECK_FALSE(built.motion);
+        CHECK(built.drive(2.0) == 6.0);
+        CHECK(built.stiffness == 2.0);
+        CHECK(built.damping == 4.0);
+        CHECK(built.rest(2.0) == 14.0);
+        CHECK(built.friction.force == 0.0);
+        CHECK(built.friction.lever == lever);
+        CHECK(built.friction.stick == 0.5);
+        CHECK(built.limits.lower == -5.0);
+        CHECK(built.limits.upper == 6.0);
+        CHECK(built.limits.stiffness == 8.0);
+        CHECK(built.limits.damping == 9.0);
+    };
+    for (const auto& [type, name] : {std::pair{"hinge", ""}, {"hinge", "turn"}, {"cylinder", "turn"}})
+        check(read_coordinate(type, name, ", radius = 0.5"), 1.5);
+    for (const auto& [type, name] : {std::pair{"slider", ""}, {"slider", "slide"}, {"cylinder", "slide"}})
+        check(read_coordinate(type, name, ""), 3.0);
 }
 
 TEST_CASE("Frictions and limits that cannot be are errors", "[deck][joint]") {

@@ -1,5 +1,3 @@
-#include "deck/joints/build_gears.hpp"
-
 #include "deck/decks.hpp"
 #include "tools/catch.hpp"
 

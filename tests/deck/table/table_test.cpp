@@ -89,7 +89,7 @@ TEST_CASE("No more than so many tables have keys that are fetched by strings", "
         }
     };
     collect(deck_schema());
-    CHECK(all.size() == 22);
+    CHECK(all.size() == 12);
 }
 
 }  // namespace gxrod::test

@@ -1,0 +1,201 @@
+#include "deck/joints/joint_table.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "model/ties/joint_card.hpp"
+
+namespace gxrod {
+namespace {
+
+// The coordinate that the keys of a table are for.
+enum class KeysOf { either, turn, slide };
+
+std::string pick(KeysOf which, const std::string& either, const std::string& turn, const std::string& slide) {
+    return which == KeysOf::either ? either : which == KeysOf::turn ? turn : slide;
+}
+
+std::string choose(KeysOf which, const std::string& turn, const std::string& slide) {
+    return pick(which, turn + " or " + slide, turn, slide);
+}
+
+// Declares a table of either coordinate, with tables of each in it. `declare` adds the keys that the three
+// have, and returns those of which a table needs one. The outer table alone understands names of other
+// programs.
+template <class One, class Declare>
+const TableSpec& make_table(const std::string& key, Declare declare) {
+    using Either = CoordinateTable<One>;
+    const std::string path = "joint.NAME." + key;
+    const auto make_one = [&](const std::string& name, KeysOf which) {
+        Table<One> table(path + "." + name, "");
+        TableSpec spec = table.at_least_one_of(declare(table, which));
+        spec.other_names.clear();
+        return spec;
+    };
+    static const TableSpec turn = make_one("turn", KeysOf::turn);
+    static const TableSpec slide = make_one("slide", KeysOf::slide);
+    static const TableSpec either = [&]() -> TableSpec {
+        Table<Either> table(path, "");
+        std::vector<std::string> needed = declare(table, KeysOf::either);
+        needed.insert(needed.end(), {"turn", "slide"});
+        return table.key("turn", &Either::turn, turn, "Of the turn of a joint that has a slide, too.")
+            .key("slide", &Either::slide, slide, "Of the slide of a joint that has a turn, too.")
+            .at_least_one_of(needed);
+    }();
+    return either;
+}
+
+const TableSpec& joint_spring_table() {
+    return make_table<JointSpringTable>("spring", []<class T>(Table<T>& table, KeysOf which) {
+        // clang-format off
+        table
+            .key("stiffness", &T::stiffness, "Moment or force back to `rest`, per angle or length from there.")
+                .unit(choose(which, "moment/angle", "force/length")).at_least(0).also("k spring_constant")
+            .key("damping", &T::damping, "Moment or force per rate of the coordinate.")
+                .unit(choose(which, "moment·time/angle", "force·time/length")).at_least(0).also("c d viscosity")
+            .key("rest", &T::rest, "Where the spring exerts nothing.")
+                .unit(choose(which, "angle", "length")).otherwise("0: the place at t = 0").only_with("stiffness")
+                .also("rest_angle rest_length free_angle angle0 length neutral");
+        // clang-format on
+        return std::vector<std::string>{"stiffness", "damping"};
+    });
+}
+
+const TableSpec& friction_table() {
+    return make_table<JointFrictionTable>("friction", []<class T>(Table<T>& table, KeysOf which) {
+        std::vector<std::string> sizes;
+        // clang-format off
+        if (which != KeysOf::slide) {
+            sizes.emplace_back("moment");
+            table.key("moment", &T::moment, "Moment that resists a turn.")
+                .unit("moment").at_least(0).also("torque mc");
+        }
+        if (which != KeysOf::turn) {
+            sizes.emplace_back("force");
+            table.key("force", &T::force, "Force that resists a slide.")
+                .unit("force").at_least(0);
+        }
+        sizes.emplace_back("coefficient");
+        table.key("coefficient", &T::coefficient,
+                  pick(which,
+                       "Friction by the force that the joint holds: of a turn coefficient × radius × force, of a slide "
+                       "coefficient × force.",
+                       "The moment is coefficient × radius × the force that the joint holds.",
+                       "The force is coefficient × the force that the joint holds."))
+            .unit("1").at_least(0);
+        if (which != KeysOf::slide)
+            table.key("radius", &T::radius, "Of the pin of a turn. Required with coefficient.")
+                .unit("length").above(0).only_with("coefficient");
+        table.key("stick", &T::stick, "How far the joint gives way, like a spring, before it slips.")
+            .unit(choose(which, "angle", "length")).above(0)
+            .otherwise(pick(which, "1e-4 of a turn, 1e-5 of the model's size of a slide", "1e-4",
+                            "1e-5 of the model's size"))
+            .also("stick_angle stick_length stiffness");
+        // clang-format on
+        if (which == KeysOf::either) table.at_most_one_of(sizes);
+        return sizes;
+    });
+}
+
+const TableSpec& limits_table() {
+    return make_table<JointLimitsTable>("limits", []<class T>(Table<T>& table, KeysOf which) {
+        // clang-format off
+        table
+            .key("lower", &T::lower, "Below it a spring pushes the coordinate up.")
+                .unit(choose(which, "angle", "length")).otherwise("none").also("min minimum from")
+            .key("upper", &T::upper, "Above it a spring pushes the coordinate down.")
+                .unit(choose(which, "angle", "length")).otherwise("none").also("max maximum to")
+            .key("stiffness", &T::stiffness, "Of that spring. Required with a bound.")
+                .unit(choose(which, "moment/angle", "force/length")).above(0).also("k")
+            .key("damping", &T::damping, "Of a damper that acts with it.")
+                .unit(choose(which, "moment·time/angle", "force·time/length")).at_least(0).also("c d");
+        // clang-format on
+        return std::vector<std::string>{"lower", "upper"};
+    });
+}
+
+bool is_at_two_places(const JointCard& card) { return !card.is_at_one_place; }
+bool has_free_coordinate(const JointCard& card) { return card.has_turn || card.has_slide; }
+bool has_axis(const JointCard& card) { return has_free_coordinate(card) && card.kind != JointKind::sleeve; }
+bool has_lead(const JointCard& card) { return card.kind == JointKind::screw; }
+
+// The types of joints whose cards fit; `fits` is a function or a member of the card.
+template <class Fits>
+std::vector<Condition> types_that(const Fits& fits) {
+    Condition condition{"type", {}};
+    for (const JointCard& card : joint_cards) {
+        if (std::invoke(fits, card)) condition.words.emplace_back(card.word);
+    }
+    return {condition};
+}
+
+}  // namespace
+
+const TableSpec& joint_table() {
+    using T = JointTable;
+    // clang-format off
+    static const TableSpec table = Table<T>("[joint.NAME]",
+            "What two points, A and B, of rods, bodies or the ground can still do against each other. Angles and "
+            "lengths of its coordinates are 0 at t = 0, forces and moments are those that A exerts on B.")
+        .key("type", &T::type, "What it leaves free. ball: all turns. hinge: the turn about its axis. cylinder: turn "
+             "and slide. slider: the slide along its axis. universal: turns about `axis`, fixed in A, and `axis_b`, "
+             "fixed in B. screw: a turn, with a slide of `lead` a turn. plane: slides across its axis and the turn "
+             "about it. weld: nothing. distance: all but the distance of two points. free: everything; for what acts "
+             "on the turn and the slide. sleeve: a point's slide along a rod, and all turns.")
+            .required().also("kind joint joint_type")
+        .key("between", &T::between, "A and B: points of rods, bodies, or \"ground\" for what does not move. A point "
+             "can be in several joints. Of a sleeve, A is a rod.")
+            .required().also("bodies points nodes parts from to connects parent child")
+        .key("at", &T::at, "Where the joint is at t = 0, global. Rigid arms join it to the nodes of A and B.")
+            .unit("length").otherwise("where A and B are, at one place; else the point of the only rod")
+            .only_for(types_that(&JointCard::is_at_one_place)).also("pos position point place location anchor origin")
+        .key("at_a", &T::at_a, "Where A's point is at t = 0, global.")
+            .unit("length").otherwise("where its node is; of the ground required").only_for(types_that(is_at_two_places))
+            .also("point_a position_a")
+        .key("at_b", &T::at_b, "Where B's point is at t = 0, global.")
+            .unit("length").otherwise("where its node is; of the ground required").only_for(types_that(is_at_two_places))
+            .also("point_b position_b")
+        .key("axis", &T::axis,
+             "Its axis, of a plane the normal: global at t = 0, of any length; A and B carry it.")
+            .unit("1").required().remark("the direction of its axis at t = 0, global").only_for(types_that(has_axis))
+            .also("direction normal axis_a rotation_axis")
+        .key("axis_b", &T::axis_b, "Of a universal joint: the axis fixed in B, at right angles to `axis`.")
+            .unit("1").required().remark("the axis that B carries").only_for(types_that(&JointCard::has_axis_b))
+        .key("lead", &T::lead, "Of a screw: the slide along the axis in one turn; negative if left-handed.")
+            .unit("length").required().remark("the slide in one turn").only_for(types_that(has_lead)).also("pitch")
+        .key("length", &T::length, "Of a distance: that of the points, for a check of where they are.")
+            .unit("length").above(0).otherwise("as it is at t = 0").only_for(types_that(is_at_two_places))
+            .also("distance l l0")
+        .key("move", &T::move, "A motor: the coordinate since t = 0. It is 0 at t = 0 in a dynamic analysis. A turn "
+             "is the right-hand one of B against A, a slide that of B along the axis.")
+            .unit("angle or length").otherwise("free").only_for(types_that(has_free_coordinate))
+            .also("motor motion prescribed angle turn rotation displacement slide")
+        .key("drive", &T::drive, "Moment, or force, that A exerts on B along the axis.")
+            .unit("moment or force").otherwise("0").only_for(types_that(has_free_coordinate))
+            .also("actuator torque force moment motor_torque")
+        .key("spring", &T::spring, joint_spring_table(),
+             "A spring and a damper on the coordinate, for any number of turns.")
+            .only_for(types_that(has_free_coordinate)).has_as("spring.stiffness", "stiffness k")
+            .has_as("spring.damping", "damping damper c")
+        .key("friction", &T::friction, friction_table(), "Dry friction of the coordinate.")
+            .only_for(types_that(has_free_coordinate))
+        .key("limits", &T::limits, limits_table(), "Springs at the ends of a coordinate's range.")
+            .only_for(types_that(has_free_coordinate)).also("limit stops stop range bounds")
+        .shown_by(
+            "[joint.pivot]\n"
+            "type    = \"hinge\"\n"
+            "between = [\"tail.end\", \"gyroscope\"]\n"
+            "axis    = [0, 1, 0]\n"
+            "spring  = { stiffness = 2.0, damping = 0.01 }\n");
+    // clang-format on
+    return table;
+}
+
+const JointTable* find_joint(const CheckedTable& deck, std::string_view name) {
+    const auto joints = tables_of<JointTable>(deck, joint_table());
+    const auto found =
+        std::ranges::find_if(joints, [&](const JointTable& joint) { return joint.name == name; });
+    return found == joints.end() ? nullptr : &found->get();
+}
+
+}  // namespace gxrod

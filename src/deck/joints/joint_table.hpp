@@ -1,0 +1,77 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "deck/places/build_context.hpp"
+#include "deck/schema/schema_tables.hpp"
+
+// The tables [joint.NAME], what acts on the turn and the slide of a joint, and the places of its sides.
+namespace gxrod {
+
+struct JointSpringTable : TableHead {
+    double stiffness = 0.0;
+    double damping = 0.0;
+    std::optional<CheckedTimeFunction> rest;
+};
+
+struct JointFrictionTable : TableHead {
+    std::optional<double> moment, force, coefficient, radius, stick;
+};
+
+struct JointLimitsTable : TableHead {
+    std::optional<double> lower, upper, stiffness;
+    double damping = 0.0;
+};
+
+// A table of the only coordinate of a joint, or one with tables of the turn and of the slide.
+template <class One>
+struct CoordinateTable : One {
+    std::optional<One> turn, slide;
+};
+
+struct JointTable : TableHead {
+    JointKind type = JointKind::ball;
+    Ends between;
+    std::optional<Vec3> at, at_a, at_b, axis, axis_b;
+    double lead = 0.0;
+    std::optional<double> length;
+    std::optional<CoordinateFunctions> move, drive;
+    std::optional<CoordinateTable<JointSpringTable>> spring;
+    std::optional<CoordinateTable<JointFrictionTable>> friction;
+    std::optional<CoordinateTable<JointLimitsTable>> limits;
+
+    bool is_sleeve() const { return type == JointKind::sleeve; }
+};
+
+// Finds the joint of this name; nullptr if the deck has none.
+const JointTable* find_joint(const CheckedTable& deck, std::string_view name);
+
+// Returns the coordinate of keys that do not name one; "" for a joint with both, whose keys have to name it.
+std::string_view plain_coordinate(JointKind kind);
+
+// Lists every f(t) of a joint.
+std::vector<const CheckedTimeFunction*> functions_of(const JointTable& joint);
+
+// Adds faults of keys whose coordinate a joint of this kind lacks, or that contradict each other.
+void check_coordinates(const JointTable& given, const BuildContext& context);
+
+// Adds notes on numbers that are probably in another unit: the radius of a pin, limits of a turn. `size` is
+// the size of the model.
+void note_coordinates(const JointTable& given, const Joint& joint, double size, const BuildContext& context);
+
+// Adds faults of motions that do not begin at 0 or jump. `size` is the size of what slides.
+void check_motors(const JointTable& given, double size, const BuildContext& context);
+
+// Sets turn and slide as they act in the current stage. `size` is the size of what slides.
+void set_coordinates(const JointTable& given, double size, Joint& joint, const BuildContext& context);
+
+// Builds the slide as it acts in the current stage, likewise.
+JointCoordinate build_slide(const JointTable& given, double size, const BuildContext& context);
+
+// Sets the points and axes of both sides in `joint`, which has its kind. Returns whether it could; if not,
+// there is a fault or a point without a node. `size` is the size of the model.
+bool place_joint(const JointTable& given, double size, Joint& joint, const BuildContext& context);
+
+}  // namespace gxrod
