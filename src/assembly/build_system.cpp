@@ -8,6 +8,7 @@
 #include "assembly/system.hpp"
 #include "loads/shape_functions.hpp"
 #include "machine/reserve_more.hpp"
+#include "model/ties/ties.hpp"
 
 // How a system is made of its model, once.
 namespace gxrod {
@@ -50,18 +51,26 @@ void add_rod(const Model& model, int index, int group, int first_element, Elemen
     }
 }
 
-// A spring or a bushing.
-template <template <int> class TieElement, class Tie>
-void add_tie(const Tie& tie, int group, ElementBlocks& blocks) {
+template <template <int> class TieElement>
+void add_tie(const auto& spring_or_bushing, int group, ElementBlocks& blocks) {
     const auto add = [&](auto& block) {
-        block.elements.emplace_back(tie);
+        block.elements.emplace_back(spring_or_bushing);
         block.groups.push_back(group);
     };
-    if (tie.has_ground()) {
+    if (spring_or_bushing.has_ground()) {
         add(std::get<ElementBlock<TieElement<1>>>(blocks));
     } else {
         add(std::get<ElementBlock<TieElement<2>>>(blocks));
     }
+}
+
+void add_tie_element(const Model& model, const Tie& tie, int group, ElementBlocks& blocks) {
+    if (tie.kind == TieKind::spring) return add_tie<SpringElement>(model.springs[tie.index], group, blocks);
+    const Bushing& bushing = model.bushings[tie.index];
+    if (bushing.has_axes_between())
+        add_tie<BushingElement>(bushing, group, blocks);
+    else
+        add_tie<CarriedBushingElement>(bushing, group, blocks);
 }
 
 template <int Nodes>
@@ -132,16 +141,9 @@ void System::build_blocks() {
         bodies.elements.emplace_back(model_->bodies[body], model_->has_inertia);
         bodies.groups.push_back(scale_groups_.of_body(body));
     }
-    for (int index = 0; index < static_cast<int>(model_->springs.size()); ++index)
-        add_tie<SpringElement>(model_->springs[index], scale_groups_.of_spring(index), blocks_);
-    for (int index = 0; index < static_cast<int>(model_->bushings.size()); ++index) {
-        const Bushing& bushing = model_->bushings[index];
-        const int group = scale_groups_.of_bushing(index);
-        if (bushing.has_axes_between())
-            add_tie<BushingElement>(bushing, group, blocks_);
-        else
-            add_tie<CarriedBushingElement>(bushing, group, blocks_);
-    }
+    const std::vector<Tie> ties = list_element_ties(*model_);
+    for (std::size_t tie = 0; tie < ties.size(); ++tie)
+        add_tie_element(*model_, ties[tie], scale_groups_.of_tie(tie), blocks_);
     for (int index = 0; index < static_cast<int>(model_->rods.size()); ++index) {
         const Rod& rod = model_->rods[index];
         const int group = scale_groups_.of_rod(index);
@@ -276,11 +278,9 @@ void System::build_batches() {
 void System::measure() {
     Eigen::AlignedBox3d box;
     for (const Node& node : model_->nodes) box.extend(node.position);
-    const auto extend = [&](const auto& tie) {
+    for (const Tie& tie : list_element_ties(*model_)) {
         for (const Anchor& end : tie.ends) box.extend(find_place(*model_, end));
-    };
-    std::ranges::for_each(model_->springs, extend);
-    std::ranges::for_each(model_->bushings, extend);
+    }
     double length = box.isEmpty() ? 0.0 : box.diagonal().norm();
     for (const Body& body : model_->bodies) {
         length = std::max(length, body.centre_of_mass.norm());

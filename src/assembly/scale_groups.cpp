@@ -16,14 +16,13 @@ constexpr double weak = 1e3;
 // By what a residual is small, as a rule (NewtonSettings::tolerance): round-off over it is a scale.
 constexpr double usual_tolerance = 1e-8;
 
-double measure_length(const Model& model, const ModelPart& part) {
+// `ties`: the springs and bushings of the part.
+double measure_length(const Model& model, const ModelPart& part, std::span<const Tie> ties) {
     Eigen::AlignedBox3d box;
     for (const int node : part.nodes) box.extend(model.nodes[node].position);
-    const auto extend = [&](const auto& tie) {
+    for (const Tie& tie : ties) {
         for (const Anchor& end : tie.ends) box.extend(find_place(model, end));
-    };
-    for (const int index : part.ties(TieKind::spring)) extend(model.springs[index]);
-    for (const int index : part.ties(TieKind::bushing)) extend(model.bushings[index]);
+    }
     double length = box.isEmpty() ? 0.0 : box.diagonal().norm();
     for (const int index : part.bodies) {
         const Body& body = model.bodies[index];
@@ -51,8 +50,7 @@ ResidualScales relate_scales(const ForceScales& scales, double length) {
 
 ScaleGroups::ScaleGroups(const Model& model)
     : rod_count_(static_cast<int>(model.rods.size())),
-      first_spring_(rod_count_ + static_cast<int>(model.bodies.size())),
-      first_bushing_(first_spring_ + static_cast<int>(model.springs.size())) {
+      first_tie_(rod_count_ + static_cast<int>(model.bodies.size())) {
     find_nodes(model);
     find_parts_of_groups(model);
     find_round_off(model);
@@ -61,8 +59,8 @@ ScaleGroups::ScaleGroups(const Model& model)
 void ScaleGroups::find_nodes(const Model& model) {
     constexpr int none = -1;
     group_of_node_.assign(model.nodes.size(), none);
-    neighbours_.resize(model.rods.size() + model.bodies.size() + model.springs.size() +
-                       model.bushings.size());
+    const std::vector<Tie> ties = list_element_ties(model);
+    neighbours_.resize(model.rods.size() + model.bodies.size() + ties.size());
     const auto add = [&](int node, int group) {
         int& of_node = group_of_node_[node];
         if (of_node == none || of_node == group) {
@@ -80,15 +78,11 @@ void ScaleGroups::find_nodes(const Model& model) {
     }
     for (int body = 0; body < static_cast<int>(model.bodies.size()); ++body)
         add(model.bodies[body].node, of_body(body));
-    const auto add_ends = [&](const auto& tie, int group) {
-        for (const Anchor& end : tie.ends) {
-            if (!end.is_ground()) add(end.node, group);
+    for (std::size_t tie = 0; tie < ties.size(); ++tie) {
+        for (const Anchor& end : ties[tie].ends) {
+            if (!end.is_ground()) add(end.node, of_tie(tie));
         }
-    };
-    for (int spring = 0; spring < static_cast<int>(model.springs.size()); ++spring)
-        add_ends(model.springs[spring], of_spring(spring));
-    for (int bushing = 0; bushing < static_cast<int>(model.bushings.size()); ++bushing)
-        add_ends(model.bushings[bushing], of_bushing(bushing));
+    }
     for (int& group : group_of_node_) {
         if (group != none) continue;
         group = static_cast<int>(neighbours_.size());  // a node of nothing
@@ -100,15 +94,21 @@ void ScaleGroups::find_parts_of_groups(const Model& model) {
     const std::vector<ModelPart> parts = find_parts(model);
     part_of_group_.assign(neighbours_.size(), 0);
     for (std::size_t part = 0; part < parts.size(); ++part) {
-        lengths_.push_back(measure_length(model, parts[part]));
         const int index = static_cast<int>(part);
         for (const int node : parts[part].nodes) part_of_group_[group_of_node_[node]] = index;
         for (const int rod : parts[part].rods) part_of_group_[of_rod(rod)] = index;
         for (const int body : parts[part].bodies) part_of_group_[of_body(body)] = index;
-        for (const int spring : parts[part].ties(TieKind::spring)) part_of_group_[of_spring(spring)] = index;
-        for (const int bushing : parts[part].ties(TieKind::bushing))
-            part_of_group_[of_bushing(bushing)] = index;
     }
+    const std::vector<Tie> ties = list_element_ties(model);
+    std::vector<std::vector<Tie>> ties_of_parts(parts.size());
+    for (std::size_t tie = 0; tie < ties.size(); ++tie) {
+        const Anchor& held = ties[tie].ends[ties[tie].ends[0].is_ground() ? 1 : 0];
+        const int part = part_of_node(held.node);
+        part_of_group_[of_tie(tie)] = part;
+        ties_of_parts[part].push_back(ties[tie]);
+    }
+    for (std::size_t part = 0; part < parts.size(); ++part)
+        lengths_.push_back(measure_length(model, parts[part], ties_of_parts[part]));
 }
 
 // Positions are good to a few units of the last place, and so are strains times the length of an element.
@@ -128,25 +128,17 @@ void ScaleGroups::find_round_off(const Model& model) {
         round_off_[of_rod(index)] = {units * stretching * size / element,
                                      units * (stretching * size + bending / element)};
     }
-    const auto find_force = [&](const auto& tie, double stiffness) {
+    const std::vector<Tie> ties = list_element_ties(model);
+    for (std::size_t tie = 0; tie < ties.size(); ++tie) {
         double size = 0.0;
         double arm = 0.0;
-        for (const Anchor& end : tie.ends) {
-            size = std::max(size, find_place(model, end).template lpNorm<Eigen::Infinity>());
+        for (const Anchor& end : ties[tie].ends) {
+            size = std::max(size, find_place(model, end).lpNorm<Eigen::Infinity>());
             if (!end.is_ground()) arm = std::max(arm, end.arm.norm());
         }
-        const double force = units * stiffness * size;
-        return ResidualScales{force, force * arm};
-    };
-    for (int index = 0; index < static_cast<int>(model.springs.size()); ++index) {
-        const Spring& spring = model.springs[index];
-        round_off_[of_spring(index)] = find_force(spring, find_stiffness(spring));
-    }
-    for (int index = 0; index < static_cast<int>(model.bushings.size()); ++index) {
-        const Bushing& bushing = model.bushings[index];
-        ResidualScales& own = round_off_[of_bushing(index)];
-        own = find_force(bushing, bushing.stiffness.diagonal().head<3>().maxCoeff());
-        own = larger(own, {0.0, units * bushing.stiffness.diagonal().tail<3>().maxCoeff()});
+        const TieStiffness stiffness = stiffness_of(model, ties[tie]);
+        const double force = units * stiffness.displacement * size;
+        round_off_[of_tie(tie)] = {force, std::max(force * arm, units * stiffness.turn)};
     }
     for (std::size_t group = 0; group < count(); ++group) {
         for (const int other : neighbours_[group])

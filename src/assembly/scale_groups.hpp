@@ -46,8 +46,8 @@ class ScaleGroups {
     std::size_t part_count() const { return lengths_.size(); }
     int of_rod(int rod) const { return rod; }
     int of_body(int body) const { return rod_count_ + body; }
-    int of_spring(int spring) const { return first_spring_ + spring; }
-    int of_bushing(int bushing) const { return first_bushing_ + bushing; }
+    // Takes the place of the spring or bushing in list_element_ties.
+    int of_tie(std::size_t tie) const { return first_tie_ + static_cast<int>(tie); }
     int of_node(int node) const { return group_of_node_[node]; }
     int part_of_node(int node) const { return part_of_group_[group_of_node_[node]]; }
     // Returns the length scale of the node's part: its extent or its largest body, whichever is larger; 1 if
@@ -65,8 +65,7 @@ class ScaleGroups {
     void find_round_off(const Model& model);
 
     int rod_count_;
-    int first_spring_;
-    int first_bushing_;
+    int first_tie_;
     std::vector<int> group_of_node_;
     std::vector<int> part_of_group_;
     std::vector<double> lengths_;  // length scale of each part

@@ -7,6 +7,7 @@
 #include "assembly/surroundings_assembly.hpp"
 #include "loads/distributed_load.hpp"
 #include "loads/nodal_load.hpp"
+#include "model/ties/ties.hpp"
 
 namespace gxrod {
 
@@ -65,8 +66,7 @@ void System::forget_surroundings() const {
 }
 
 std::size_t System::element_count() const {
-    return static_cast<std::size_t>(rod_element_count_) + model_->bodies.size() + model_->springs.size() +
-           model_->bushings.size();
+    return static_cast<std::size_t>(rod_element_count_) + model_->bodies.size() + count_element_ties(*model_);
 }
 
 void System::hold_rates(int node, NodeMotion& motion) const {

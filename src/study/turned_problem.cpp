@@ -4,6 +4,8 @@
 #include <utility>
 #include <variant>
 
+#include "model/ties/ties.hpp"
+
 namespace gxrod {
 
 namespace {
@@ -190,20 +192,11 @@ void turn_model(const Quat& rotation, Model& model) {
         for (Quat& triad : rod.triads) triad = rotation * triad;
     }
     for (Body& body : model.bodies) body.attitude = rotation * body.attitude;
-    for (Spring& spring : model.springs) {
-        for (Anchor& end : spring.ends) end.arm = rotation * end.arm;
-    }
-    for (Bushing& bushing : model.bushings) {
-        for (Anchor& end : bushing.ends) end.arm = rotation * end.arm;
-        bushing.axes = rotation * bushing.axes;
-    }
+    for_each_anchor(model, [&](Anchor& anchor) { anchor.arm = rotation * anchor.arm; });
+    for (Bushing& bushing : model.bushings) bushing.axes = rotation * bushing.axes;
     for (Joint& joint : model.joints) {
-        for (JointSide* side : {&joint.a, &joint.b}) {
-            side->anchor.arm = rotation * side->anchor.arm;
-            side->axes = rotation * side->axes;
-        }
+        for (JointSide* side : {&joint.a, &joint.b}) side->axes = rotation * side->axes;
     }
-    for (Sleeve& sleeve : model.sleeves) sleeve.point.arm = rotation * sleeve.point.arm;
     for (Support& support : model.supports) support.axes = rotation * support.axes;
     for (NodalLoad& load : model.loads) {
         load.axes = rotation * load.axes;

@@ -47,6 +47,22 @@ std::vector<Tie> list_ties(const Model& model) {
     return all;
 }
 
+std::vector<Tie> list_element_ties(const Model& model) {
+    std::vector<Tie> ties = list_ties(model, TieKind::spring);
+    const std::vector<Tie> bushings = list_ties(model, TieKind::bushing);
+    ties.insert(ties.end(), bushings.begin(), bushings.end());
+    return ties;
+}
+
+std::size_t count_element_ties(const Model& model) { return model.springs.size() + model.bushings.size(); }
+
+TieStiffness stiffness_of(const Model& model, const Tie& tie) {
+    if (tie.kind == TieKind::spring) return {.displacement = find_stiffness(model.springs[tie.index])};
+    assert(tie.kind == TieKind::bushing);
+    const auto diagonal = model.bushings[tie.index].stiffness.diagonal();
+    return {diagonal.head<3>().maxCoeff(), diagonal.tail<3>().maxCoeff()};
+}
+
 std::string key_of(const Tie& tie) {
     constexpr std::array<const char*, tie_kind_count> tables{
         "spring.", "bushing.", "joint.", "gear.", "joint."};

@@ -34,11 +34,38 @@ std::vector<Tie> list_ties(const Model& model, TieKind kind);
 // Names a tie as its table of the deck: "spring.strut"; a sleeve is a joint there.
 std::string key_of(const Tie& tie);
 
+// Springs and bushings are elements. Lists them, in the order in which blocks and groups of scales count
+// them.
+std::vector<Tie> list_element_ties(const Model& model);
+std::size_t count_element_ties(const Model& model);
+// Returns the largest stiffness of such a tie against displacements and against turns.
+struct TieStiffness {
+    double displacement = 0.0;
+    double turn = 0.0;
+};
+TieStiffness stiffness_of(const Model& model, const Tie& tie);
+
 // Joints, gears and sleeves are numbered together, in this order: states, their equations and what snapshots
 // have of them. Returns the number of one, by its index in the list of its kind.
 std::size_t number_of(const Model& model, TieKind kind, std::size_t index);
 // Returns how many numbers joints, gears and sleeves have.
 std::size_t count_numbered_ties(const Model& model);
+
+// Calls visit(anchor) for each point that a tie has on a node or on the ground, of a model that is const or
+// not.
+template <class AnyModel, class Visit>
+void for_each_anchor(AnyModel& model, Visit&& visit) {
+    const auto visit_ends = [&](auto& ties) {
+        for (auto& tie : ties) std::ranges::for_each(tie.ends, visit);
+    };
+    visit_ends(model.springs);
+    visit_ends(model.bushings);
+    for (auto& joint : model.joints) {
+        visit(joint.a.anchor);
+        visit(joint.b.anchor);
+    }
+    for (auto& sleeve : model.sleeves) visit(sleeve.point);
+}
 
 // Calls visit(number, name, turn, slide) for the coordinates of each joint and each sleeve, of a model that
 // is const or not. On the turn that is visited with a sleeve nothing acts.
