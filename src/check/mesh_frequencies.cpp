@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "assembly/contact/contacts.hpp"
 #include "assembly/state_matrices.hpp"
 #include "check/motions/free_parts.hpp"
 #include "check/step_advice.hpp"
@@ -57,6 +58,14 @@ Model make_bare(Model model) {
     return model;
 }
 
+// Whether anything is in something else, where contact has no stiffness.
+bool has_overlaps(const System& system) {
+    const Contacts contacts(system);
+    State start = system.initial_state();
+    contacts.search(start);
+    return !contacts.describe_overlap(start, 0.0).empty();
+}
+
 // Of a section: ζ = ½(τω + α/ω).
 double compute_damping_ratio(const Section& section, double omega) {
     return 0.5 * (section.kelvin_voigt * omega + section.mass_proportional / omega);
@@ -68,7 +77,7 @@ std::optional<MeshFrequencies> find_mesh_frequencies(const Model& model) {
     const Model bare = make_bare(model);
     const System system(bare);
     const std::int64_t size = system.pattern().size();
-    if (size < 2) return std::nullopt;
+    if (size < 2 || has_overlaps(system)) return std::nullopt;
     const StateMatrices matrices = compute_state_matrices(system, system.initial_state(), 0.0);
     const std::vector<double> stiffness = matrices.instantaneous_stiffness();
     const std::optional<double> largest = find_largest(system.pattern(), stiffness, matrices.mass);

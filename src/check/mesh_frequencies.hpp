@@ -16,7 +16,7 @@ struct MeshFrequencies {
 };
 
 // Finds frequencies by Lanczos' method, to some 1e-4. Returns nullopt if a motion has no inertia, nothing can
-// vibrate, or more than ten parts are free.
+// vibrate, more than ten parts are free, or something starts inside of something else.
 std::optional<MeshFrequencies> find_mesh_frequencies(const Model& model);
 
 // Describes the frequencies, the damping of sections at them, and the longest stable step of explicit

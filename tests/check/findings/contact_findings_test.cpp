@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "check/mesh_frequencies.hpp"
 #include "deck/decks.hpp"
 #include "tools/catch.hpp"
 
@@ -15,11 +16,15 @@ std::string wire(const std::string& name, const std::string& from, const std::st
            " }\nelements = " + std::to_string(elements) + "\norder = 2\n";
 }
 
-std::string findings(const std::string& rest, Severity severity = Severity::note) {
-    const Problem problem = read(
+Problem read_wires(const std::string& rest) {
+    return read(
         "[section.s]\nshape = { circle = { radius = 0.01 } }\n"
         "material = { E = 1e9, nu = 0.3, density = 1000 }\n" +
         rest + "[analysis]\nkind = \"dynamic\"\nend_time = 1\ntime_step = 0.1\n");
+}
+
+std::string findings(const std::string& rest, Severity severity = Severity::note) {
+    const Problem problem = read_wires(rest);
     std::string text;
     for (const Finding& finding : examine_contact(problem.model, problem.analysis())) {
         if (finding.severity == severity) text += finding.message + "\n";
@@ -47,6 +52,17 @@ TEST_CASE("Check: what overlaps is an error, the deepest named first", "[check][
         Contains("at the start d@0 is 0.007 deep in obstacle \"floor\"; expected a gap, as small as you "
                  "like; 2 more pairs overlap: c and floor by 0.006, a and b by 0.005\n"));
     CHECK(std::ranges::count(errors, '\n') == 1);
+}
+
+TEST_CASE("Check: a rod outside of a pipe that should hold it has no frequencies", "[check][touch]") {
+    const std::string pipe =
+        "[obstacle.pipe]\ntube = { arc = { from = [1, 0, 0], centre = [0, 0, 0], axis = [0, 0, 1], angle = "
+        "-1 }, "
+        "radius = 0.5, side = \"inside\" }\n[contact]\nskin = 0.5\n";
+    const std::string rod = wire("a", "[0, 0, 0]", "[10, 0, 0]", 4);
+    CHECK_THAT(findings(pipe + rod, Severity::error), Contains("deep in obstacle \"pipe\""));
+    CHECK_FALSE(find_mesh_frequencies(read_wires(pipe + rod).model));
+    CHECK(find_mesh_frequencies(read_wires(rod).model));
 }
 
 TEST_CASE("Check: what touches already at the start", "[check][touch]") {
