@@ -89,6 +89,13 @@ class IncludeDirections(unittest.TestCase):
     def test_rooms_include_only_what_lies_below_them(self):
         self.assertEqual(find_breaches(source_root()), [])
 
+    def test_tests_include_catch_by_the_header_that_knows_its_versions(self):
+        tests = source_root() / "tests"
+        own = {tests / "tools" / "catch.hpp", tests / "main.cpp"}
+        direct = [path.relative_to(tests) for path in tests.rglob("*.[ch]pp")
+                  if path not in own and "<catch2/" in path.read_text(encoding="utf-8")]
+        self.assertEqual(direct, [])
+
     def test_every_room_is_seen(self):
         rooms = {path.name for path in (source_root() / "src").iterdir() if path.is_dir()}
         self.assertGreaterEqual(rooms, {"rotation", "model", "state", "elements", "linear", "assembly", "solvers", "analyses"})

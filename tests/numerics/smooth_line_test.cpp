@@ -1,6 +1,6 @@
 #include "numerics/smooth_line.hpp"
+#include "tools/catch.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
 

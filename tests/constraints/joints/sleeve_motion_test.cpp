@@ -1,6 +1,6 @@
 #include "constraints/joints/sleeve_motion.hpp"
+#include "tools/catch.hpp"
 
-#include <catch2/catch.hpp>
 #include <functional>
 #include <random>
 
