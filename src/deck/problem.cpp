@@ -17,7 +17,7 @@
 #include "deck/checks/check_memory.hpp"
 #include "deck/checks/check_points.hpp"
 #include "deck/checks/check_velocities.hpp"
-#include "deck/contact/build_contact.hpp"
+#include "deck/contact/contact_table.hpp"
 #include "deck/contact/read_obstacle_meshes.hpp"
 #include "deck/drives/build_drives.hpp"
 #include "deck/drives/build_inputs.hpp"
@@ -25,7 +25,8 @@
 #include "deck/joints/joints.hpp"
 #include "deck/loads/acting.hpp"
 #include "deck/loads/loads.hpp"
-#include "deck/output/build_output.hpp"
+#include "deck/output/history_table.hpp"
+#include "deck/output/output_table.hpp"
 #include "deck/places/plane.hpp"
 #include "deck/reading/validation.hpp"
 #include "deck/rods/build_connections.hpp"
@@ -44,7 +45,6 @@
 #include "deck/ties/ties.hpp"
 #include "machine/file_error.hpp"
 #include "machine/machine_memory.hpp"
-#include "model/settings/frame_interval.hpp"
 #include "model/settings/scheme_card.hpp"
 
 namespace gxrod {
@@ -94,15 +94,6 @@ void build_actions(const SurroundingsFiles& files, BuildContext& context) {
         set_actions(std::move(first), context.model);
     }
     context.stage = 0;
-}
-
-void set_frame_intervals(BuildContext& context) {
-    const std::vector<CheckedTable>& output = context.deck.tables("output");
-    const bool is_given = !output.empty() && output.front().gives("every");
-    for (StagePlan& stage : context.stages) {
-        stage.frame_interval =
-            is_given ? output.front().get<long>("every") : choose_frame_interval(stage.analysis);
-    }
 }
 
 // "radau-5"; of stages "move: radau-5, rest: generalized-alpha".
@@ -173,6 +164,7 @@ Problem build_problem(const CheckedTable& deck, const DeckFiles& files, FaultLis
     check_contact(context);
     set_frame_intervals(context);
     problem.output = build_output(context);
+    problem.output.histories = build_histories(context);
     name_response_points(problem.output.histories, context);
     problem.stages = std::move(context.stages);
     note_stages(problem.stages, problem.record);

@@ -7,6 +7,7 @@
 #include "deck/drives/tendon_path.hpp"
 #include "deck/joints/ends.hpp"
 #include "deck/joints/joint_table.hpp"
+#include "deck/output/history_table.hpp"
 #include "deck/places/part.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
@@ -28,10 +29,6 @@ class PointCheck {
         const Point& point = std::get<Point>(found);
         if (const auto* of_rod = std::get_if<RodPoint>(&point)) of_rods_.push_back(*of_rod);
         return point;
-    }
-
-    void check_key(const CheckedTable& table, const char* key) {
-        if (table.gives(key)) check(table.get<std::string>(key), table.place_of(key), table.path_of(key));
     }
 
     // All points that a table names.
@@ -62,12 +59,10 @@ class PointCheck {
     }
 
     // A point that needs no node.
-    void check_place(const CheckedTable& table, const char* key) {
-        const std::variant<Point, std::string> found =
-            context_.names.find(table.get<std::string>(key), PointNeeds::place);
-        if (const auto* message = std::get_if<std::string>(&found)) {
-            context_.faults.add(table.place_of(key), table.path_of(key), *message);
-        }
+    void check_place(const PointName& point) {
+        const std::variant<Point, std::string> found = context_.names.find(point.word, PointNeeds::place);
+        if (const auto* message = std::get_if<std::string>(&found))
+            context_.faults.add(point.place, point.path, *message);
     }
 
     // A point that is to be a rod's; `hint` says what to write for a body.
@@ -124,15 +119,15 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
     check_names({&load_table(), &support_table()});
     const bool has_contact =
         !context.deck.tables("contact").empty() || !context.deck.tables("obstacle").empty();
-    for (const CheckedTable& table : context.deck.tables("history")) {
-        const std::string& at = table.get<std::string>("at");
+    for (const HistoryKeys& table : tables_of<HistoryKeys>(context.deck, history_table())) {
+        const std::string& at = table.at.word;
         const auto is_tie = [&](const char* key) {
             return find_index(context.deck.tables(key), at).has_value();
         };
         if (!is_tie("spring") && !is_tie("bushing") && !is_tie("joint") && !is_tie("gear") &&
             !is_tie("tendon") && !is_tie("obstacle") && !(has_contact && is_tie("rod")))
-            points.check_place(table, "at");
-        points.check_key(table, "relative_to");
+            points.check_place(table.at);
+        if (const auto& other = table.relative_to) points.check(other->word, other->place, other->path);
     }
     for (const AnalysisTable& table : list_analyses(context.deck)) {
         for (const PathTargetTable& target : table.at) points.check_names(target);

@@ -154,27 +154,27 @@ std::vector<RodPoint> list_contact_part_ends(const BuildContext& context) {
             }
         }
     };
-    for (const CheckedTable& contact : context.deck.tables("contact")) {
-        for (const CheckedTable& pair : contact.tables("pair")) {
-            for (const CheckedWord& word : pair.get<std::vector<CheckedWord>>("between")) add(word);
-        }
+    const ContactKeys* contact = find_contact(context.deck);
+    if (contact == nullptr) return ends;
+    for (const ContactPairTable& pair : contact->pairs) {
+        for (const CheckedWord& word : pair.between) add(word);
     }
     return ends;
 }
 
-std::vector<ContactException> build_contact_exceptions(const CheckedTable& contact,
+std::vector<ContactException> build_contact_exceptions(const ContactKeys& contact,
                                                        const BuildContext& context) {
     std::vector<ContactException> exceptions;
-    for (const CheckedTable& table : contact.tables("pair")) {
+    for (const ContactPairTable& table : contact.pairs) {
         ContactException one;
-        const auto& words = table.get<std::vector<CheckedWord>>("between");
+        const Partners& words = table.between;
         for (std::size_t side = 0; side < 2; ++side) one.between[side] = find_side(words[side], context);
         if (one.between[0].empty() || one.between[1].empty()) continue;
-        if (table.gives("friction")) one.friction = table.get<double>("friction");
-        one.is_off = table.gives("off") && table.get<bool>("off");
+        one.friction = table.friction;
+        one.is_off = table.off.value_or(false);
         if (!has_touching(one, context.model.contact))
             context.add_fault(table,
-                              "between",
+                              table.between,
                               fmt::format("\"{}\" and \"{}\" do not touch: [contact] leaves them out",
                                           words[0].word,
                                           words[1].word));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "deck/contact/contact_table.hpp"
 #include "deck/places/build_context.hpp"
 
 namespace gxrod {
@@ -9,7 +10,7 @@ namespace gxrod {
 std::vector<RodPoint> list_contact_part_ends(const BuildContext& context);
 
 // Builds the exceptions of [[contact.pair]], once the contact has its rods and obstacles.
-std::vector<ContactException> build_contact_exceptions(const CheckedTable& contact,
+std::vector<ContactException> build_contact_exceptions(const ContactKeys& contact,
                                                        const BuildContext& context);
 
 // Returns whether exceptions exclude all contact of a rod with another rod or an obstacle.

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "deck/contact/obstacle_table.hpp"
+#include "deck/schema/schema_tables.hpp"
+#include "deck/table/table.hpp"
 #include "deck/text/table_files.hpp"
 #include "mesh/line_mesh.hpp"
 #include "mesh/triangle_file.hpp"
@@ -29,21 +32,21 @@ std::map<std::string, std::shared_ptr<const TriangleMesh>> read_obstacle_meshes(
     std::vector<MeshRecord>& records,
     std::vector<std::string>& notes) {
     std::map<std::string, std::shared_ptr<const TriangleMesh>> meshes;
-    for (const CheckedTable& obstacle : deck.tables("obstacle")) {
-        if (!obstacle.gives("mesh")) continue;
-        const CheckedTable& table = obstacle.tables("mesh").front();
-        const std::string& file = table.get<std::string>("file");
+    for (const ObstacleTable& obstacle : tables_of<ObstacleTable>(deck, obstacle_table())) {
+        if (!obstacle.mesh) continue;
+        const MeshObstacleTable& table = *obstacle.mesh;
+        const std::string& file = table.file;
         const std::filesystem::path path = files.find(file);
         try {
-            TriangleMesh mesh = read_triangle_mesh(path, table.get<double>("scale"));
+            TriangleMesh mesh = read_triangle_mesh(path, table.scale);
             mesh.file = file;
-            mesh.feature_angle = table.get<double>("feature_angle");
+            mesh.feature_angle = table.feature_angle;
             keep_file(file, read_mesh_file(path), records);
             notes.push_back(describe(mesh));
             meshes.emplace(obstacle.name, std::make_shared<const TriangleMesh>(std::move(mesh)));
         } catch (const MeshError& error) {
-            faults.add(table.place_of("file"),
-                       table.path_of("file"),
+            faults.add(table.place_of(&table.file),
+                       table.path_of(&table.file),
                        fmt::format("{}: {}", path.string(), error.what()));
         }
     }

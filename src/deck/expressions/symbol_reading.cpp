@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "deck/expressions/expression_syntax.hpp"
+#include "deck/expressions/function_table.hpp"
 #include "deck/expressions/use_order.hpp"
 #include "deck/reading/value_reading.hpp"
-#include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
 
@@ -85,17 +85,6 @@ void read_parameters(const DeckNode& deck, Symbols& symbols, FaultList& faults) 
     }
 }
 
-// nullopt if the word is wrong.
-std::optional<Interpolation> read_interpolation(const DeckNode& node) {
-    const DeckEntry* entry = node.find("interpolation");
-    if (entry == nullptr) return Interpolation::linear;
-    if (entry->node.text() == nullptr) return std::nullopt;
-    for (const auto& choice : interpolation_choices) {
-        if (choice.word == *entry->node.text()) return choice.value;
-    }
-    return std::nullopt;
-}
-
 // What a function is made of, if nothing is wrong with it; faults stay unreported.
 std::optional<FunctionDefinition> read_definition(const DeckNode& node,
                                                   const std::string& name,
@@ -107,13 +96,16 @@ std::optional<FunctionDefinition> read_definition(const DeckNode& node,
     FaultList unreported("", {});
     const ReadingContext context{symbols, unreported};
     if (table != nullptr) {
-        const std::optional<Interpolation> interpolation = read_interpolation(node);
-        const auto rows = read_value(table->node, "", *function_table().find("table"), context);
-        const auto* pairs = std::get_if<TimeTable>(&rows);
-        if (pairs == nullptr || !interpolation) return std::nullopt;
-        FunctionDefinition definition{*pairs, ""};
-        definition.interpolation = *interpolation;
-        definition.curve = std::make_shared<const TableFunction>(*pairs, *interpolation);
+        FunctionTable function;
+        const auto reads = [&](const DeckEntry& entry) {
+            const KeySpec& key = *function_table().find(entry.key);
+            return key.binding->read({entry.node, "", key, context}, function);
+        };
+        const DeckEntry* interpolation = node.find("interpolation");
+        if (!reads(*table) || (interpolation != nullptr && !reads(*interpolation))) return std::nullopt;
+        FunctionDefinition definition{*function.table, ""};
+        definition.interpolation = function.interpolation.value_or(Interpolation::linear);
+        definition.curve = std::make_shared<const TableFunction>(*function.table, definition.interpolation);
         return definition;
     }
     if (const auto* integer = std::get_if<std::int64_t>(&expression->node.value)) {

@@ -83,11 +83,10 @@ class Validator {
             CheckedValue value{entry.key, entry.node.place, true, {}};
             const std::string full = join_path(path, entry.key);
             if (checked.record) {
-                value.value = read_field(entry, full, *key, *checked.record);
-            } else if (deck_ != nullptr && spec.path == "history" && key->type == ValueType::choices) {
                 ReadingContext context = context_;
-                context.likely_words = list_likely_quantities(node);
-                value.value = read_value(entry.node, full, *key, context);
+                if (deck_ != nullptr && spec.path == "history" && key->type == ValueType::choices)
+                    context.likely_words = list_likely_quantities(node);
+                value.value = read_field(entry, full, *key, *checked.record, context);
             } else {
                 value.value = check_value(entry, full, *key);
             }
@@ -147,7 +146,8 @@ class Validator {
     Value read_field(const DeckEntry& entry,
                      const std::string& path,
                      const KeySpec& key,
-                     TableHead& record) const {
+                     TableHead& record,
+                     const ReadingContext& context) const {
         record.given.emplace_back(key.name, entry.node.place);
         if (key.table != nullptr && (entry.node.table() != nullptr || !key.binding->read)) {
             Value value = check_value(entry, path, key);
@@ -156,7 +156,7 @@ class Validator {
             }
             return value;
         }
-        const bool is_right = key.binding->read({entry.node, path, key, context_}, record);
+        const bool is_right = key.binding->read({entry.node, path, key, context}, record);
         if (is_right && key.type == ValueType::choice) return *entry.node.text();
         return std::monostate{};
     }

@@ -103,7 +103,8 @@ std::optional<std::vector<CheckedWord>> read_names(const DeckNode& node,
 std::optional<std::vector<CheckedWord>> read_points(const DeckNode& node,
                                                     const std::string& path,
                                                     const KeySpec& key,
-                                                    const ReadingContext& context) {
+                                                    const ReadingContext& context,
+                                                    const std::string& one) {
     const std::size_t count = node.array() == nullptr ? 0 : node.array()->size();
     if (count < 2 || (key.type != ValueType::points && count > 2)) {
         expect(node, path, key, context);
@@ -116,12 +117,9 @@ std::optional<std::vector<CheckedWord>> read_points(const DeckNode& node,
         if (element.text() != nullptr) {
             points.push_back({*element.text(), element.place, element_path});
         } else {
-            const char* word = key.type == ValueType::joints     ? "joint, such as \"wheel\""
-                               : key.type == ValueType::partners ? "rod or an obstacle, such as \"wire\""
-                                                                 : "point, such as \"rod.end\"";
             context.faults.add(element.place,
                                element_path,
-                               fmt::format("expected a {}, found {}", word, describe_found(element)));
+                               fmt::format("expected a {}, found {}", one, describe_found(element)));
         }
     }
     return points.size() == count ? std::optional(std::move(points)) : std::nullopt;

@@ -33,10 +33,11 @@ std::optional<std::vector<CheckedWord>> read_names(const DeckNode& node,
                                                    const KeySpec& key,
                                                    const ReadingContext& context);
 
-// Reads a list of at least two points.
+// Reads a list of two points, or of at least two for keys of that type; `one` is such a point, in messages.
 std::optional<std::vector<CheckedWord>> read_points(const DeckNode& node,
                                                     const std::string& path,
                                                     const KeySpec& key,
-                                                    const ReadingContext& context);
+                                                    const ReadingContext& context,
+                                                    const std::string& one = "point, such as \"rod.end\"");
 
 }  // namespace gxrod

@@ -48,10 +48,6 @@ inline constexpr std::array<Choice<BushingAxes>, 4> bushing_axes_choices{{{"betw
                                                                           {"b", BushingAxes::b},
                                                                           {"ground", BushingAxes::ground}}};
 
-// Axes of a history that is relative to a point of a rod.
-inline constexpr const char* section_axes_word = "section";
-inline constexpr const char* untwisted_axes_word = "untwisted";
-
 inline constexpr std::array<Choice<Stretching>, 4> stretching_choices{
     {{"wheeler", Stretching::wheeler},
      {"vertical", Stretching::vertical},

@@ -11,6 +11,22 @@ struct MoveTable : TableHead {
     std::array<std::optional<CheckedTimeFunction>, 6> components;
 };
 
+// Adds their keys, of a table whose struct has these components.
+template <class T>
+Table<T> with_components(Table<T> table) {
+    for (std::size_t i = 0; i < component_names.size(); ++i) {
+        const std::string axis(1, component_names[i].back());
+        table
+            .key(
+                std::string(component_names[i]),
+                [i](auto& move) -> auto& { return move.components[i]; },
+                i < 3 ? "Displacement along " + axis + " since t = 0."
+                      : "Component " + axis + " of the rotation vector.")
+            .unit(i < 3 ? "length" : "angle");
+    }
+    return table;
+}
+
 struct SupportTable : ActingTable {
     PointName at;
     std::optional<WordList> fix;

@@ -20,26 +20,11 @@ std::vector<std::string> fix_words() {
     return words;
 }
 
-TableSpec move_table() {
-    Table<MoveTable> table("support.move", "");
-    for (std::size_t i = 0; i < component_names.size(); ++i) {
-        const std::string axis(1, component_names[i].back());
-        table
-            .key(
-                std::string(component_names[i]),
-                [i](auto& move) -> auto& { return move.components[i]; },
-                i < 3 ? "Displacement along " + axis + " since t = 0."
-                      : "Component " + axis + " of the rotation vector.")
-            .unit(i < 3 ? "length" : "angle");
-    }
-    return table;
-}
-
 }  // namespace
 
 const TableSpec& support_table() {
     using T = SupportTable;
-    static const TableSpec move = move_table();
+    static const TableSpec move = with_components(Table<MoveTable>("support.move", ""));
     // clang-format off
     static const TableSpec table = Table<T>("[[support]]",
             "Components of a point that are fixed or move as prescribed. Of the rotations none, all three or exactly "

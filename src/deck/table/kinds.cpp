@@ -29,6 +29,12 @@ std::string print_rows(const Rows& rows) {
     return print_list(lines);
 }
 
+std::string print_pairs(const std::vector<std::pair<double, double>>& rows) {
+    std::vector<std::string> items;
+    for (const auto& [first, second] : rows) items.push_back(fmt::format("[{}, {}]", first, second));
+    return print_list(items);
+}
+
 std::string quote(const CheckedWord& word) { return "\"" + word.word + "\""; }
 
 // A list, or its only word.
@@ -87,11 +93,7 @@ std::optional<CheckedPairs> Kind<CheckedPairs>::read(const ValueSource& from) {
     return RowReader(from.key, from.context).pairs(from.node, from.path);
 }
 
-std::string Kind<CheckedPairs>::print(const CheckedPairs& value) {
-    std::vector<std::string> items;
-    for (const auto& [first, second] : value.rows) items.push_back(fmt::format("[{}, {}]", first, second));
-    return print_list(items);
-}
+std::string Kind<CheckedPairs>::print(const CheckedPairs& value) { return print_pairs(value.rows); }
 
 std::optional<std::vector<double>> Kind<std::vector<double>>::read(const ValueSource& from) {
     return read_number_list(from.node, from.path, from.key, from.context);
@@ -208,11 +210,22 @@ std::optional<Ends> Kind<Ends>::read(const ValueSource& from) {
 std::string Kind<Ends>::print(const Ends& value) { return print_list({quote(value[0]), quote(value[1])}); }
 
 std::optional<JointNames> Kind<JointNames>::read(const ValueSource& from) {
-    auto joints = read_points(from.node, from.path, from.key, from.context);
+    const char* one = "joint, such as \"wheel\"";
+    auto joints = read_points(from.node, from.path, from.key, from.context, one);
     return joints ? std::optional(JointNames{{(*joints)[0], (*joints)[1]}}) : std::nullopt;
 }
 
 std::string Kind<JointNames>::print(const JointNames& value) {
+    return print_list({quote(value[0]), quote(value[1])});
+}
+
+std::optional<Partners> Kind<Partners>::read(const ValueSource& from) {
+    const char* one = "rod or an obstacle, such as \"wire\"";
+    auto names = read_points(from.node, from.path, from.key, from.context, one);
+    return names ? std::optional(Partners{{(*names)[0], (*names)[1]}}) : std::nullopt;
+}
+
+std::string Kind<Partners>::print(const Partners& value) {
     return print_list({quote(value[0]), quote(value[1])});
 }
 
@@ -315,9 +328,7 @@ std::optional<CheckedProfile> Kind<CheckedProfile>::read(const ValueSource& from
     return RowReader(from.key, from.context).profile(from.node, from.path);
 }
 
-std::string Kind<CheckedProfile>::print(const CheckedProfile& value) {
-    return Kind<CheckedPairs>::print({value.rows, {}});
-}
+std::string Kind<CheckedProfile>::print(const CheckedProfile& value) { return print_pairs(value.rows); }
 
 std::string Kind<NumberAlong>::schema(const KeySpec& key) {
     return fmt::format(R"({{"anyOf": [{}, {}]}})", number_schema, Kind<CheckedProfile>::schema(key));
@@ -360,6 +371,39 @@ std::optional<GroupName> Kind<GroupName>::read(const ValueSource& from) {
 
 std::string Kind<GroupName>::print(const GroupName& value) {
     return std::visit([]<class One>(const One& one) { return Kind<One>::print(one); }, value);
+}
+
+std::string Kind<TimeTable>::schema(const KeySpec&) {
+    return schema_of_list(schema_of_array(number_schema, 2), 1);
+}
+
+std::optional<TimeTable> Kind<TimeTable>::read(const ValueSource& from) {
+    return RowReader(from.key, from.context).time_table(from.node, from.path);
+}
+
+std::string Kind<TimeTable>::print(const TimeTable& value) { return print_pairs(value); }
+
+std::optional<FileColumns> Kind<FileColumns>::read(const ValueSource& from) {
+    const DeckNode::Array* items = from.node.array();
+    if (items == nullptr || items->size() != 2) return std::nullopt;
+    FileColumns columns;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const DeckNode& item = (*items)[i];
+        if (const auto* number = std::get_if<std::int64_t>(&item.value))
+            columns[i] = *number;
+        else if (item.text() != nullptr)
+            columns[i] = *item.text();
+        else
+            return std::nullopt;
+    }
+    return columns;
+}
+
+std::string Kind<FileColumns>::print(const FileColumns& value) {
+    std::vector<std::string> items;
+    for (const auto& column : value)
+        items.push_back(std::visit([]<class One>(const One& one) { return Kind<One>::print(one); }, column));
+    return print_list(items);
 }
 
 std::string Kind<StageFunctions>::schema(const KeySpec&) {

@@ -45,6 +45,8 @@ struct WordList {
 struct Ends : std::array<CheckedWord, 2> {};
 // The coordinates of two joints.
 struct JointNames : std::array<CheckedWord, 2> {};
+// Two names of what touches, with * for any letters, or of parts of rods: wire@0.9..1.
+struct Partners : std::array<CheckedWord, 2> {};
 // Points, two at least.
 struct PointList {
     std::vector<CheckedWord> points;
@@ -67,6 +69,8 @@ struct StrainTimes {
 using NumberAlong = std::variant<double, CheckedProfile>;
 // The name or the number of a physical group of a mesh.
 using GroupName = std::variant<std::string, long>;
+// The columns of a file, by name or number. They are read with the file, whose rows replace them.
+struct FileColumns : std::array<std::variant<std::string, long>, 2> {};
 // Values by stage.
 using StageFunctions = std::vector<CheckedNamedFunction>;
 // Values of the turn and the slide of a joint.
@@ -93,6 +97,12 @@ inline constexpr const std::array<Choice<TendonEnd>, 2>& choices_of(TendonEnd) {
 inline constexpr const std::array<Choice<InputHold>, 2>& choices_of(InputHold) { return input_hold_choices; }
 inline constexpr const std::array<Choice<LoadReference>, 1>& choices_of(LoadReference) {
     return load_reference_choices;
+}
+inline constexpr const std::array<Choice<Compression>, 2>& choices_of(Compression) {
+    return compression_choices;
+}
+inline constexpr const std::array<Choice<Interpolation>, 3>& choices_of(Interpolation) {
+    return interpolation_choices;
 }
 inline constexpr const std::array<Choice<StrainPart>, 8>& choices_of(StrainPart) {
     return strain_part_choices;
@@ -282,6 +292,19 @@ struct Kind<JointNames> {
 };
 
 template <>
+struct Kind<Partners> {
+    static std::string words(const KeySpec&) {
+        return "an array of 2 names of rods and obstacles, such as [\"wire\", \"vessel\"], with * for any "
+               "letters, or of a part of a rod, such as \"wire@0.9..1\"";
+    }
+    static std::string column(const KeySpec&) { return "2 names with `*`, or `\"ROD@FROM..TO\"`"; }
+    static std::string schema(const KeySpec&) { return schema_of_array(R"({"type": "string"})", 2); }
+    static std::optional<Partners> read(const ValueSource& from);
+    static std::string print(const Partners& value);
+    static std::string sample(const KeySpec&) { return "[\"wire@0.9..1\", \"vessel\"]"; }
+};
+
+template <>
 struct Kind<PointList> {
     static constexpr ValueType type = ValueType::points;
     static std::optional<PointList> read(const ValueSource& from);
@@ -401,6 +424,31 @@ struct Kind<GroupName> {
     static std::optional<GroupName> read(const ValueSource& from);
     static std::string print(const GroupName& value);
     static std::string sample(const KeySpec&) { return "22"; }
+};
+
+template <>
+struct Kind<TimeTable> {
+    static std::string words(const KeySpec&) { return "an array of rows [t, value]"; }
+    static std::string column(const KeySpec&) { return "rows [t, value]"; }
+    static std::string schema(const KeySpec&);
+    static std::optional<TimeTable> read(const ValueSource& from);
+    static std::string print(const TimeTable& value);
+    static std::string sample(const KeySpec&) { return "[[1, 2], [3, 4]]"; }
+};
+
+template <>
+struct Kind<FileColumns> {
+    static std::string words(const KeySpec&) {
+        return "an array of 2 names or numbers of columns, such as [\"t\", \"x\"] or [1, 3]";
+    }
+    static std::string column(const KeySpec&) { return "2 names or numbers"; }
+    static std::string schema(const KeySpec&) {
+        return schema_of_array(R"({"type": ["string", "integer"]})", 2);
+    }
+    // Adds no faults.
+    static std::optional<FileColumns> read(const ValueSource& from);
+    static std::string print(const FileColumns& value);
+    static std::string sample(const KeySpec&) { return "[\"t\", 3]"; }
 };
 
 template <>

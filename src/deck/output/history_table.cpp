@@ -1,4 +1,4 @@
-#include "deck/output/build_output.hpp"
+#include "deck/output/history_table.hpp"
 
 #include <fmt/format.h>
 
@@ -8,17 +8,62 @@
 #include <set>
 
 #include "deck/contact/build_contact_exceptions.hpp"
-#include "deck/output/build_output_times.hpp"
 #include "deck/output/history_place.hpp"
 #include "deck/rods/rod_table.hpp"
-#include "deck/schema/choices.hpp"
+#include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "deck/schema/synonyms.hpp"
 #include "deck/sections/section_axes.hpp"
-#include "model/settings/frame_interval.hpp"
 #include "watch/quantities.hpp"
 
 namespace gxrod {
+
+const TableSpec& history_table() {
+    using T = HistoryKeys;
+    // clang-format off
+    static const TableSpec table = Table<T>("[[history]]",
+            "Quantities of a point, a spring, a bushing, a joint, a gear, a tendon, an obstacle or a rod that touches "
+            "something, recorded at every step, and at times of their own if output.history_interval is given.")
+        .key("name", &T::name, "The name of its group in the results: letters, digits, _ and -, each name once.")
+            .required().also("id label")
+        .key("at", &T::at, "A point of a rod, between nodes too, a body, a spring, a bushing, a joint, a gear, a "
+             "tendon or an obstacle; a rod, for what touches it.")
+            .required().also("pos position point node location where on")
+        .key("with", &T::with, "Of a rod: the obstacle or the rod (itself, too) whose contact alone counts.")
+            .otherwise("all that touches")
+        .key("relative_to", &T::relative_to, "A point whose section axes (body axes of a body) the components are in, "
+             "and from which positions count; it moves. For position, displacement, velocity, acceleration, "
+             "centre_of_mass and rotations.")
+            .otherwise("the global axes and the origin")
+        .key("axes", &T::axes, "Those of relative_to that the components are in. untwisted: its section axes turned "
+             "back by the twist there, so y_axis carried along the rod.")
+            .only_with("relative_to")
+        .key("about", &T::about, "The point, fixed in space, about which reaction_moment is: the moment of the "
+             "support and that of its force.")
+            .unit("length").otherwise("the point itself")
+        .key("quantities", &T::quantities, "rotation_vector and quaternion are the rotation since t = 0 of a rod's "
+             "point, the attitude of a body; orientation is that of section or body axes for both. force, moment "
+             "(section axes), force_spatial, moment_spatial, strain and curvature are a rod's, centre_of_mass is a "
+             "body's, reactions are a support's. elongation (length less that of the free spring) and axial_force "
+             "(tension positive, with damping) are a spring's. Of a bushing displacement and rotation_vector are "
+             "those of B against A, force and moment what the bushing resists them with, all in its axes; "
+             "force_spatial and moment_spatial are global. A joint has angle, slide and their rates since t = 0, "
+             "force and moment (what A exerts on B, moment about the joint, global), force_a and moment_a (in the "
+             "joint's axes on A, along its axis first), drive (moment or force of its motor, or its key drive), "
+             "friction and gap. A gear has drive (moment or force on its second joint) and gap. effective_tension, "
+             "wall_tension, water_velocity and bed_force are a rod's; wet_fraction and fluid_force are those of what "
+             "has a key fluid, forces per length of a rod and whole of a body.")
+            .required().words(list_quantity_words())
+            .also("variables outputs record output values fields")
+        .shown_by(
+            "[[history]]\n"
+            "name = \"tip\"\n"
+            "at   = \"flyer.end\"\n"
+            "quantities = [\"position\", \"velocity\"]\n");
+    // clang-format on
+    return table;
+}
+
 namespace {
 
 bool is_group_name(const std::string& name) {
@@ -27,35 +72,37 @@ bool is_group_name(const std::string& name) {
     });
 }
 
-void check_name(const CheckedTable& history, std::set<std::string>& taken, const BuildContext& context) {
-    const std::string& name = history.get<std::string>("name");
+void check_name(const HistoryKeys& history, std::set<std::string>& taken, const BuildContext& context) {
+    const std::string& name = history.name;
     if (!is_group_name(name)) {
         return context.add_fault(
-            history, "name", fmt::format("expected a name of letters, digits, _ and -, found \"{}\"", name));
+            history,
+            history.name,
+            fmt::format("expected a name of letters, digits, _ and -, found \"{}\"", name));
     }
     constexpr std::array taken_words{"time", "stage", "load_factor", "limit_load_factor", "branch"};
     if (std::find(taken_words.begin(), taken_words.end(), name) != taken_words.end()) {
         return context.add_fault(
-            history, "name", fmt::format("\"{}\" is taken: a column of all histories has it", name));
+            history, history.name, fmt::format("\"{}\" is taken: a column of all histories has it", name));
     }
     if (!taken.insert(name).second) {
-        context.add_fault(history, "name", fmt::format("an earlier history is named \"{}\" too", name));
+        context.add_fault(history, history.name, fmt::format("an earlier history is named \"{}\" too", name));
     }
 }
 
 // Sets what the quantities are relative to; nothing if the deck does not say.
-void set_reference(const CheckedTable& table, HistoryRequest& request, const BuildContext& context) {
-    if (!table.gives("relative_to")) return;
-    const std::optional<PlacedPoint> point = context.place(table.get<std::string>("relative_to"));
+void set_reference(const HistoryKeys& table, HistoryRequest& request, const BuildContext& context) {
+    if (!table.relative_to) return;
+    const std::optional<PlacedPoint> point = context.place(table.relative_to->word);
     if (!point) return;
-    request.relative_to = table.get<std::string>("relative_to");
+    request.relative_to = table.relative_to->word;
     request.relative_node = point->node;
     request.relative_axes = context.axes_at(*point);
-    if (table.get<std::string>("axes") == section_axes_word) return;
+    if (table.axes == HistoryAxes::section) return;
     if (point->body >= 0)
-        context.add_fault(table, "axes", "only sections of rods have a twist; this point is a body's");
+        context.add_fault(table, table.axes, "only sections of rods have a twist; this point is a body's");
     if (point->rod >= 0 && rods_of(context.deck)[static_cast<std::size_t>(point->rod)].get().mesh)
-        context.add_fault(table, "axes", "a rod from a mesh has its section axes only");
+        context.add_fault(table, table.axes, "a rod from a mesh has its section axes only");
     request.relative_to += ", untwisted";
     request.relative_axes = twisted(request.relative_axes, -context.twist_at(*point));
 }
@@ -68,11 +115,11 @@ bool asks_for(const HistoryRequest& request, Predicate&& is_meant) {
     });
 }
 
-void set_about(const CheckedTable& table, HistoryRequest& request, const BuildContext& context) {
-    if (!table.gives("about")) return;
-    request.about = table.get<Vec3>("about");
+void set_about(const HistoryKeys& table, HistoryRequest& request, const BuildContext& context) {
+    if (!table.about) return;
+    request.about = table.about;
     if (!asks_for(request, [](const Quantity& one) { return one.is_about; }))
-        context.add_fault(table, "about", "goes with reaction_moment, which is not among the quantities");
+        context.add_fault(table, table.about, "goes with reaction_moment, which is not among the quantities");
 }
 
 // A rod, or a body that touches, as ContactTouch has them.
@@ -85,29 +132,29 @@ std::optional<int> find_touching(const std::string& name, const Model& model) {
 }
 
 // Sets the only thing that counts as touching the rod or body `name`: the key `with`.
-void set_other(const CheckedTable& table,
+void set_other(const HistoryKeys& table,
                const std::string& name,
                bool is_body,
                ContactWatch& contact,
                const BuildContext& context) {
     const Model& model = context.model;
-    const std::string& with = table.get<std::string>("with");
+    const std::string& with = *table.with;
     if (const std::optional<int> obstacle = find_tie(model.contact.obstacles, with)) {
         contact.other = -1 - *obstacle;
         if (is_left_out(model.contact, contact.rod, -1 - *obstacle))
             context.add_fault(
                 table,
-                "with",
+                table.with,
                 fmt::format("\"{}\" does not touch \"{}\": [[contact.pair]] leaves it out", name, with));
     } else if (const std::optional<int> other = find_touching(with, model)) {
         contact.other = *other;
         const bool is_itself = *other == contact.rod;
         const bool is_off = is_left_out(model.contact, contact.rod, *other);
         if (is_itself && is_body)
-            context.add_fault(table, "with", "a body does not touch itself");
+            context.add_fault(table, table.with, "a body does not touch itself");
         else if (is_off || (is_itself ? !model.contact.within_rods : !model.contact.between_rods))
             context.add_fault(table,
-                              "with",
+                              table.with,
                               fmt::format("\"{}\" does not touch {}: {} leaves it out",
                                           name,
                                           is_itself ? "itself"
@@ -120,12 +167,13 @@ void set_other(const CheckedTable& table,
         for (const Rod& one : model.rods) names.push_back(one.name);
         for (const ContactBody& one : model.contact.bodies)
             names.push_back(model.bodies[static_cast<std::size_t>(one.body)].name);
-        context.add_fault(
-            table, "with", fmt::format("no obstacle and no rod \"{}\"{}", with, did_you_mean(with, names)));
+        context.add_fault(table,
+                          table.with,
+                          fmt::format("no obstacle and no rod \"{}\"{}", with, did_you_mean(with, names)));
     }
 }
 
-void set_contact(const CheckedTable& table, HistoryRequest& request, const BuildContext& context) {
+void set_contact(const HistoryKeys& table, HistoryRequest& request, const BuildContext& context) {
     const Model& model = context.model;
     auto* body = std::get_if<WatchedBody>(&request.target);
     auto* rod = std::get_if<WatchedContacts>(&request.target);
@@ -134,9 +182,9 @@ void set_contact(const CheckedTable& table, HistoryRequest& request, const Build
                                     explain_missing(one.word, request.target, model).empty();
                          });
     if (rod == nullptr && !is_body) {
-        if (table.gives("with"))
+        if (table.with)
             context.add_fault(table,
-                              "with",
+                              table.with,
                               "goes with a rod as a whole as `at`, or a body and contact quantities, in a "
                               "deck with contact");
         return;
@@ -146,7 +194,7 @@ void set_contact(const CheckedTable& table, HistoryRequest& request, const Build
                                       : model.rods[static_cast<std::size_t>(index)].name;
     if (!is_body && model.contact.radii[static_cast<std::size_t>(index)] == 0.0) {
         context.add_fault(table,
-                          "at",
+                          table.at,
                           fmt::format("\"{}\" touches nothing; expected a point of it, as in \"{}@0.5\", or "
                                       "this rod among `rods` of [contact]",
                                       name,
@@ -156,8 +204,8 @@ void set_contact(const CheckedTable& table, HistoryRequest& request, const Build
     ContactWatch& contact = is_body ? body->contact.emplace() : rod->contact;
     contact.rod = index;
     contact.wants_gap = asks_for(request, [](const Quantity& one) { return one.is_searched; });
-    if (!table.gives("with")) return;
-    request.with = table.get<std::string>("with");
+    if (!table.with) return;
+    request.with = *table.with;
     set_other(table, name, is_body, contact, context);
 }
 
@@ -171,8 +219,8 @@ std::string suggest_quantity(const std::string& word, const Watched& target, con
     return meant.empty() ? "" : fmt::format("; did you mean \"{}\"?", meant);
 }
 
-void add_quantities(const CheckedTable& table, HistoryRequest& request, const BuildContext& context) {
-    for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("quantities")) {
+void add_quantities(const HistoryKeys& table, HistoryRequest& request, const BuildContext& context) {
+    for (const CheckedWord& word : table.quantities.words) {
         auto& listed = request.quantities;
         if (std::find(listed.begin(), listed.end(), word.word) != listed.end()) {
             context.faults.add(word.place, word.path, fmt::format("\"{}\" is listed twice", word.word));
@@ -180,7 +228,7 @@ void add_quantities(const CheckedTable& table, HistoryRequest& request, const Bu
         }
         std::string reason = explain_missing(word.word, request.target, context.model);
         if (!reason.empty()) reason += suggest_quantity(word.word, request.target, context.model);
-        if (table.gives("relative_to") && !can_be_relative(word.word, request.target))
+        if (table.relative_to && !can_be_relative(word.word, request.target))
             reason = "cannot be relative to a point; write another history for it";
         if (!reason.empty())
             context.faults.add(word.place, word.path, fmt::format("\"{}\": {}", word.word, reason));
@@ -188,9 +236,8 @@ void add_quantities(const CheckedTable& table, HistoryRequest& request, const Bu
     }
 }
 
-HistoryRequest build_history(const CheckedTable& table, const Watched& target, const BuildContext& context) {
-    HistoryRequest request{
-        .name = table.get<std::string>("name"), .at = table.get<std::string>("at"), .target = target};
+HistoryRequest build_history(const HistoryKeys& table, const Watched& target, const BuildContext& context) {
+    HistoryRequest request{.name = table.name, .at = table.at.word, .target = target};
     set_reference(table, request, context);
     add_quantities(table, request, context);
     set_about(table, request, context);
@@ -200,22 +247,15 @@ HistoryRequest build_history(const CheckedTable& table, const Watched& target, c
 
 }  // namespace
 
-OutputSettings build_output(const BuildContext& context) {
-    OutputSettings output;
-    output.every = context.stages.front().frame_interval;
-    const std::vector<CheckedTable>& tables = context.deck.tables("output");
-    if (!tables.empty()) {
-        const CheckedTable& table = tables.front();
-        build_output_times(table, context, output);
-        output.compression = value_of(compression_choices, table.get<std::string>("compression"));
-    }
+std::vector<HistoryRequest> build_histories(const BuildContext& context) {
+    std::vector<HistoryRequest> histories;
     std::set<std::string> taken;
-    for (const CheckedTable& table : context.deck.tables("history")) {
+    for (const HistoryKeys& table : tables_of<HistoryKeys>(context.deck, history_table())) {
         check_name(table, taken, context);
-        const std::optional<Watched> target = find_watched(table.get<std::string>("at"), context);
-        if (target) output.histories.push_back(build_history(table, *target, context));
+        const std::optional<Watched> target = find_watched(table.at.word, context);
+        if (target) histories.push_back(build_history(table, *target, context));
     }
-    return output;
+    return histories;
 }
 
 }  // namespace gxrod

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "deck/places/build_context.hpp"
+#include "model/settings/settings.hpp"
+
+// [output].
+namespace gxrod {
+
+// Sets how many steps lie between frames in each stage. Call it after choose_schemes.
+void set_frame_intervals(BuildContext& context);
+
+// Builds the settings of [output], without histories. Call it after set_frame_intervals.
+OutputSettings build_output(const BuildContext& context);
+
+}  // namespace gxrod
