@@ -33,6 +33,7 @@
 #include "deck/rods/build_rods.hpp"
 #include "deck/rods/read_rod_nets.hpp"
 #include "deck/schema/choices.hpp"
+#include "deck/schema/top_level.hpp"
 #include "deck/sections/build_sections.hpp"
 #include "deck/sections/section_files.hpp"
 #include "deck/supports/build_supports.hpp"
@@ -168,8 +169,8 @@ Problem build_problem(const CheckedTable& deck, const DeckFiles& files, FaultLis
     name_response_points(problem.output.histories, context);
     problem.stages = std::move(context.stages);
     note_stages(problem.stages, problem.record);
-    problem.record.title = deck.get<std::string>("title");
-    problem.record.units = deck.get<std::string>("units");
+    problem.record.title = top_level_of(deck).title;
+    problem.record.units = top_level_of(deck).units;
     return problem;
 }
 

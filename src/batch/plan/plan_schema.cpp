@@ -249,6 +249,12 @@ TableSpec make_root() {
         {.name = "collect", .type = ValueType::named_tables, .table = &collect_table()},
         {.name = "keep", .type = ValueType::table, .table = &keep_table()},
     };
+    root.other_names = {{"vary", "sweep variations"},
+                        {"deck", "model base template"},
+                        {"combine", "mode combination"},
+                        {"count", "samples n"},
+                        {"collect", "measure measures"},
+                        {"time_limit", "timeout"}};
     root.example =
         "deck = \"flying_rod.toml\"\n"
         "combine = \"grid\"\n"

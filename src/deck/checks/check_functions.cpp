@@ -11,6 +11,7 @@
 #include "deck/output/sample_times.hpp"
 #include "deck/places/part.hpp"
 #include "deck/schema/schema_tables.hpp"
+#include "deck/schema/top_level.hpp"
 #include "deck/supports/support_merge.hpp"
 #include "deck/surroundings/surroundings_tables.hpp"
 #include "model/evaluation_error.hpp"
@@ -36,16 +37,6 @@ void check(const CheckedTimeFunction& value, const std::vector<double>& times, c
     report_error(value, context, [&] {
         for (const double time : times) value.function(time);
     });
-}
-
-void check_vector(const CheckedTable& table,
-                  const char* key,
-                  const std::vector<double>& times,
-                  const BuildContext& context) {
-    if (!table.gives(key)) return;
-    for (const CheckedTimeFunction& component : table.get<CheckedTimeVector>(key)) {
-        check(component, times, context);
-    }
 }
 
 void check_along(const CheckedLineFunction& value, double length, const BuildContext& context) {
@@ -144,7 +135,9 @@ void check_pull(const TendonTable& tendon, const std::vector<double>& times, con
 
 void check_functions(const BuildContext& context) {
     const std::vector<double> times = sample_times(context.analysis(), most_samples);
-    check_vector(context.deck, "gravity", times, context);
+    if (const auto& gravity = top_level_of(context.deck).gravity) {
+        for (const CheckedTimeFunction& component : *gravity) check(component, times, context);
+    }
     for (const TableSpec* spec : {&load_table(), &tendon_table(), &actuation_table(), &magnetic_table()}) {
         for (const ActingTable& table : tables_of<ActingTable>(context.deck, *spec))
             check_values(table, times, context);

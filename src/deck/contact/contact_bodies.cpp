@@ -7,6 +7,7 @@
 
 #include "deck/bodies/body_table.hpp"
 #include "deck/schema/schema_tables.hpp"
+#include "deck/schema/top_level.hpp"
 
 namespace gxrod {
 namespace {
@@ -19,7 +20,7 @@ const BodyShapeTable* find_shape(const BodyTable& body) {
 
 // The largest that it is of a few times: it can be ramped up.
 double find_gravity(const BuildContext& context) {
-    if (!context.deck.gives("gravity")) return 0.0;
+    if (!top_level_of(context.deck).gravity) return 0.0;
     double largest = 0.0;
     for (const double t : {0.0, 0.5, 1.0}) largest = std::max(largest, context.model.gravity(t).norm());
     return largest;

@@ -36,7 +36,7 @@ bool is_misplaced_top_level_value(const DeckEntry& entry) {
     const KeySpec* key = deck_schema().find(entry.key);
     if (key == nullptr) return false;
     return (key->type == ValueType::text && entry.node.text() != nullptr) ||
-           (key->type == ValueType::time_vector && entry.node.array() != nullptr);
+           (key->name == "gravity" && entry.node.array() != nullptr);
 }
 
 std::vector<std::string> keys_of(const DeckNode::Table& entries) {

@@ -2,6 +2,7 @@
 #include "deck/loads/loads.hpp"
 #include "deck/places/part.hpp"
 #include "deck/schema/schema_tables.hpp"
+#include "deck/schema/top_level.hpp"
 
 namespace gxrod {
 namespace {
@@ -136,9 +137,8 @@ void add_distributed_load(const LoadTable& given, const Acting& acting, BuildCon
 }  // namespace
 
 void build_loads(BuildContext& context) {
-    if (context.deck.gives("gravity"))
-        context.model.gravity = TimeVector(functions_of<TimeFunction>(
-            std::optional(context.deck.get<CheckedTimeVector>("gravity")), find_acting(context)));
+    if (const auto& gravity = top_level_of(context.deck).gravity)
+        context.model.gravity = TimeVector(functions_of<TimeFunction>(gravity, find_acting(context)));
     for (const LoadTable& given : tables_of<LoadTable>(context.deck, load_table())) {
         const Acting acting = find_acting(given, context);
         if (acting.is_absent) continue;

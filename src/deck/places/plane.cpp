@@ -7,6 +7,7 @@
 
 #include "deck/rods/rod_table.hpp"
 #include "deck/schema/choices.hpp"
+#include "deck/schema/top_level.hpp"
 
 namespace gxrod {
 namespace {
@@ -14,7 +15,9 @@ namespace {
 // Relative to the model's size, or of the components of a unit vector.
 constexpr double in_plane = 1e-9;
 
-std::string name_plane(const Plane& plane) { return word_of(plane_choices, plane.normal); }
+std::string name_plane(const Plane& plane) {
+    return word_of(plane_choices, static_cast<PlaneAcross>(plane.normal));
+}
 
 // Which of the axes is along the normal; −1: none.
 int find_normal(const Mat3& axes, const Plane& plane) {
@@ -50,8 +53,9 @@ void check_rod(const Rod& rod, const TableHead& table, const Plane& plane, const
 }  // namespace
 
 void build_plane(BuildContext& context) {
-    if (!context.deck.gives("plane")) return;
-    const Plane plane{value_of(plane_choices, context.deck.get<std::string>("plane"))};
+    const std::optional<PlaneAcross>& given = top_level_of(context.deck).plane;
+    if (!given) return;
+    const Plane plane{static_cast<int>(*given)};
     context.model.plane = plane;
     const auto tables = rods_of(context.deck);
     for (std::size_t i = 0; i < context.model.rods.size(); ++i) {

@@ -82,7 +82,7 @@ class Validator {
             }
             CheckedValue value{entry.key, entry.node.place, true, {}};
             const std::string full = join_path(path, entry.key);
-            if (checked.record) {
+            if (key->binding) {
                 ReadingContext context = context_;
                 if (deck_ != nullptr && spec.path == "history" && key->type == ValueType::choices)
                     context.likely_words = list_likely_quantities(node);

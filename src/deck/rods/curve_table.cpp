@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "deck/schema/schema_tables.hpp"
+#include "deck/schema/top_level.hpp"
 #include "deck/surroundings/build_seabed.hpp"
 #include "deck/surroundings/surroundings_tables.hpp"
 #include "geometry/helix_curve.hpp"
@@ -240,8 +241,8 @@ Lying find_lying(const std::optional<TableName>& section, const BuildContext& co
     const double diameter = found->fluid->diameter;
     const auto fluids = tables_of<FluidTable>(deck, fluid_table());
     const double density = fluids.empty() ? 0.0 : fluids.front().get().density;
-    const double gravity =
-        deck.gives("gravity") ? -deck.get<CheckedTimeVector>("gravity")[2].function(1.0) : 0.0;
+    const auto& given = top_level_of(deck).gravity;
+    const double gravity = given ? -(*given)[2].function(1.0) : 0.0;
     const double weight = gravity * (found->mass(0, 0) - density * found->fluid->area);
     const double stiffness = tables_of<SeabedTable>(deck, seabed_table()).front().get().stiffness;
     return {0.5 * diameter, std::max(weight, 0.0) / (stiffness * diameter)};

@@ -59,8 +59,10 @@ enum class ObstacleSide { outside, inside };
 inline constexpr std::array<Choice<ObstacleSide>, 2> obstacle_side_choices{
     {{"outside", ObstacleSide::outside}, {"inside", ObstacleSide::inside}}};
 
-// By the axis across it.
-inline constexpr std::array<Choice<int>, 3> plane_choices{{{"yz", 0}, {"xz", 1}, {"xy", 2}}};
+// A plane, by the axis across it: x, y or z.
+enum class PlaneAcross { yz, xz, xy };
+inline constexpr std::array<Choice<PlaneAcross>, 3> plane_choices{
+    {{"yz", PlaneAcross::yz}, {"xz", PlaneAcross::xz}, {"xy", PlaneAcross::xy}}};
 
 inline constexpr std::array<Choice<Interpolation>, 3> interpolation_choices{
     {{"linear", Interpolation::linear},

@@ -4,100 +4,10 @@
 
 #include <cmath>
 
-#include "deck/schema/choices.hpp"
-#include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "deck/table/binding.hpp"
 
 namespace gxrod {
-namespace {
-
-const TableSpec& parameters_table() {
-    static const TableSpec table{
-        .path = "parameters",
-        .heading = "[parameters]",
-        .sentence =
-            "Names for numbers, which every expression of the deck can use. They may use each other, in any "
-            "order.",
-        .keys = {},
-        .example =
-            "[parameters]\n"
-            "EI = 500.0\n"
-            "GJ = \"0.8*EI\"\n"};
-    return table;
-}
-
-TableSpec make_root() {
-    TableSpec root;
-    root.sentence = "Keys that stand before the first [table].";
-    root.keys = {
-        {.name = "title",
-         .type = ValueType::text,
-         .default_value = "",
-         .sentence = "What the deck is about.",
-         .may_change = true},
-        {.name = "units",
-         .type = ValueType::text,
-         .default_value = "",
-         .sentence = "A label that results carry; the numbers are in any consistent units.",
-         .may_change = true},
-        {.name = "gravity",
-         .type = ValueType::time_vector,
-         .dimension = "length/time²",
-         .default_text = "[0, 0, 0]",
-         .sentence = "Acceleration that acts on every mass, global components."},
-        {.name = "plane",
-         .type = ValueType::choice,
-         .default_text = "none: a model in space",
-         .sentence =
-             "The plane in which the model stays: displacements across it and rotations out of it are "
-             "held at every node, which halves the unknowns.",
-         .choices = words_of(plane_choices)},
-        {.name = "parameters", .type = ValueType::parameters, .table = &parameters_table()},
-        {.name = "function", .type = ValueType::named_tables, .table = &function_table()},
-        {.name = "input", .type = ValueType::named_tables, .table = &input_table(), .may_change = true},
-        {.name = "section", .type = ValueType::named_tables, .table = &section_table()},
-        {.name = "rod", .type = ValueType::named_tables, .table = &rod_table()},
-        {.name = "body", .type = ValueType::named_tables, .table = &body_table()},
-        {.name = "spring", .type = ValueType::named_tables, .table = &spring_table()},
-        {.name = "bushing", .type = ValueType::named_tables, .table = &bushing_table()},
-        {.name = "joint", .type = ValueType::named_tables, .table = &joint_table()},
-        {.name = "gear", .type = ValueType::named_tables, .table = &gear_table()},
-        {.name = "connect", .type = ValueType::table_list, .table = &connect_table()},
-        {.name = "load", .type = ValueType::table_list, .table = &load_table()},
-        {.name = "tendon", .type = ValueType::named_tables, .table = &tendon_table()},
-        {.name = "actuation", .type = ValueType::table_list, .table = &actuation_table()},
-        {.name = "magnetic", .type = ValueType::table_list, .table = &magnetic_table()},
-        {.name = "fluid", .type = ValueType::table, .table = &fluid_table()},
-        {.name = "wave", .type = ValueType::table_list, .table = &wave_table()},
-        {.name = "air", .type = ValueType::table, .table = &air_table()},
-        {.name = "seabed", .type = ValueType::table, .table = &seabed_table()},
-        {.name = "contact", .type = ValueType::table, .table = &contact_table()},
-        {.name = "obstacle", .type = ValueType::named_tables, .table = &obstacle_table()},
-        {.name = "support", .type = ValueType::table_list, .table = &support_table()},
-        {.name = "initial", .type = ValueType::table_list, .table = &initial_table()},
-        {.name = "rotation", .type = ValueType::table, .table = &rotation_table()},
-        {.name = "analysis", .type = ValueType::table, .table = &analysis_table()},
-        {.name = "stage", .type = ValueType::table_list, .table = &stage_table()},
-        {.name = "output", .type = ValueType::table, .table = &output_table(), .may_change = true},
-        {.name = "history", .type = ValueType::table_list, .table = &history_table(), .may_change = true},
-    };
-    root.groups = {{GroupRule::at_least_one, {"rod", "body"}},
-                   {GroupRule::exactly_one, {"analysis", "stage"}}};
-    root.example =
-        "title = \"Flexible rod in free flight, and a top\"\n"
-        "units = \"m kg s\"\n"
-        "gravity = [0, 0, -9.81]\n";
-    return root;
-}
-
-}  // namespace
-
-const TableSpec& deck_schema() {
-    static const TableSpec root = make_root();
-    return root;
-}
-
 bool Range::contains(double value) const {
     const bool above = at_lower == Bound::open ? value > lower : value >= lower;
     const bool below = at_upper == Bound::open ? value < upper : value <= upper;

@@ -10,47 +10,6 @@
 namespace gxrod {
 namespace {
 
-constexpr KeySynonyms keys[] = {
-    {"", "gravity", "g gravity_vector gravitation acceleration_of_gravity"},
-    {"", "title", "name description"},
-    {"", "section", "cross_section cross_sections profile profiles"},
-    {"", "rod", "beam beams cable cables rope string element elements"},
-    {"", "body", "rigid_body rigid_bodies mass point_mass"},
-    {"", "spring", "springs damper dampers dashpot strut bungee"},
-    {"", "bushing", "bushings torsion_spring rotational_spring mount elastic_joint"},
-    {"",
-     "joint",
-     "joints hinge hinges pin pins revolute ball spherical universal cardan prismatic cylindrical screw "
-     "mechanism motor"},
-    {"", "gear", "gears gearbox rack pinion transmission coupling"},
-    {"", "load", "force forces moment"},
-    {"", "tendon", "tendons actuator actuators wire wires chamber pneumatic"},
-    {"", "actuation", "actuations muscle muscles thermal heat temperature eigenstrain growth"},
-    {"", "magnetic", "magnet magnets magnetic_field field"},
-    {"",
-     "support",
-     "boundary boundaries boundary_condition boundary_conditions bc bcs constraint constraints clamp"},
-    {"", "connect", "tie ties merge weld"},
-    {"", "initial", "initial_condition initial_conditions initial_velocity ic"},
-    {"", "analysis", "solver simulation solution step integration"},
-    {"", "output", "results frames writer"},
-    {"", "history", "sensor sensors probe probes monitor monitors recorder"},
-    {"", "function", "amplitude amplitudes curve curves time_function"},
-    {"", "parameters", "params constants variables"},
-    {"", "vary", "sweep variations"},
-    {"", "deck", "model base template"},
-    {"", "combine", "mode combination"},
-    {"", "count", "samples n"},
-    {"", "collect", "measure measures"},
-    {"", "time_limit", "timeout"},
-    {"", "fluid", "water sea current ocean environment hydro"},
-    {"", "wave", "waves sea_state irregular"},
-    {"", "air", "wind aero"},
-    {"", "contact", "contacts collision collisions touching"},
-    {"", "obstacle", "obstacles wall surface"},
-    {"", "seabed", "bed ground soil floor terrain bottom"},
-};
-
 // A word means the first of its choices that the key has.
 constexpr WordSynonyms choices[] = {
     {"all", "clamped clamp fixed encastre rigid built_in full everything"},
@@ -145,18 +104,7 @@ bool has_word(std::string_view words, const std::string& word) {
     return (" " + std::string(words) + " ").find(" " + word + " ") != std::string::npos;
 }
 
-// Whether the table has what is meant, if that is a key: plans and decks both have a top level.
-bool has_key(const TableSpec& table, const std::string& meant) {
-    if (meant.empty()) return true;
-    const std::size_t dot = meant.find('.');
-    const KeySpec* key = table.find(meant.substr(0, dot));
-    if (key == nullptr || dot == std::string::npos) return key != nullptr;
-    return key->table != nullptr && key->table->find(meant.substr(dot + 1)) != nullptr;
-}
-
 }  // namespace
-
-std::span<const KeySynonyms> key_synonyms() { return keys; }
 
 std::span<const WordSynonyms> word_synonyms() { return choices; }
 
@@ -170,11 +118,7 @@ std::optional<OtherNames> find_synonym(const TableSpec& table, std::string_view 
     for (const OtherNames& names : table.other_names) {
         if (has_word(names.words, word)) return names;
     }
-    const auto* found = std::find_if(std::begin(keys), std::end(keys), [&](const KeySynonyms& synonyms) {
-        return table.path == synonyms.table && has_word(synonyms.words, word) && has_key(table, synonyms.key);
-    });
-    if (found == std::end(keys)) return std::nullopt;
-    return OtherNames{found->key, found->words, found->remark};
+    return std::nullopt;
 }
 
 std::string explain_synonym(const TableSpec& table, std::string_view key) {

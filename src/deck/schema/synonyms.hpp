@@ -11,21 +11,12 @@
 // The words that users of other programs type, and their names here.
 namespace gxrod {
 
-// OtherNames of the table of this path, if it does not declare them itself (TableSpec::other_names).
-struct KeySynonyms {
-    const char* table;
-    const char* key;
-    const char* words;
-    const char* remark = "";
-};
-
 // Words of a choice.
 struct WordSynonyms {
     const char* choice;
     const char* words;
 };
 
-std::span<const KeySynonyms> key_synonyms();
 std::span<const WordSynonyms> word_synonyms();
 
 // "a b c" as a, b, c.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "deck/schema/schema_tables.hpp"
+#include "deck/schema/top_level.hpp"
 #include "deck/sections/build_sections.hpp"
 #include "deck/sections/section_matrices.hpp"
 #include "deck/sections/section_shape.hpp"
@@ -393,7 +394,7 @@ void set_from_shape(const SectionTable& table,
 // What a dynamic analysis needs, and a static one may miss.
 void check_inertia(const SectionTable& given, const Section& section, const BuildContext& context) {
     if (!context.needs_inertia()) {
-        if (!context.deck.gives("gravity") || !section.mass.isZero(0.0)) return;
+        if (!top_level_of(context.deck).gravity || !section.mass.isZero(0.0)) return;
         context.notes.push_back(given.path + ": no inertia, so that gravity does not act on it");
     } else if (given.shape) {
         if (given.material->density) return;

@@ -4,6 +4,7 @@
 
 #include "deck/bodies/body_table.hpp"
 #include "deck/schema/schema_tables.hpp"
+#include "deck/schema/top_level.hpp"
 #include "deck/surroundings/build_waves.hpp"
 
 namespace gxrod {
@@ -63,8 +64,9 @@ void check_ground(const BuildContext& context) {
 }
 
 bool acts_down(const CheckedTable& deck) {
-    if (!deck.gives("gravity")) return false;
-    const auto& gravity = deck.get<CheckedTimeVector>("gravity");
+    const auto& given = top_level_of(deck).gravity;
+    if (!given) return false;
+    const CheckedTimeVector& gravity = *given;
     const TimeFunction& down = gravity[2].function;
     return gravity[0].function.is_zero() && gravity[1].function.is_zero() &&
            (!down.is_constant() || down(0.0) < 0.0);

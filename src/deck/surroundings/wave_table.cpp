@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "deck/schema/schema_tables.hpp"
+#include "deck/schema/top_level.hpp"
 #include "deck/surroundings/build_seabed.hpp"
 #include "environment/dispersion.hpp"
 #include "environment/sea.hpp"
@@ -177,8 +178,9 @@ std::vector<WaveTrain> make_waves(std::size_t index,
 
 // Gravity under which waves run; nullopt with a fault.
 std::optional<double> find_gravity(const BuildContext& context) {
-    if (!context.deck.gives("gravity")) return std::nullopt;  // of the surface a fault already
-    const CheckedTimeFunction& down = context.deck.get<CheckedTimeVector>("gravity")[2];
+    const auto& gravity = top_level_of(context.deck).gravity;
+    if (!gravity) return std::nullopt;  // of the surface a fault already
+    const CheckedTimeFunction& down = (*gravity)[2];
     if (down.function.is_constant())
         return down.function(0.0) < 0.0 ? std::optional(-down.function(0.0)) : std::nullopt;
     context.faults.add(down.place, down.path, "waves take a number: the waves of a deck have one gravity");

@@ -104,6 +104,7 @@ inline constexpr const std::array<Choice<Compression>, 2>& choices_of(Compressio
 inline constexpr const std::array<Choice<Interpolation>, 3>& choices_of(Interpolation) {
     return interpolation_choices;
 }
+inline constexpr const std::array<Choice<PlaneAcross>, 3>& choices_of(PlaneAcross) { return plane_choices; }
 inline constexpr const std::array<Choice<StrainPart>, 8>& choices_of(StrainPart) {
     return strain_part_choices;
 }

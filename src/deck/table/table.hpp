@@ -60,16 +60,17 @@ template <class T>
 class Table {
   public:
     // The heading is as a deck has it: [spring.NAME] or [[load]]; or, of a table in a table, its path, such
-    // as bushing.NAME.stiffness, with [] at its end if it is one of a list.
+    // as bushing.NAME.stiffness, with [] at its end if it is one of a list; or empty, of the top level.
     Table(const std::string& heading, std::string sentence) {
-        const bool has_brackets = heading.front() == '[';
+        spec_.sentence = std::move(sentence);
+        spec_.make = [] { return std::make_shared<T>(); };
+        if (heading.empty()) return;
+        const bool has_brackets = heading.starts_with('[');
         const std::size_t from = heading.find_first_not_of('[');
         spec_.path = heading.substr(from, heading.find_last_not_of("[]") + 1 - from);
         spec_.heading = has_brackets ? heading
                                      : spec_.path.substr(spec_.path.rfind('.') + 1) +
                                            (heading.ends_with("[]") ? " = [{ … }, …]" : " = { … }");
-        spec_.sentence = std::move(sentence);
-        spec_.make = [] { return std::make_shared<T>(); };
     }
 
     // `access` is a member pointer, or takes a T& and returns a reference to one of its fields.
@@ -134,6 +135,12 @@ class Table {
         for (const KeySpec& key : spec.keys) {
             if (names.empty() || std::ranges::find(names, key.name) != names.end()) spec_.keys.push_back(key);
         }
+        return *this;
+    }
+
+    // Adds tables that are not held by this one: their own functions find them in the deck.
+    Table& tables(const std::string& name, ValueType type, const TableSpec& inner) {
+        spec_.keys.push_back({.name = name, .type = type, .table = &inner});
         return *this;
     }
 

@@ -9,6 +9,7 @@ namespace gxrod {
 
 const KeySpec& TableHead::key_of(const void* field) const {
     const auto key = std::ranges::find_if(spec->keys, [&](const KeySpec& one) {
+        if (!one.binding) return false;  // tables of the top level
         return one.binding->field(*this) == field || one.binding->value(*this) == field;
     });
     assert(key != spec->keys.end());
@@ -20,7 +21,10 @@ Place TableHead::place_of(const void* field) const {
     return found == nullptr ? place : *found;
 }
 
-std::string TableHead::path_of(const void* field) const { return path + "." + key_of(field).name; }
+std::string TableHead::path_of(const void* field) const {
+    const std::string& key = key_of(field).name;
+    return path.empty() ? key : path + "." + key;
+}
 
 const Place* TableHead::find_place(const void* field) const {
     const std::string& key = key_of(field).name;

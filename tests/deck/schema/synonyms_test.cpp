@@ -34,7 +34,7 @@ bool is_list(const std::string& path) {
     const KeySpec* key = deck_schema().find(path.substr(0, dot));
     if (dot != std::string::npos && key != nullptr)
         key = key->table != nullptr ? key->table->find(path.substr(dot + 1)) : nullptr;
-    return key != nullptr && key->type == ValueType::table_list;
+    return key != nullptr && key->shape == KeyShape::table_list;
 }
 
 // A deck of one key in the table of this path, and the path of the key in messages.
@@ -63,9 +63,10 @@ TEST_CASE("Every synonym of a key leads to an existing key", "[deck]") {
     const auto of_deck = all_tables(deck_schema());
     const auto of_plan = all_tables(plan_schema());
     std::vector<std::pair<std::string, OtherNames>> all;
-    for (const auto& [path, key, words, remark] : key_synonyms()) all.push_back({path, {key, words, remark}});
-    for (const auto& [path, table] : of_deck) {
-        for (const OtherNames& names : table->other_names) all.emplace_back(path, names);
+    for (const auto* tables : {&of_deck, &of_plan}) {
+        for (const auto& [path, table] : *tables) {
+            for (const OtherNames& names : table->other_names) all.emplace_back(path, names);
+        }
     }
     for (const auto& [path_of_table, synonyms] : all) {
         CHECK((of_deck.contains(path_of_table) || of_plan.contains(path_of_table)));

@@ -58,7 +58,7 @@ void check_key(const KeySpec& key, const std::string& sample, const TableSpec& s
     CHECK(print(key, read) == print_of(key, sample));
     CHECK(print(key, read) != print(key, *fresh));
     for (const KeySpec& other : spec.keys) {
-        if (other.name != key.name) CHECK(print(other, read) == print(other, *fresh));
+        if (other.binding && other.name != key.name) CHECK(print(other, read) == print(other, *fresh));
     }
     const void* field = key.binding->field(read);
     CHECK(&read.key_of(field) == &key);
@@ -74,6 +74,7 @@ void check_key(const KeySpec& key, const std::string& sample, const TableSpec& s
 TEST_CASE("Each key of a bound table is read as it is written, into its own field", "[deck]") {
     for (const TableSpec* spec : bound_tables()) {
         for (const KeySpec& key : spec->keys) {
+            if (!key.binding) continue;  // tables of the top level
             for (const std::string& sample : samples_of(key)) check_key(key, sample, *spec);
         }
     }
@@ -89,7 +90,7 @@ TEST_CASE("No more than so many tables have keys that are fetched by strings", "
         }
     };
     collect(deck_schema());
-    CHECK(all.size() == 1);
+    CHECK(all.size() == 0);
 }
 
 }  // namespace gxrod::test

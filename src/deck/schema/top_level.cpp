@@ -1,0 +1,113 @@
+#include "deck/schema/top_level.hpp"
+
+#include "deck/schema/schema.hpp"
+#include "deck/schema/schema_tables.hpp"
+#include "deck/table/table.hpp"
+
+namespace gxrod {
+namespace {
+
+const TableSpec& parameters_table() {
+    static const TableSpec table{
+        .path = "parameters",
+        .heading = "[parameters]",
+        .sentence =
+            "Names for numbers, which every expression of the deck can use. They may use each other, in any "
+            "order.",
+        .keys = {},
+        .example =
+            "[parameters]\n"
+            "EI = 500.0\n"
+            "GJ = \"0.8*EI\"\n"};
+    return table;
+}
+
+}  // namespace
+
+const TableSpec& deck_schema() {
+    using T = TopLevelTable;
+    // clang-format off
+    static const TableSpec table = Table<T>("", "Keys that stand before the first [table].")
+        .key("title", &T::title, "What the deck is about.")
+            .may_change()
+            .also("name description")
+        .key("units", &T::units, "A label that results carry; the numbers are in any consistent units.")
+            .may_change()
+        .key("gravity", &T::gravity, "Acceleration that acts on every mass, global components.")
+            .unit("length/time²").otherwise("[0, 0, 0]")
+            .also("g gravity_vector gravitation acceleration_of_gravity")
+        .key("plane", &T::plane, "The plane in which the model stays: displacements across it and rotations out of it "
+             "are held at every node, which halves the unknowns.")
+            .otherwise("none: a model in space")
+        .tables("parameters", ValueType::parameters, parameters_table())
+            .also("params constants variables")
+        .tables("function", ValueType::named_tables, function_table())
+            .also("amplitude amplitudes curve curves time_function")
+        .tables("input", ValueType::named_tables, input_table())
+            .may_change()
+        .tables("section", ValueType::named_tables, section_table())
+            .also("cross_section cross_sections profile profiles")
+        .tables("rod", ValueType::named_tables, rod_table())
+            .also("beam beams cable cables rope string element elements")
+        .tables("body", ValueType::named_tables, body_table())
+            .also("rigid_body rigid_bodies mass point_mass")
+        .tables("spring", ValueType::named_tables, spring_table())
+            .also("springs damper dampers dashpot strut bungee")
+        .tables("bushing", ValueType::named_tables, bushing_table())
+            .also("bushings torsion_spring rotational_spring mount elastic_joint")
+        .tables("joint", ValueType::named_tables, joint_table())
+            .also("joints hinge hinges pin pins revolute ball "
+                  "spherical universal cardan prismatic cylindrical screw mechanism motor")
+        .tables("gear", ValueType::named_tables, gear_table())
+            .also("gears gearbox rack pinion transmission coupling")
+        .tables("connect", ValueType::table_list, connect_table())
+            .also("tie ties merge weld")
+        .tables("load", ValueType::table_list, load_table())
+            .also("force forces moment")
+        .tables("tendon", ValueType::named_tables, tendon_table())
+            .also("tendons actuator actuators wire wires chamber pneumatic")
+        .tables("actuation", ValueType::table_list, actuation_table())
+            .also("actuations muscle muscles thermal heat temperature eigenstrain growth")
+        .tables("magnetic", ValueType::table_list, magnetic_table())
+            .also("magnet magnets magnetic_field field")
+        .tables("fluid", ValueType::table, fluid_table())
+            .also("water sea current ocean environment hydro")
+        .tables("wave", ValueType::table_list, wave_table())
+            .also("waves sea_state irregular")
+        .tables("air", ValueType::table, air_table())
+            .also("wind aero")
+        .tables("seabed", ValueType::table, seabed_table())
+            .also("bed ground soil floor terrain bottom")
+        .tables("contact", ValueType::table, contact_table())
+            .also("contacts collision collisions touching")
+        .tables("obstacle", ValueType::named_tables, obstacle_table())
+            .also("obstacles wall surface")
+        .tables("support", ValueType::table_list, support_table())
+            .also("boundary boundaries boundary_condition boundary_conditions bc bcs constraint constraints clamp")
+        .tables("initial", ValueType::table_list, initial_table())
+            .also("initial_condition initial_conditions initial_velocity ic")
+        .tables("rotation", ValueType::table, rotation_table())
+        .tables("analysis", ValueType::table, analysis_table())
+            .also("solver simulation solution step integration")
+        .tables("stage", ValueType::table_list, stage_table())
+        .tables("output", ValueType::table, output_table())
+            .may_change()
+            .also("results frames writer")
+        .tables("history", ValueType::table_list, history_table())
+            .may_change()
+            .also("sensor sensors probe probes monitor monitors recorder")
+        .at_least_one_of({"rod", "body"})
+        .exactly_one_of({"analysis", "stage"})
+        .shown_by(
+            "title = \"Flexible rod in free flight, and a top\"\n"
+            "units = \"m kg s\"\n"
+            "gravity = [0, 0, -9.81]\n");
+    // clang-format on
+    return table;
+}
+
+const TopLevelTable& top_level_of(const CheckedTable& deck) {
+    return static_cast<const TopLevelTable&>(*deck.record);
+}
+
+}  // namespace gxrod

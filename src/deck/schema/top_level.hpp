@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "deck/reading/checked_deck.hpp"
+#include "deck/schema/choices.hpp"
+#include "deck/table/table_head.hpp"
+
+// The keys before the first [table].
+namespace gxrod {
+
+struct TopLevelTable : TableHead {
+    std::string title;
+    std::string units;
+    std::optional<CheckedTimeVector> gravity;
+    std::optional<PlaneAcross> plane;
+};
+
+// The keys of a whole deck.
+const TopLevelTable& top_level_of(const CheckedTable& deck);
+
+}  // namespace gxrod
