@@ -7,6 +7,7 @@
 
 #include "batch/plan/faulty_plan.hpp"
 #include "batch/plan/plan_schema.hpp"
+#include "batch/plan/plan_tables.hpp"
 #include "batch/plan/read_variations.hpp"
 #include "deck/reading/validation.hpp"
 #include "deck/text/csv_reading.hpp"
@@ -30,58 +31,51 @@ constexpr std::array reserved_names{"case",
                                     "results",
                                     "warning"};
 
-// The value of a key that is given, or has a default, and is no fault; nullptr otherwise.
-template <class Value>
-const Value* find_value(const CheckedTable& table, std::string_view key) {
-    const CheckedValue* found = table.find(key);
-    return found == nullptr ? nullptr : std::get_if<Value>(&found->value);
-}
-
 // nullopt where a value is at fault.
-std::optional<Collection> read_collection(const CheckedTable& table, FaultList& faults) {
-    Collection collection;
-    collection.name = table.name;
-    collection.place = table.place;
+std::optional<Collection> read_collection(const CollectTable& table, FaultList& faults) {
     if (std::find(reserved_names.begin(), reserved_names.end(), table.name) != reserved_names.end()) {
         faults.add(
             table.place, table.path, "every table has a column of this name already; take another one");
     }
-    const bool is_of_stage = table.gives("stage");
-    for (const char* key : {"component", "take", "at"}) {
-        if (!is_of_stage || !table.gives(key)) continue;
-        faults.add(table.place_of(key),
-                   table.path_of(key),
+    const bool is_of_stage = table.gives(table.stage);
+    const auto refuse = [&](const auto& field) {
+        if (!table.gives(field)) return;
+        faults.add(table.place_of(&field),
+                   table.path_of(&field),
                    "is for histories and the ledger, not for what a stage finds");
-    }
-    bool is_right = is_of_stage ? table.gives("found")
-                                : table.gives("history") != table.gives("ledger") &&
-                                      table.gives("take") != table.gives("at");
-    const auto take_word = [&](const char* key, const auto& take) {
-        if (!table.gives(key)) return;
-        const auto* word = find_value<std::string>(table, key);
-        is_right = is_right && word != nullptr;
-        if (word != nullptr) take(*word);
     };
-    take_word("stage", [&](const std::string& word) { collection.stage = word; });
-    take_word("found", [&](const std::string& word) { collection.found = word; });
-    if (const auto* number = find_value<long>(table, "number")) collection.number = *number;
-    take_word("history", [&](const std::string& word) { collection.history = word; });
-    if (table.gives("history")) {
-        is_right = is_right && table.gives("quantity");
-        take_word("quantity", [&](const std::string& word) { collection.quantity = word; });
+    if (is_of_stage) {
+        refuse(table.component);
+        refuse(table.take);
+        refuse(table.at);
     }
-    take_word("ledger", [&](const std::string& word) {
-        collection.ledger = std::find_if(ledger_columns.begin(),
-                                         ledger_columns.end(),
-                                         [&](const auto& column) { return column.name == word; });
-    });
-    take_word("component",
-              [&](const std::string& word) { collection.component = value_of(component_choices, word); });
-    take_word("take", [&](const std::string& word) { collection.take = value_of(take_choices, word); });
-    if (const auto* at = find_value<double>(table, "at")) collection.at = *at;
-    if (const auto* reference = find_value<double>(table, "reference")) collection.reference = *reference;
-    is_right = is_right && (!table.gives("at") || collection.at.has_value());
-    return is_right ? std::optional(collection) : std::nullopt;
+    const auto is_read = [&](const auto& field) { return !table.gives(field) || field.has_value(); };
+    const bool is_whole = is_of_stage ? table.gives(table.found)
+                                      : table.gives(table.history) != table.gives(table.ledger) &&
+                                            table.gives(table.take) != table.gives(table.at);
+    const bool is_right = is_whole && is_read(table.stage) && is_read(table.found) &&
+                          is_read(table.history) && is_read(table.ledger) && is_read(table.component) &&
+                          is_read(table.take) && is_read(table.at) &&
+                          (!table.gives(table.history) || table.quantity.has_value());
+    if (!is_right) return std::nullopt;
+    Collection collection;
+    collection.name = table.name;
+    collection.place = table.place;
+    collection.stage = table.stage.value_or("");
+    if (table.found) collection.found = table.found->word;
+    collection.number = table.number;
+    collection.history = table.history.value_or("");
+    if (table.history) collection.quantity = table.quantity->word;
+    if (table.ledger)
+        collection.ledger =
+            std::ranges::find(ledger_columns, table.ledger->word, [](const LedgerColumn& column) {
+                return std::string(column.name);
+            });
+    collection.component = table.component;
+    collection.take = table.take.value_or(collection.take);
+    collection.at = table.at;
+    collection.reference = table.reference;
+    return collection;
 }
 
 // Values that are taken together must be equally many.
@@ -121,31 +115,26 @@ void check_count(const Plan& plan, FaultList& faults) {
     faults.add({}, "", fmt::format("makes {:.0f} cases; {} at most are run", count, largest_case_count));
 }
 
-void take_settings(const CheckedTable& checked, Plan& plan) {
-    if (const auto* word = find_value<std::string>(checked, "combine"))
-        plan.combination = value_of(combination_choices, *word);
+void take_settings(const PlanTable& given, Plan& plan) {
+    plan.combination = given.combine;
     if (plan.combination == Combination::latin_hypercube) {
-        if (const auto* count = find_value<long>(checked, "count")) plan.count = *count;
-        if (const auto* seed = find_value<long>(checked, "seed"))
-            plan.seed = static_cast<std::uint64_t>(*seed);
+        plan.count = given.count.value_or(plan.count);
+        plan.seed = static_cast<std::uint64_t>(given.seed);
     }
-    if (const auto* limit = find_value<double>(checked, "time_limit")) plan.time_limit = *limit;
-    if (const auto* limit = find_value<double>(checked, "memory_limit"))
-        plan.memory_limit = *limit * bytes_in_gigabyte;
-    if (checked.tables("keep").empty()) return;
-    if (const auto* word = find_value<std::string>(checked.tables("keep").front(), "results"))
-        plan.keeping = value_of(keeping_choices, *word);
+    plan.time_limit = given.time_limit.value_or(plan.time_limit);
+    if (given.memory_limit) plan.memory_limit = *given.memory_limit * bytes_in_gigabyte;
+    if (given.keep) plan.keeping = given.keep->results;
 }
 
-// Whether there is the file that a key names.
+// Whether there is the file that a field names.
 bool check_file(const std::filesystem::path& file,
-                const char* key,
-                const CheckedTable& checked,
+                const std::optional<std::string>& field,
+                const PlanTable& given,
                 FaultList& faults) {
     std::error_code ignored;
     if (std::filesystem::exists(file, ignored)) return true;
-    faults.add(checked.place_of(key),
-               key,
+    faults.add(given.place_of(&field),
+               given.path_of(&field),
                fmt::format("there is no file {}; it is looked for from the plan's folder", file.string()));
     return false;
 }
@@ -160,19 +149,20 @@ Plan read_plan(const std::filesystem::path& file) { return read_plan_text(read_p
 
 namespace {
 
-void read_cases(const CheckedTable& checked, Plan& plan, FaultList& faults) {
+void read_cases(const PlanTable& given, Plan& plan, FaultList& faults) {
     const DeckEntry* vary = plan.tree.find("vary");
     if (vary != nullptr && vary->node.table() != nullptr)
         plan.variations = read_variations(vary->node, plan.combination, faults);
     if (plan.combination == Combination::table) {
-        if (const auto* table = find_value<std::string>(checked, "table")) {
-            plan.table = std::filesystem::path(plan.file).parent_path() / *table;
-            if (check_file(plan.table, "table", checked, faults))
-                read_table_columns(plan.table, checked.place_of("table"), plan.variations, faults);
+        if (given.table) {
+            plan.table = std::filesystem::path(plan.file).parent_path() / *given.table;
+            if (check_file(plan.table, given.table, given, faults))
+                read_table_columns(plan.table, given.place_of(&given.table), plan.variations, faults);
         }
     } else if (plan.variations.empty() && (vary == nullptr || vary->node.table() != nullptr)) {
-        faults.add(
-            checked.place_of("vary"), "vary", "missing or empty; expected what differs from case to case");
+        faults.add(vary == nullptr ? given.place : vary->node.place,
+                   "vary",
+                   "missing or empty; expected what differs from case to case");
     }
     if (plan.combination == Combination::zip) check_zip(plan, faults);
     check_count(plan, faults);
@@ -188,15 +178,17 @@ Plan read_plan_text(std::string text, const std::filesystem::path& file) {
     plan.tree = read_toml(plan.text, plan.file);
     FaultList faults(plan.file, {});
     const CheckedTable checked = check_text(plan.tree, plan_schema(), faults);
-    take_settings(checked, plan);
+    const auto& given = static_cast<const PlanTable&>(*checked.record);
+    take_settings(given, plan);
     bool has_deck = false;
-    if (const auto* deck = find_value<std::string>(checked, "deck")) {
-        plan.decks = {file.parent_path() / *deck};
-        has_deck = check_file(plan.decks[0], "deck", checked, faults);
+    if (given.deck) {
+        plan.decks = {file.parent_path() / *given.deck};
+        has_deck = check_file(plan.decks[0], given.deck, given, faults);
     }
-    read_cases(checked, plan, faults);
+    read_cases(given, plan, faults);
     for (const CheckedTable& table : checked.tables("collect")) {
-        const std::optional<Collection> collection = read_collection(table, faults);
+        const std::optional<Collection> collection =
+            read_collection(static_cast<const CollectTable&>(*table.record), faults);
         if (!collection) continue;
         plan.collections.push_back(*collection);
         check_column_name(plan.collections.back(), plan.variations, faults);

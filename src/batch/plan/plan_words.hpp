@@ -17,12 +17,15 @@ inline constexpr std::array<Choice<Combination>, 4> combination_choices{
      {"zip", Combination::zip},
      {"latin-hypercube", Combination::latin_hypercube},
      {"table", Combination::table}}};
+inline constexpr const auto& choices_of(Combination) { return combination_choices; }
 
 inline constexpr std::array<Choice<Spacing>, 2> spacing_choices{
     {{"linear", Spacing::linear}, {"log", Spacing::log}}};
+inline constexpr const auto& choices_of(Spacing) { return spacing_choices; }
 
 inline constexpr std::array<Choice<Keeping>, 3> keeping_choices{
     {{"all", Keeping::all}, {"failed", Keeping::failed}, {"none", Keeping::none}}};
+inline constexpr const auto& choices_of(Keeping) { return keeping_choices; }
 
 inline constexpr std::array<Choice<Take>, 6> take_choices{{{"min", Take::least},
                                                            {"max", Take::largest},
@@ -30,11 +33,13 @@ inline constexpr std::array<Choice<Take>, 6> take_choices{{{"min", Take::least},
                                                            {"rms", Take::rms},
                                                            {"final", Take::last},
                                                            {"max_abs", Take::largest_absolute}}};
+inline constexpr const auto& choices_of(Take) { return take_choices; }
 
 inline constexpr std::array<Choice<Component>, 5> component_choices{{{"x", Component::x},
                                                                      {"y", Component::y},
                                                                      {"z", Component::z},
                                                                      {"w", Component::w},
                                                                      {"magnitude", Component::magnitude}}};
+inline constexpr const auto& choices_of(Component) { return component_choices; }
 
 }  // namespace gxrod

@@ -8,6 +8,7 @@
 
 #include "batch/plan/latin_hypercube.hpp"
 #include "batch/plan/plan_schema.hpp"
+#include "batch/plan/plan_tables.hpp"
 #include "batch/plan/value_range.hpp"
 #include "deck/reading/validation.hpp"
 #include "deck/schema/suggestion.hpp"
@@ -20,28 +21,17 @@
 namespace gxrod {
 namespace {
 
-struct NamedKind {
-    const char* key;
-    Spread::Kind kind;
-};
-
-constexpr std::array<NamedKind, 3> spread_kinds{{{"uniform", Spread::Kind::uniform},
-                                                 {"normal", Spread::Kind::normal},
-                                                 {"lognormal", Spread::Kind::lognormal}}};
-
 std::string path_of(const std::string& key) { return fmt::format("vary.\"{}\"", key); }
 
 // "a" and "b" of the combination that a kind of entry is for, if it is not for this one; else "".
-std::string explain_combination(const CheckedTable& entry, Combination combination) {
-    const bool is_spread = std::any_of(spread_kinds.begin(), spread_kinds.end(), [&](const NamedKind& kind) {
-        return entry.gives(kind.key);
-    });
+std::string explain_combination(const VariationTable& entry, Combination combination) {
+    const bool is_spread = entry.uniform || entry.normal || entry.lognormal;
     if (is_spread && combination != Combination::latin_hypercube) {
         return "a distribution is drawn from with combine = \"latin-hypercube\" only; expected a list of "
                "values or "
                "{ from, to, count }";
     }
-    if (entry.gives("column") != (combination == Combination::table)) {
+    if (entry.column.has_value() != (combination == Combination::table)) {
         return combination == Combination::table
                    ? "with combine = \"table\" the values are in the table; expected { column = \"…\" }"
                    : "a column is taken with combine = \"table\" only; expected a list of values or { from, "
@@ -105,49 +95,50 @@ class VariationReader {
         if (combination_ == Combination::latin_hypercube && node.find("from") && !node.find("count"))
             return add(node.place, "a sample between two numbers is uniform = { from = …, to = … }");
         const std::size_t before = faults_.count();
-        const CheckedTable entry = check_table(node, path_, variation_table(), faults_);
+        const CheckedTable checked = check_table(node, path_, variation_table(), faults_);
         if (faults_.count() > before) return;
+        const auto& entry = static_cast<const VariationTable&>(*checked.record);
         const std::string wrong = explain_combination(entry, combination_);
         if (!wrong.empty()) return add(node.place, wrong);
-        if (entry.gives("column")) variation.values = {entry.get<std::string>("column")};
-        if (entry.gives("from")) variation.values = read_range(entry);
-        for (const NamedKind& kind : spread_kinds) {
-            if (entry.gives(kind.key))
-                variation.spread = read_spread(entry.tables(kind.key).front(), kind.kind);
-        }
+        if (entry.column) variation.values = {*entry.column};
+        if (entry.from) variation.values = read_range(entry);
+        if (entry.uniform) variation.spread = read_spread(*entry.uniform, {.kind = Spread::Kind::uniform});
+        if (entry.normal) variation.spread = read_spread(*entry.normal, Spread::Kind::normal);
+        if (entry.lognormal) variation.spread = read_spread(*entry.lognormal, Spread::Kind::lognormal);
     }
 
-    std::vector<std::string> read_range(const CheckedTable& entry) {
-        const double from = entry.get<double>("from");
-        const double to = entry.get<double>("to");
-        const Spacing spacing = entry.gives("spacing")
-                                    ? value_of(spacing_choices, entry.get<std::string>("spacing"))
-                                    : Spacing::linear;
+    std::vector<std::string> read_range(const VariationTable& entry) {
+        const double from = *entry.from;
+        const double to = *entry.to;
+        const Spacing spacing = entry.spacing.value_or(Spacing::linear);
         if (from == to) {
-            add(entry.place_of("to"), "an empty range: from and to are the same");
+            add(entry.place_of(&entry.to), "an empty range: from and to are the same");
             return {};
         }
         if (spacing == Spacing::log && !(from * to > 0.0)) {
-            add(entry.place_of("from"), "equal ratios need both ends positive, or both negative");
+            add(entry.place_of(&entry.from), "equal ratios need both ends positive, or both negative");
             return {};
         }
         std::vector<std::string> values;
-        for (const double number : space_out(from, to, entry.get<long>("count"), spacing))
+        for (const double number : space_out(from, to, *entry.count, spacing))
             values.push_back(write_number(number));
         return values;
     }
 
-    Spread read_spread(const CheckedTable& table, Spread::Kind kind) {
+    Spread read_spread(const NormalTable& table, Spread::Kind kind) {
         Spread spread{.kind = kind};
-        const auto take = [&](const char* key, double& target) {
-            if (table.gives(key)) target = table.get<double>(key);
-        };
-        take("from", spread.from);
-        take("to", spread.to);
-        take("mean", spread.mean);
-        take("deviation", spread.deviation);
+        spread.mean = table.mean;
+        spread.deviation = table.deviation;
+        return read_spread(table, spread);
+    }
+
+    // Takes the ends of a distribution.
+    Spread read_spread(const UniformTable& table, Spread spread) {
+        spread.from = table.from.value_or(spread.from);
+        spread.to = table.to.value_or(spread.to);
         if (!(spread.from < spread.to)) {
-            add(table.place_of("to"), fmt::format("an empty range: from {} to {}", spread.from, spread.to));
+            add(table.place_of(&table.to),
+                fmt::format("an empty range: from {} to {}", spread.from, spread.to));
         }
         if (spread.from < spread.to && !(probability_within(spread) > 0.0)) {
             add(table.place,

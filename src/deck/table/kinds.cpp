@@ -191,6 +191,11 @@ std::optional<TableNames> Kind<TableNames>::read(const ValueSource& from) {
 
 std::string Kind<TableNames>::print(const TableNames& value) { return print_words(value.names); }
 
+std::optional<ChosenWord> Kind<ChosenWord>::read(const ValueSource& from) {
+    auto word = read_word(from.node, from.path, from.key, from.context);
+    return word ? std::optional(ChosenWord{std::move(*word)}) : std::nullopt;
+}
+
 std::optional<WordList> Kind<WordList>::read(const ValueSource& from) {
     auto words = read_words(from.node, from.path, from.key, from.context);
     return words ? std::optional(WordList{std::move(*words)}) : std::nullopt;

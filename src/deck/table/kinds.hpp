@@ -37,6 +37,10 @@ struct TableName : CheckedWord {};
 struct TableNames {
     std::vector<CheckedWord> names;
 };
+// One of the key's words.
+struct ChosenWord {
+    std::string word;
+};
 // One of the key's words, or several.
 struct WordList {
     std::vector<CheckedWord> words;
@@ -266,6 +270,14 @@ struct Kind<TableNames> {
     static std::optional<TableNames> read(const ValueSource& from);
     static std::string print(const TableNames& value);
     static std::string sample(const KeySpec&) { return "[\"first\", \"second\"]"; }
+};
+
+template <>
+struct Kind<ChosenWord> {
+    static constexpr ValueType type = ValueType::choice;
+    static std::optional<ChosenWord> read(const ValueSource& from);
+    static std::string print(const ChosenWord& value) { return "\"" + value.word + "\""; }
+    static std::string sample(const KeySpec& key) { return "\"" + key.choices.back() + "\""; }
 };
 
 template <>

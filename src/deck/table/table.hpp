@@ -223,10 +223,12 @@ class Table {
         return *this;
     }
 
-    Table& exactly_one_of(std::vector<std::string> keys, std::vector<Condition> only_for = {}) {
-        return group(GroupRule::exactly_one, std::move(keys), "", std::move(only_for));
-    }
     // Applies with the key `with`, if there is one.
+    Table& exactly_one_of(std::vector<std::string> keys,
+                          std::vector<Condition> only_for = {},
+                          std::string with = "") {
+        return group(GroupRule::exactly_one, std::move(keys), std::move(with), std::move(only_for));
+    }
     Table& at_least_one_of(std::vector<std::string> keys, std::string with = "") {
         return group(GroupRule::at_least_one, std::move(keys), std::move(with));
     }
