@@ -197,9 +197,9 @@ const TableSpec& plan_schema() {
             .unit("seconds").above(0).otherwise("none").also("timeout")
         .key("memory_limit", &T::memory_limit, "Memory of one case, beyond which it is ended.")
             .unit("gigabytes").above(0).otherwise("the machine's, shared by the workers")
-        .tables("vary", ValueType::variations, vary_table())
+        .tables("vary", KeyShape::variations, vary_table())
             .also("sweep variations")
-        .tables("collect", ValueType::named_tables, collect_table())
+        .tables("collect", KeyShape::named_tables, collect_table())
             .also("measure measures")
         .key("keep", &T::keep, keep_table(), "")
         .shown_by(

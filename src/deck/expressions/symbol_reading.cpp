@@ -7,9 +7,10 @@
 #include "deck/expressions/expression_syntax.hpp"
 #include "deck/expressions/function_table.hpp"
 #include "deck/expressions/use_order.hpp"
-#include "deck/reading/value_reading.hpp"
+#include "deck/reading/number_reader.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
+#include "deck/table/kinds.hpp"
 
 namespace gxrod {
 namespace {
@@ -35,7 +36,7 @@ std::set<std::string> names_used(const DeckNode& node, const Symbols& symbols, V
 bool is_misplaced_top_level_value(const DeckEntry& entry) {
     const KeySpec* key = deck_schema().find(entry.key);
     if (key == nullptr) return false;
-    return (key->type == ValueType::text && entry.node.text() != nullptr) ||
+    return (find_kind(*key) == &value_kind<std::string> && entry.node.text() != nullptr) ||
            (key->name == "gravity" && entry.node.array() != nullptr);
 }
 
@@ -71,7 +72,7 @@ void read_parameters(const DeckNode& deck, Symbols& symbols, FaultList& faults) 
     for (const std::string& name : order.too_deep) {
         faults.add(table->find(name)->place, "parameters." + name, explain_depth());
     }
-    const KeySpec number{.name = "parameter", .type = ValueType::number};
+    const KeySpec number{.name = "parameter"};
     for (const std::string& name : order.names) {
         const DeckEntry& entry = *table->find(name);
         const std::string path = "parameters." + name;
@@ -80,7 +81,7 @@ void read_parameters(const DeckNode& deck, Symbols& symbols, FaultList& faults) 
         } else if (const std::string reason = explain_unusable_name(name); !reason.empty()) {
             faults.add(entry.place, path, reason);
         } else if (!order.in_cycle.contains(name)) {
-            symbols.parameters[name] = read_number(entry.node, path, number, {symbols, faults});
+            symbols.parameters[name] = NumberReader(number, {symbols, faults}).number(entry.node, path);
         }
     }
 }

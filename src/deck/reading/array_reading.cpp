@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "deck/reading/value_reading.hpp"
+#include "deck/reading/number_reader.hpp"
 
 namespace gxrod {
 namespace {
@@ -13,7 +13,7 @@ std::optional<std::vector<double>> read_numbers(const DeckNode& node,
                                                 std::size_t size,
                                                 const ReadingContext& context) {
     // Without a range of its own.
-    static const KeySpec number{.name = "", .type = ValueType::vector};
+    static const KeySpec number{};
     if (node.array() == nullptr || node.array()->size() != size) {
         context.faults.add(
             node.place,
@@ -24,7 +24,8 @@ std::optional<std::vector<double>> read_numbers(const DeckNode& node,
     }
     std::vector<double> numbers;
     for (std::size_t i = 0; i < size; ++i) {
-        const auto value = read_number((*node.array())[i], fmt::format("{}[{}]", path, i), number, context);
+        const auto value =
+            NumberReader(number, context).number((*node.array())[i], fmt::format("{}[{}]", path, i));
         if (value) numbers.push_back(*value);
     }
     return numbers.size() == size ? std::optional(numbers) : std::nullopt;
@@ -64,7 +65,7 @@ std::optional<std::vector<double>> read_number_or_six(const DeckNode& node,
                                                       const KeySpec& key,
                                                       const ReadingContext& context) {
     if (node.array() == nullptr) {
-        const std::optional<double> number = read_number(node, path, key, context);
+        const std::optional<double> number = NumberReader(key, context).number(node, path);
         return number ? std::optional(std::vector{*number}) : std::nullopt;
     }
     if (node.array()->size() != 6) {
@@ -73,7 +74,8 @@ std::optional<std::vector<double>> read_number_or_six(const DeckNode& node,
     }
     std::vector<double> numbers;
     for (std::size_t i = 0; i < 6; ++i) {
-        const auto value = read_number((*node.array())[i], fmt::format("{}[{}]", path, i), key, context);
+        const auto value =
+            NumberReader(key, context).number((*node.array())[i], fmt::format("{}[{}]", path, i));
         if (value) numbers.push_back(*value);
     }
     return numbers.size() == 6 ? std::optional(numbers) : std::nullopt;
@@ -84,7 +86,7 @@ std::optional<std::vector<double>> read_bounds(const DeckNode& node,
                                                const KeySpec& key,
                                                const ReadingContext& context) {
     if (node.array() == nullptr) {
-        const std::optional<double> bound = read_number(node, path, key, context);
+        const std::optional<double> bound = NumberReader(key, context).number(node, path);
         return bound ? std::optional(std::vector{*bound}) : std::nullopt;
     }
     const auto bounds = node.array()->size() == 2 ? read_numbers(node, path, 2, context) : std::nullopt;

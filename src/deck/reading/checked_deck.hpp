@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cassert>
 #include <map>
 #include <memory>
 #include <string>
@@ -118,9 +117,8 @@ struct CheckedTable {
     std::string name;  // NAME of a [rod.NAME]; the key otherwise
     std::string path;  // "rod.flyer", "load[0]"
     Place place;
-    std::vector<CheckedValue> values;  // values that are given or have a default
-    // The struct that the table is read into, if its keys are bound to fields; `values` have no values then.
-    std::shared_ptr<TableHead> record = nullptr;
+    std::vector<CheckedValue> values;             // values that are given or have a default
+    std::shared_ptr<TableHead> record = nullptr;  // the struct that the table is read into
     std::map<std::string, std::shared_ptr<Input>> inputs =
         {};  // values that expressions read, in a whole deck
 
@@ -133,9 +131,6 @@ struct CheckedTable {
     std::string path_of(std::string_view key) const {
         return path.empty() ? std::string(key) : path + "." + std::string(key);
     }
-    // Returns the value of a key that is given or has a default.
-    template <class Value>
-    const Value& get(std::string_view key) const;
     // Returns the tables of a key such as "rod" or "load", in deck order; none if it is not given.
     const std::vector<CheckedTable>& tables(std::string_view key) const;
 };
@@ -144,26 +139,9 @@ struct CheckedValue {
     std::string key;
     Place place;
     bool given = true;
-    std::variant<std::monostate,
-                 std::string,
-                 double,
-                 long,
-                 bool,
-                 Vec3,
-                 std::vector<double>,
-                 TimeTable,
-                 CheckedTimeFunction,
-                 CheckedTimeVector,
-                 std::vector<CheckedWord>,
-                 std::vector<CheckedTable>>  // one entry for a single table
-        value;
+    // A word, on which other keys may depend; tables, one for a single table; nothing of other values, which
+    // are in the record.
+    std::variant<std::monostate, std::string, std::vector<CheckedTable>> value;
 };
-
-template <class Value>
-const Value& CheckedTable::get(std::string_view key) const {
-    const CheckedValue* found = find(key);
-    assert(found != nullptr);
-    return std::get<Value>(found->value);
-}
 
 }  // namespace gxrod

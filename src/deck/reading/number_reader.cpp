@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "deck/expressions/expression.hpp"
+#include "deck/table/binding.hpp"
 #include "machine/printable.hpp"
 
 namespace gxrod {
@@ -108,7 +109,7 @@ std::optional<double> NumberReader::in_range(const DeckNode& node,
                                              const std::string& path,
                                              double value) const {
     if (key_.range.contains(value)) return value;
-    const std::string kind = key_.type == ValueType::integer ? "an integer" : "a number";
+    const std::string kind = nature_of(key_) == ValueNature::integer ? "an integer" : "a number";
     const std::string& above = key_.above_range;
     const std::string reason = value > key_.range.upper && !above.empty() ? "; " + above : remark();
     add(node,
@@ -126,10 +127,7 @@ std::string NumberReader::found_value(const DeckNode& node, double value) {
 }
 
 std::string NumberReader::number_expected() const {
-    return key_.type == ValueType::number || key_.type == ValueType::arc_number ||
-                   key_.type == ValueType::number_or_pairs || key_.type == ValueType::number_or_table
-               ? describe_expected(key_)
-               : "a number or an expression";
+    return nature_of(key_) == ValueNature::number ? describe_expected(key_) : "a number or an expression";
 }
 
 }  // namespace gxrod

@@ -9,7 +9,6 @@
 
 #include "deck/expressions/expression_syntax.hpp"
 #include "deck/expressions/symbol_reading.hpp"
-#include "deck/reading/value_reading.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
@@ -34,7 +33,7 @@ std::string join_path(const std::string& path, const std::string& key) {
 // Keys of single tables such as [analysis], which a user may look for at the top level.
 std::string find_key_elsewhere(const TableSpec& root, const std::string& key) {
     for (const KeySpec& entry : root.keys) {
-        if (entry.type != ValueType::table) continue;
+        if (entry.shape != KeyShape::table) continue;
         if (entry.table->find(key) != nullptr) return entry.name + "." + key;
         const std::optional<OtherNames> synonyms = find_synonym(*entry.table, key);
         if (synonyms && !synonyms->key.empty()) return entry.name + "." + synonyms->key;
@@ -84,11 +83,11 @@ class Validator {
             const std::string full = join_path(path, entry.key);
             if (key->binding) {
                 ReadingContext context = context_;
-                if (deck_ != nullptr && spec.path == "history" && key->type == ValueType::choices)
+                if (deck_ != nullptr && spec.path == "history" && key->name == "quantities")
                     context.likely_words = list_likely_quantities(node);
                 value.value = read_field(entry, full, *key, *checked.record, context);
             } else {
-                value.value = check_value(entry, full, *key);
+                value.value = check_tables(entry, full, *key);
             }
             checked.values.push_back(std::move(value));
         }
@@ -150,36 +149,31 @@ class Validator {
                      const ReadingContext& context) const {
         record.given.emplace_back(key.name, entry.node.place);
         if (key.table != nullptr && (entry.node.table() != nullptr || !key.binding->read)) {
-            Value value = check_value(entry, path, key);
+            Value value = check_tables(entry, path, key);
             if (const auto* tables = std::get_if<std::vector<CheckedTable>>(&value)) {
                 for (const CheckedTable& one : *tables) key.binding->hold(*one.record, record);
             }
             return value;
         }
         const bool is_right = key.binding->read({entry.node, path, key, context}, record);
-        if (is_right && key.type == ValueType::choice) return *entry.node.text();
+        if (is_right && nature_of(key) == ValueNature::word) return *entry.node.text();
         return std::monostate{};
     }
 
-    Value check_value(const DeckEntry& entry, const std::string& path, const KeySpec& key) const {
-        switch (key.type) {
-            case ValueType::table:
+    Value check_tables(const DeckEntry& entry, const std::string& path, const KeySpec& key) const {
+        switch (key.shape) {
+            case KeyShape::value:
+            case KeyShape::table:
                 return check_single_table(entry, path, key);
-            case ValueType::named_tables:
+            case KeyShape::named_tables:
                 return check_named_tables(entry, path, key);
-            case ValueType::table_list:
+            case KeyShape::table_list:
                 return check_table_list(entry, path, key);
-            case ValueType::bound:
-            case ValueType::number_or_table:
-                if (entry.node.table() != nullptr) return check_single_table(entry, path, key);
-                return read_value(entry.node, path, key, context_);
-            case ValueType::parameters:
-            case ValueType::variations:
+            case KeyShape::parameters:
+            case KeyShape::variations:
                 if (entry.node.table() == nullptr) expect(entry, path, key);
-                return std::monostate{};
-            default:
-                return read_value(entry.node, path, key, context_);
         }
+        return std::monostate{};
     }
 
     void expect(const DeckEntry& entry, const std::string& path, const KeySpec& key) const {
@@ -334,14 +328,10 @@ class Validator {
     static void add_defaults(CheckedTable& checked, const TableSpec& spec) {
         for (const KeySpec& key : spec.keys) {
             if (checked.find(key.name) != nullptr) continue;
-            std::visit(
-                [&](const auto& value) {
-                    using Default = std::decay_t<decltype(value)>;
-                    if constexpr (!std::is_same_v<Default, std::monostate>) {
-                        checked.values.push_back({key.name, checked.place, false, value});
-                    }
-                },
-                key.default_value);
+            if (std::holds_alternative<std::monostate>(key.default_value)) continue;
+            const auto* word = std::get_if<std::string>(&key.default_value);
+            const Value value = word == nullptr ? Value() : Value(*word);
+            checked.values.push_back({key.name, checked.place, false, value});
         }
     }
 

@@ -104,9 +104,10 @@ std::optional<std::vector<CheckedWord>> read_points(const DeckNode& node,
                                                     const std::string& path,
                                                     const KeySpec& key,
                                                     const ReadingContext& context,
-                                                    const std::string& one) {
+                                                    const std::string& one,
+                                                    std::size_t most) {
     const std::size_t count = node.array() == nullptr ? 0 : node.array()->size();
-    if (count < 2 || (key.type != ValueType::points && count > 2)) {
+    if (count < 2 || count > most) {
         expect(node, path, key, context);
         return std::nullopt;
     }

@@ -33,11 +33,15 @@ std::optional<std::vector<CheckedWord>> read_names(const DeckNode& node,
                                                    const KeySpec& key,
                                                    const ReadingContext& context);
 
-// Reads a list of two points, or of at least two for keys of that type; `one` is such a point, in messages.
+// Describes an item of a list of points, in messages.
+inline constexpr const char* point_words = "point, such as \"rod.end\"";
+
+// Reads a list of two points, or of so many at most; `one` is such a point, in messages.
 std::optional<std::vector<CheckedWord>> read_points(const DeckNode& node,
                                                     const std::string& path,
                                                     const KeySpec& key,
                                                     const ReadingContext& context,
-                                                    const std::string& one = "point, such as \"rod.end\"");
+                                                    const std::string& one = point_words,
+                                                    std::size_t most = 2);
 
 }  // namespace gxrod

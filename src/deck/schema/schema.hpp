@@ -15,41 +15,14 @@
 // the same way (batch/plan/plan_schema.hpp).
 namespace gxrod {
 
-// The type of a value that a key takes. "Number" means a finite number, or an expression whose value is one.
-enum class ValueType {
-    bound,  // what the kind of the field says to which the key is bound (deck/table/binding.hpp)
-    text,
-    reference,  // the name of a table elsewhere in the deck
-    point,      // a named point: flyer.start, flyer.end, flyer@0.25, gyroscope
-    points,     // a list of named points, two at least
-    ends,       // 2 named points, or one and "ground"
-    joints,     // 2 named joints, or coordinates of joints: wheel, nut.slide
-    partners,   // 2 names of what touches, * for any letters in them, or parts of rods: wire@0.9..1
-    choice,     // one of the key's words
-    choices,    // one of the key's words, or a list of them that is not empty
-    names,      // the name of a table elsewhere in the deck, or a list of them that is not empty
-    flag,       // true or false
-    integer,    // or an expression whose value is one
-    number,
-    arc_number,       // a number, or f(s), s the arc length along a rod
-    vector,           // 3 numbers
-    section_point,    // 2 numbers: y and z of a section
-    numbers,          // a list of numbers that is not empty
-    pairs,            // rows of 2 numbers
-    number_or_pairs,  // a number, or rows of 2
-    number_or_six,    // a number, or 6 of them: one for each strain of a section
-    bounds,           // a number, or 2 of them: the lower and the upper one
-    section_matrix,   // 6 rows of 6 numbers
-    time_expression,  // f(t)
-    time_vector,      // 3 f(t)
-    time_table,       // rows of 2 numbers, the first of each increasing
-    columns,          // 2 names or numbers of columns
-    table,            // keys of its own
-    number_or_table,  // a number, or keys of its own
-    named_tables,     // [rod.NAME], any number
-    table_list,       // [[load]], any number
-    parameters,       // any names, a number each
-    variations        // any keys of a deck in quotes, a list of values or a table each
+// What stands at a key.
+enum class KeyShape {
+    value,  // as the kind of its field says (deck/table/kinds.hpp); or a table in its place, if it has one
+    table,
+    named_tables,  // [rod.NAME], any number
+    table_list,    // [[load]], any number
+    parameters,    // any names, a number each
+    variations     // any keys of a deck in quotes, a list of values or a table each
 };
 
 enum class Bound { closed, open };
@@ -80,7 +53,7 @@ struct TableSpec;
 
 struct KeySpec {
     std::string name;
-    ValueType type = ValueType::text;
+    KeyShape shape = KeyShape::value;
     std::string dimension = {};
     Range range = {};
     Presence presence = Presence::optional;
@@ -90,10 +63,10 @@ struct KeySpec {
     std::vector<std::string> choices = {};
     std::string remark = {};       // ends the messages that the key is missing, out of range or no valid word
     std::string above_range = {};  // ends the message that a number is above its range instead
-    std::vector<Condition> only_for = {};     // all of them
-    std::string only_with = {};               // the key is used only where this one is given
-    std::vector<std::string> refers_to = {};  // of reference, names: the tables to name
-    const TableSpec* table = nullptr;         // of table, named_tables, table_list, parameters, variations
+    std::vector<Condition> only_for = {};              // all of them
+    std::string only_with = {};                        // the key is used only where this one is given
+    std::vector<std::string> refers_to = {};           // the tables whose names it takes
+    const TableSpec* table = nullptr;                  // of what has tables
     std::shared_ptr<const Binding> binding = nullptr;  // of a key that is bound to a field of a struct
     bool may_change = false;                           // when a run is resumed
 };

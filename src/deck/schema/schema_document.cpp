@@ -50,65 +50,10 @@ f(t, s) at 101 points of the rod at 101 of the steps.
 )md";
 
 std::string describe_type(const KeySpec& key) {
-    if (const ValueKind* kind = find_kind(key)) return kind->column(key);
-    switch (key.type) {
-        case ValueType::text:
-            return "text";
-        case ValueType::reference:
-            return "name";
-        case ValueType::point:
-            return "point";
-        case ValueType::points:
-            return "points";
-        case ValueType::ends:
-            return "2 points, or a point and `\"ground\"`";
-        case ValueType::joints:
-            return "2 joints, or `\"NAME.turn\"`, `\"NAME.slide\"`";
-        case ValueType::partners:
-            return "2 names with `*`, or `\"ROD@FROM..TO\"`";
-        case ValueType::choice:
-            return code_list(key.choices);
-        case ValueType::choices:
-            return "one or a list of " + code_list(key.choices);
-        case ValueType::names:
-            return "name or list of names";
-        case ValueType::flag:
-            return "true or false";
-        case ValueType::integer:
-            return "integer";
-        case ValueType::number:
-            return "number";
-        case ValueType::arc_number:
-            return "number or f(s)";
-        case ValueType::vector:
-            return "vector";
-        case ValueType::section_point:
-            return "2 numbers";
-        case ValueType::number_or_six:
-            return "number or 6 numbers";
-        case ValueType::numbers:
-            return "numbers";
-        case ValueType::pairs:
-            return "rows of 2 numbers";
-        case ValueType::number_or_pairs:
-            return "number or rows of 2";
-        case ValueType::bounds:
-            return "number or 2 numbers";
-        case ValueType::section_matrix:
-            return "6×6";
-        case ValueType::time_expression:
-            return "f(t)";
-        case ValueType::time_vector:
-            return "3 f(t)";
-        case ValueType::time_table:
-            return "rows [t, value]";
-        case ValueType::number_or_table:
-            return "number or table";
-        case ValueType::columns:
-            return "2 names or numbers";
-        default:
-            return "table";
-    }
+    const ValueKind* kind = find_kind(key);
+    if (kind == nullptr) return "table";
+    const bool has_table = key.table != nullptr && kind->nature == ValueNature::number;
+    return has_table ? kind->column(key) + " or table" : kind->column(key);
 }
 
 struct DefaultText {
@@ -141,7 +86,7 @@ std::string sentence_of(const KeySpec& key) {
     std::string sentence = key.sentence;
     const std::string uses = describe_uses(key.only_for, key.only_with);
     if (!uses.empty()) sentence += fmt::format(" {} only.", uses);
-    if (key.type == ValueType::choice || key.type == ValueType::integer) {
+    if (nature_of(key) == ValueNature::word || nature_of(key) == ValueNature::integer) {
         if (!key.remark.empty()) sentence += " Note: " + key.remark + ".";
     }
     return sentence;
@@ -160,10 +105,9 @@ std::string write_rows(const TableSpec& table, const std::string& prefix) {
                             describe_range(key.range),
                             describe_default(key),
                             sentence_of(key));
-        const bool has_table = key.type == ValueType::table || key.type == ValueType::number_or_table ||
-                               key.type == ValueType::bound;
+        const bool has_table = key.shape == KeyShape::table || key.shape == KeyShape::value;
         if (has_table && key.table != nullptr) rows += write_rows(*key.table, prefix + key.name + ".");
-        if (key.type == ValueType::table_list) rows += write_rows(*key.table, prefix + key.name + "[].");
+        if (key.shape == KeyShape::table_list) rows += write_rows(*key.table, prefix + key.name + "[].");
     }
     return rows;
 }

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "deck/schema/schema.hpp"
@@ -14,31 +13,7 @@ using Json = nlohmann::ordered_json;
 
 Json make_table(const TableSpec& table);
 
-Json make_range(const char* type, const Range& range) {
-    Json json{{"type", type}};
-    const bool whole = std::string_view(type) == "integer";
-    const auto bound = [&](const char* keyword, double value) {
-        if (whole)
-            json[keyword] = static_cast<long>(value);
-        else
-            json[keyword] = value;
-    };
-    if (std::isfinite(range.lower))
-        bound(range.at_lower == Bound::open ? "exclusiveMinimum" : "minimum", range.lower);
-    if (std::isfinite(range.upper))
-        bound(range.at_upper == Bound::open ? "exclusiveMaximum" : "maximum", range.upper);
-    return json;
-}
-
 Json reference(const char* definition) { return {{"$ref", std::string("#/$defs/") + definition}}; }
-
-Json array_of(const Json& items, std::size_t size) {
-    return {{"type", "array"}, {"items", items}, {"minItems", size}, {"maxItems", size}};
-}
-
-Json array_of_at_least(const Json& items, std::size_t size) {
-    return {{"type", "array"}, {"items", items}, {"minItems", size}};
-}
 
 Json any_of(std::initializer_list<Json> options) {
     Json json;
@@ -54,77 +29,24 @@ Json named_tables(const char* pattern, const Json& table) {
 }
 
 Json make_type(const KeySpec& key) {
-    if (const ValueKind* kind = find_kind(key)) {
-        Json json = Json::parse(kind->schema(key));
-        return key.table == nullptr ? json : any_of({json, make_table(*key.table)});
-    }
-    switch (key.type) {
-        case ValueType::bound:
-            break;
-        case ValueType::text:
-        case ValueType::reference:
-        case ValueType::point:
-            return {{"type", "string"}};
-        case ValueType::points:
-            return {{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 2}};
-        case ValueType::ends:
-        case ValueType::joints:
-        case ValueType::partners:
-            return {{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 2}, {"maxItems", 2}};
-        case ValueType::choice:
-            return {{"enum", key.choices}};
-        case ValueType::choices:
-            return any_of({{{"enum", key.choices}},
-                           {{"type", "array"}, {"items", {{"enum", key.choices}}}, {"minItems", 1}}});
-        case ValueType::names:
-            return any_of({{{"type", "string"}},
-                           {{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 1}}});
-        case ValueType::flag:
-            return {{"type", "boolean"}};
-        case ValueType::integer:
-            return any_of({make_range("integer", key.range), reference("expression")});
-        case ValueType::number:
-        case ValueType::arc_number:
-            return any_of({make_range("number", key.range), reference("expression")});
-        case ValueType::vector:
-        case ValueType::time_vector:
-            return array_of(reference("number"), 3);
-        case ValueType::section_point:
-            return array_of(reference("number"), 2);
-        case ValueType::number_or_six:
-            return any_of({make_range("number", key.range),
-                           reference("expression"),
-                           array_of(any_of({make_range("number", key.range), reference("expression")}), 6)});
-        case ValueType::numbers:
-            return array_of_at_least(reference("number"), 1);
-        case ValueType::pairs:
-            return array_of_at_least(array_of(reference("number"), 2), 1);
-        case ValueType::number_or_pairs:
-            return any_of({make_range("number", key.range),
-                           reference("expression"),
-                           array_of_at_least(array_of(reference("number"), 2), 1)});
-        case ValueType::bounds:
-            return any_of({reference("number"), array_of(reference("number"), 2)});
-        case ValueType::section_matrix:
-            return array_of(array_of(reference("number"), 6), 6);
-        case ValueType::time_expression:
-            return reference("number");
-        case ValueType::time_table:
-            return {{"type", "array"}, {"items", array_of(reference("number"), 2)}, {"minItems", 1}};
-        case ValueType::columns:
-            return array_of({{"type", {"string", "integer"}}}, 2);
-        case ValueType::number_or_table:
-            return any_of({make_range("number", key.range), reference("expression"), make_table(*key.table)});
-        case ValueType::table:
+    switch (key.shape) {
+        case KeyShape::value: {
+            Json json = Json::parse(find_kind(key)->schema(key));
+            if (key.table == nullptr) return json;
+            if (!json.contains("anyOf")) json = any_of({json});
+            json["anyOf"].push_back(make_table(*key.table));
+            return json;
+        }
+        case KeyShape::table:
             return make_table(*key.table);
-        case ValueType::named_tables:
+        case KeyShape::named_tables:
             return named_tables(is_for_expressions(key) ? "^[A-Za-z_][A-Za-z0-9_]*$" : "^[A-Za-z0-9_-]+$",
                                 make_table(*key.table));
-        case ValueType::table_list:
+        case KeyShape::table_list:
             return {{"type", "array"}, {"items", make_table(*key.table)}};
-        case ValueType::parameters:
+        case KeyShape::parameters:
             return named_tables("^[A-Za-z_][A-Za-z0-9_]*$", reference("number"));
-        case ValueType::variations:
+        case KeyShape::variations:
             return {{"type", "object"},
                     {"additionalProperties",
                      any_of({{{"type", "array"}, {"minItems", 1}}, make_table(*key.table)})}};

@@ -19,11 +19,12 @@ struct ValueSource {
     const ReadingContext& context;
 };
 
+// What those who do not know the type of a value have to know of it.
+enum class ValueNature { other, number, integer, word };
+
 // How the values of a C++ type are described: a Kind<T> without its type.
 struct ValueKind {
-    // Which of the types that the schema's switches describe; `bound` for one that the functions here
-    // describe.
-    ValueType type = ValueType::bound;
+    ValueNature nature = ValueNature::other;
     std::string (*words)(const KeySpec& key) = nullptr;   // in messages, after "expected"
     std::string (*column)(const KeySpec& key) = nullptr;  // in docs/deck.md
     std::string (*schema)(const KeySpec& key) = nullptr;  // in the JSON Schema, as JSON
@@ -46,10 +47,12 @@ struct Binding {
     std::function<std::string(const TableHead& table)> print = {};
 };
 
-// The kind of a key that describes itself; nullptr if the schema's switches do.
-inline const ValueKind* find_kind(const KeySpec& key) {
-    const ValueKind* kind = key.binding ? key.binding->kind : nullptr;
-    return kind != nullptr && kind->type == ValueType::bound ? kind : nullptr;
+// The kind of a key's values; nullptr of a key that has tables alone.
+inline const ValueKind* find_kind(const KeySpec& key) { return key.binding ? key.binding->kind : nullptr; }
+
+inline ValueNature nature_of(const KeySpec& key) {
+    const ValueKind* kind = find_kind(key);
+    return kind == nullptr ? ValueNature::other : kind->nature;
 }
 
 }  // namespace gxrod

@@ -1,6 +1,8 @@
 #include "deck/table/kinds.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "deck/reading/array_reading.hpp"
 #include "deck/reading/row_reader.hpp"
@@ -8,7 +10,8 @@
 namespace gxrod {
 namespace {
 
-constexpr const char* number_schema = R"({"$ref": "#/$defs/number"})";
+constexpr const char* any_number = R"({"$ref": "#/$defs/number"})";
+constexpr const char* any_expression = R"({"$ref": "#/$defs/expression"})";
 
 // A number of the range that is seldom a default.
 double sample_of(const Range& range) {
@@ -45,18 +48,60 @@ std::string print_words(const std::vector<CheckedWord>& words) {
     return print_list(items);
 }
 
-// An array of so many values at least, as JSON Schema.
-std::string schema_of_list(const std::string& items, std::size_t least) {
-    return fmt::format(R"({{"type": "array", "items": {}, "minItems": {}}})", items, least);
-}
-
 template <class Word>
 std::optional<Word> read_one_word(const ValueSource& from) {
     const std::optional<std::string> text = read_text(from.node, from.path, from.key, from.context);
     return text ? std::optional(Word{{*text, from.node.place, from.path}}) : std::nullopt;
 }
 
+// Numbers of a range, as JSON Schema; `Number` is that of its bounds.
+template <class Number>
+std::string range_schema(const char* type, const Range& range) {
+    nlohmann::ordered_json json{{"type", type}};
+    if (std::isfinite(range.lower))
+        json[range.at_lower == Bound::open ? "exclusiveMinimum" : "minimum"] =
+            static_cast<Number>(range.lower);
+    if (std::isfinite(range.upper))
+        json[range.at_upper == Bound::open ? "exclusiveMaximum" : "maximum"] =
+            static_cast<Number>(range.upper);
+    return json.dump();
+}
+
+std::string any_schema_of(const std::vector<std::string>& schemas) {
+    return fmt::format(R"({{"anyOf": [{}]}})", fmt::join(schemas, ", "));
+}
+
+// " greater than 0", or "".
+std::string describe_after_blank(const Range& range) {
+    const std::string text = describe_range(range);
+    return text.empty() ? "" : " " + text;
+}
+
 }  // namespace
+
+std::string number_words(const KeySpec& key) {
+    return "a number" + describe_after_blank(key.range) + " or an expression";
+}
+
+std::string choice_words(const KeySpec& key) {
+    return (key.choices.size() > 1 ? "one of " : "") + quoted_list(key.choices);
+}
+
+std::string number_schema(const KeySpec& key) {
+    return any_schema_of({range_schema<double>("number", key.range), any_expression});
+}
+
+std::string choice_schema(const KeySpec& key) {
+    return fmt::format(R"({{"enum": [{}]}})", quoted_list(key.choices));
+}
+
+std::string schema_of_one_or_list(const std::string& item) {
+    return any_schema_of({item, schema_of_list(item, 1)});
+}
+
+std::string schema_of_list(const std::string& items, std::size_t least) {
+    return fmt::format(R"({{"type": "array", "items": {}, "minItems": {}}})", items, least);
+}
 
 std::string schema_of_array(const std::string& items, std::size_t size) {
     return fmt::format(
@@ -72,6 +117,38 @@ std::string spell_variables(std::span<const char* const> variables) {
     const auto others = variables.first(variables.size() - 1);
     return others.empty() ? last : fmt::format("{} and {}", fmt::join(others, ", "), last);
 }
+
+std::string Kind<long>::words(const KeySpec& key) { return "an integer" + describe_after_blank(key.range); }
+
+std::string Kind<long>::schema(const KeySpec& key) {
+    return any_schema_of({range_schema<long>("integer", key.range), any_expression});
+}
+
+std::string Kind<CheckedPairs>::schema(const KeySpec&) {
+    return schema_of_list(schema_of_array(any_number, 2), 1);
+}
+
+std::string Kind<std::vector<double>>::schema(const KeySpec&) { return schema_of_list(any_number, 1); }
+
+std::string Kind<Bounds>::schema(const KeySpec&) {
+    return any_schema_of({any_number, schema_of_array(any_number, 2)});
+}
+
+std::string Kind<std::variant<double, CheckedPairs>>::schema(const KeySpec& key) {
+    return any_schema_of(
+        {range_schema<double>("number", key.range), any_expression, Kind<CheckedPairs>::schema(key)});
+}
+
+std::string Kind<StrainTimes>::schema(const KeySpec& key) {
+    return any_schema_of(
+        {range_schema<double>("number", key.range), any_expression, schema_of_array(number_schema(key), 6)});
+}
+
+std::string Kind<std::array<double, 2>>::schema(const KeySpec&) { return schema_of_array(any_number, 2); }
+
+std::string Kind<Vec3>::schema(const KeySpec&) { return schema_of_array(any_number, 3); }
+
+std::string Kind<Mat6>::schema(const KeySpec&) { return schema_of_array(schema_of_array(any_number, 6), 6); }
 
 std::optional<double> Kind<double>::read(const ValueSource& from) {
     return NumberReader(from.key, from.context).number(from.node, from.path);
@@ -156,9 +233,7 @@ std::string Kind<Vec3>::print(const Vec3& value) {
     return fmt::format("[{}, {}, {}]", value[0], value[1], value[2]);
 }
 
-std::string Kind<Mat3>::schema(const KeySpec&) {
-    return schema_of_array(schema_of_array(number_schema, 3), 3);
-}
+std::string Kind<Mat3>::schema(const KeySpec&) { return schema_of_array(schema_of_array(any_number, 3), 3); }
 
 std::optional<Mat3> Kind<Mat3>::read(const ValueSource& from) {
     return NumberReader(from.key, from.context).square_matrix(from.node, from.path);
@@ -235,15 +310,16 @@ std::string Kind<Partners>::print(const Partners& value) {
 }
 
 std::optional<PointList> Kind<PointList>::read(const ValueSource& from) {
-    auto points = read_points(from.node, from.path, from.key, from.context);
+    const std::size_t count = from.node.array() == nullptr ? 0 : from.node.array()->size();
+    auto points = read_points(
+        from.node, from.path, from.key, from.context, point_words, std::max<std::size_t>(count, 2));
     return points ? std::optional(PointList{std::move(*points)}) : std::nullopt;
 }
 
 std::string Kind<PointList>::print(const PointList& value) { return print_words(value.points); }
 
 std::string Kind<std::variant<Vec3, Mat3>>::schema(const KeySpec& key) {
-    return fmt::format(
-        R"({{"anyOf": [{}, {}]}})", schema_of_array(number_schema, 3), Kind<Mat3>::schema(key));
+    return fmt::format(R"({{"anyOf": [{}, {}]}})", schema_of_array(any_number, 3), Kind<Mat3>::schema(key));
 }
 
 std::optional<std::variant<Vec3, Mat3>> Kind<std::variant<Vec3, Mat3>>::read(const ValueSource& from) {
@@ -258,7 +334,7 @@ std::string Kind<std::variant<Vec3, Mat3>>::print(const Value& value) {
 }
 
 std::string Kind<std::variant<Vec3, PointName>>::schema(const KeySpec&) {
-    return fmt::format(R"({{"anyOf": [{}, {{"type": "string"}}]}})", schema_of_array(number_schema, 3));
+    return fmt::format(R"({{"anyOf": [{}, {{"type": "string"}}]}})", schema_of_array(any_number, 3));
 }
 
 std::optional<std::variant<Vec3, PointName>> Kind<std::variant<Vec3, PointName>>::read(
@@ -272,7 +348,7 @@ std::string Kind<std::variant<Vec3, PointName>>::print(const Value& value) {
     return std::visit([]<class One>(const One& one) { return Kind<One>::print(one); }, value);
 }
 
-std::string Kind<FieldVector>::schema(const KeySpec&) { return schema_of_array(number_schema, 3); }
+std::string Kind<FieldVector>::schema(const KeySpec&) { return schema_of_array(any_number, 3); }
 
 std::optional<FieldVector> Kind<FieldVector>::read(const ValueSource& from) {
     auto components = FunctionReader(from.key, from.context)
@@ -286,8 +362,8 @@ std::string Kind<FieldVector>::print(const FieldVector& value) {
 
 std::string Kind<CheckedTendonPath>::schema(const KeySpec&) {
     return fmt::format(R"({{"anyOf": [{}, {}]}})",
-                       schema_of_array(number_schema, 2),
-                       schema_of_list(schema_of_array(number_schema, 3), 2));
+                       schema_of_array(any_number, 2),
+                       schema_of_list(schema_of_array(any_number, 3), 2));
 }
 
 std::optional<CheckedTendonPath> Kind<CheckedTendonPath>::read(const ValueSource& from) {
@@ -305,7 +381,7 @@ std::string Kind<CheckedTendonPath>::print(const CheckedTendonPath& value) {
 }
 
 std::string Kind<std::vector<CheckedVector>>::schema(const KeySpec&) {
-    return schema_of_list(schema_of_array(number_schema, 3), 2);
+    return schema_of_list(schema_of_array(any_number, 3), 2);
 }
 
 std::optional<std::vector<CheckedVector>> Kind<std::vector<CheckedVector>>::read(const ValueSource& from) {
@@ -326,7 +402,7 @@ std::string Kind<CheckedProfile>::words(const KeySpec& key) {
 }
 
 std::string Kind<CheckedProfile>::schema(const KeySpec&) {
-    return schema_of_list(schema_of_array(number_schema, 2), 2);
+    return schema_of_list(schema_of_array(any_number, 2), 2);
 }
 
 std::optional<CheckedProfile> Kind<CheckedProfile>::read(const ValueSource& from) {
@@ -336,7 +412,7 @@ std::optional<CheckedProfile> Kind<CheckedProfile>::read(const ValueSource& from
 std::string Kind<CheckedProfile>::print(const CheckedProfile& value) { return print_pairs(value.rows); }
 
 std::string Kind<NumberAlong>::schema(const KeySpec& key) {
-    return fmt::format(R"({{"anyOf": [{}, {}]}})", number_schema, Kind<CheckedProfile>::schema(key));
+    return fmt::format(R"({{"anyOf": [{}, {}]}})", any_number, Kind<CheckedProfile>::schema(key));
 }
 
 std::optional<NumberAlong> Kind<NumberAlong>::read(const ValueSource& from) {
@@ -350,7 +426,7 @@ std::string Kind<NumberAlong>::print(const NumberAlong& value) {
 }
 
 std::string Kind<std::vector<CheckedStation>>::schema(const KeySpec&) {
-    const std::string item = fmt::format(R"({{"anyOf": [{}, {{"type": "string"}}]}})", number_schema);
+    const std::string item = fmt::format(R"({{"anyOf": [{}, {{"type": "string"}}]}})", any_number);
     return schema_of_list(schema_of_array(item, 2), 2);
 }
 
@@ -379,7 +455,7 @@ std::string Kind<GroupName>::print(const GroupName& value) {
 }
 
 std::string Kind<TimeTable>::schema(const KeySpec&) {
-    return schema_of_list(schema_of_array(number_schema, 2), 1);
+    return schema_of_list(schema_of_array(any_number, 2), 1);
 }
 
 std::optional<TimeTable> Kind<TimeTable>::read(const ValueSource& from) {
@@ -414,7 +490,7 @@ std::string Kind<FileColumns>::print(const FileColumns& value) {
 std::string Kind<StageFunctions>::schema(const KeySpec&) {
     return fmt::format(
         R"({{"anyOf": [{0}, {{"type": "object", "patternProperties": {{"^[A-Za-z0-9_-]+$": {0}}}, "additionalProperties": false}}]}})",
-        number_schema);
+        any_number);
 }
 
 std::optional<StageFunctions> Kind<StageFunctions>::read(const ValueSource& from) {
@@ -431,7 +507,7 @@ std::string Kind<StageFunctions>::print(const StageFunctions& value) {
 std::string Kind<CoordinateFunctions>::schema(const KeySpec&) {
     return fmt::format(
         R"({{"anyOf": [{0}, {{"type": "object", "properties": {{"turn": {0}, "slide": {0}}}, "minProperties": 1, "additionalProperties": false}}]}})",
-        number_schema);
+        any_number);
 }
 
 std::optional<CoordinateFunctions> Kind<CoordinateFunctions>::read(const ValueSource& from) {

@@ -19,7 +19,8 @@
 
 // The types of values of a deck, each stated once: a key has the Kind of the C++ type of its field. A Kind<T>
 // has
-//   words, column, schema   what ValueKind says, or `type`, with which the schema's switches say it
+//   words, column, schema   what ValueKind says
+//   nature                  optional: what ValueKind says
 //   read                    the value of a text; nullopt, with a fault, if it is wrong
 //   print                   the value as a deck has it
 //   sample                  a value for tests
@@ -119,8 +120,19 @@ inline constexpr const std::array<Choice<YieldInteraction>, 2>& choices_of(Yield
     return yield_interaction_choices;
 }
 
+// Describes numbers and words of a key, as messages do.
+std::string number_words(const KeySpec& key);
+std::string choice_words(const KeySpec& key);
+// A text, a number or a word of a key, as JSON Schema.
+inline constexpr const char* text_schema = R"({"type": "string"})";
+std::string number_schema(const KeySpec& key);
+std::string choice_schema(const KeySpec& key);
+// A value, or a list of them that is not empty, as JSON Schema.
+std::string schema_of_one_or_list(const std::string& item);
 // Arrays of so many values, as JSON Schema.
 std::string schema_of_array(const std::string& items, std::size_t size);
+// Arrays of so many values at least, as JSON Schema.
+std::string schema_of_list(const std::string& items, std::size_t size);
 // "[a, b, c]".
 std::string print_list(const std::vector<std::string>& items);
 // "t, x and y".
@@ -128,7 +140,10 @@ std::string spell_variables(std::span<const char* const> variables);
 
 template <>
 struct Kind<double> {
-    static constexpr ValueType type = ValueType::number;
+    static constexpr ValueNature nature = ValueNature::number;
+    static std::string words(const KeySpec& key) { return number_words(key); }
+    static std::string column(const KeySpec&) { return "number"; }
+    static std::string schema(const KeySpec& key) { return number_schema(key); }
     static std::optional<double> read(const ValueSource& from);
     static std::string print(double value) { return fmt::format("{}", value); }
     static std::string sample(const KeySpec& key);
@@ -137,7 +152,10 @@ struct Kind<double> {
 
 template <>
 struct Kind<long> {
-    static constexpr ValueType type = ValueType::integer;
+    static constexpr ValueNature nature = ValueNature::integer;
+    static std::string words(const KeySpec& key);
+    static std::string column(const KeySpec&) { return "integer"; }
+    static std::string schema(const KeySpec& key);
     static std::optional<long> read(const ValueSource& from);
     static std::string print(long value) { return fmt::format("{}", value); }
     static std::string sample(const KeySpec& key);
@@ -146,7 +164,9 @@ struct Kind<long> {
 
 template <>
 struct Kind<std::string> {
-    static constexpr ValueType type = ValueType::text;
+    static std::string words(const KeySpec&) { return "text"; }
+    static std::string column(const KeySpec&) { return "text"; }
+    static std::string schema(const KeySpec&) { return text_schema; }
     static std::optional<std::string> read(const ValueSource& from);
     static std::string print(const std::string& value) { return "\"" + value + "\""; }
     static std::string sample(const KeySpec&) { return "\"some text\""; }
@@ -155,7 +175,11 @@ struct Kind<std::string> {
 
 template <>
 struct Kind<CheckedPairs> {
-    static constexpr ValueType type = ValueType::pairs;
+    static std::string words(const KeySpec&) {
+        return "an array of rows of 2 numbers or expressions, one at least";
+    }
+    static std::string column(const KeySpec&) { return "rows of 2 numbers"; }
+    static std::string schema(const KeySpec&);
     static std::optional<CheckedPairs> read(const ValueSource& from);
     static std::string print(const CheckedPairs& value);
     static std::string sample(const KeySpec&) { return "[[1, 2], [3, 4]]"; }
@@ -163,7 +187,9 @@ struct Kind<CheckedPairs> {
 
 template <>
 struct Kind<std::vector<double>> {
-    static constexpr ValueType type = ValueType::numbers;
+    static std::string words(const KeySpec&) { return "an array of numbers or expressions, one at least"; }
+    static std::string column(const KeySpec&) { return "numbers"; }
+    static std::string schema(const KeySpec&);
     static std::optional<std::vector<double>> read(const ValueSource& from);
     static std::string print(const std::vector<double>& value);
     static std::string sample(const KeySpec&) { return "[1.25, 2.5]"; }
@@ -171,7 +197,11 @@ struct Kind<std::vector<double>> {
 
 template <>
 struct Kind<Bounds> {
-    static constexpr ValueType type = ValueType::bounds;
+    static std::string words(const KeySpec&) {
+        return "a number or an expression, or an array of 2: the lower and the upper bound";
+    }
+    static std::string column(const KeySpec&) { return "number or 2 numbers"; }
+    static std::string schema(const KeySpec&);
     static std::optional<Bounds> read(const ValueSource& from);
     static std::string print(const Bounds& value) { return Kind<std::vector<double>>::print(value.numbers); }
     static std::string sample(const KeySpec& key) { return Kind<std::vector<double>>::sample(key); }
@@ -180,7 +210,10 @@ struct Kind<Bounds> {
 template <>
 struct Kind<std::variant<double, CheckedPairs>> {
     using Value = std::variant<double, CheckedPairs>;
-    static constexpr ValueType type = ValueType::number_or_pairs;
+    static constexpr ValueNature nature = ValueNature::number;
+    static std::string words(const KeySpec& key) { return number_words(key) + ", or an array of rows of 2"; }
+    static std::string column(const KeySpec&) { return "number or rows of 2"; }
+    static std::string schema(const KeySpec& key);
     static std::optional<Value> read(const ValueSource& from);
     static std::string print(const Value& value);
     static std::string sample(const KeySpec& key) { return Kind<CheckedPairs>::sample(key); }
@@ -188,7 +221,10 @@ struct Kind<std::variant<double, CheckedPairs>> {
 
 template <>
 struct Kind<ArcNumber> {
-    static constexpr ValueType type = ValueType::arc_number;
+    static constexpr ValueNature nature = ValueNature::number;
+    static std::string words(const KeySpec& key) { return number_words(key) + " in s"; }
+    static std::string column(const KeySpec&) { return "number or f(s)"; }
+    static std::string schema(const KeySpec& key) { return number_schema(key); }
     static std::optional<ArcNumber> read(const ValueSource& from);
     static std::string print(const ArcNumber& value);
     static std::string sample(const KeySpec& key) { return Kind<double>::sample(key); }
@@ -197,7 +233,9 @@ struct Kind<ArcNumber> {
 
 template <>
 struct Kind<StrainTimes> {
-    static constexpr ValueType type = ValueType::number_or_six;
+    static std::string words(const KeySpec& key) { return number_words(key) + ", or an array of 6 of them"; }
+    static std::string column(const KeySpec&) { return "number or 6 numbers"; }
+    static std::string schema(const KeySpec& key);
     static std::optional<StrainTimes> read(const ValueSource& from);
     static std::string print(const StrainTimes& value);
     static std::string sample(const KeySpec&) { return "[1, 2, 3, 4, 5, 6]"; }
@@ -207,7 +245,9 @@ struct Kind<StrainTimes> {
 template <>
 struct Kind<std::array<double, 2>> {
     using Value = std::array<double, 2>;
-    static constexpr ValueType type = ValueType::section_point;
+    static std::string words(const KeySpec&) { return "an array of 2 numbers or expressions, y and z"; }
+    static std::string column(const KeySpec&) { return "2 numbers"; }
+    static std::string schema(const KeySpec&);
     static std::optional<Value> read(const ValueSource& from);
     static std::string print(const Value& value) { return fmt::format("[{}, {}]", value[0], value[1]); }
     static std::string sample(const KeySpec&) { return "[1.25, 2.5]"; }
@@ -215,7 +255,9 @@ struct Kind<std::array<double, 2>> {
 
 template <>
 struct Kind<bool> {
-    static constexpr ValueType type = ValueType::flag;
+    static std::string words(const KeySpec&) { return "true or false"; }
+    static std::string column(const KeySpec&) { return "true or false"; }
+    static std::string schema(const KeySpec&) { return R"({"type": "boolean"})"; }
     static std::optional<bool> read(const ValueSource& from);
     static std::string print(bool value) { return value ? "true" : "false"; }
     static std::string sample(const KeySpec&) { return "false"; }
@@ -223,7 +265,9 @@ struct Kind<bool> {
 
 template <>
 struct Kind<Vec3> {
-    static constexpr ValueType type = ValueType::vector;
+    static std::string words(const KeySpec&) { return "an array of 3 numbers or expressions"; }
+    static std::string column(const KeySpec&) { return "vector"; }
+    static std::string schema(const KeySpec&);
     static std::optional<Vec3> read(const ValueSource& from);
     static std::string print(const Vec3& value);
     static std::string sample(const KeySpec&) { return "[1.25, 2.5, 3.75]"; }
@@ -242,7 +286,9 @@ struct Kind<Mat3> {
 
 template <>
 struct Kind<Mat6> {
-    static constexpr ValueType type = ValueType::section_matrix;
+    static std::string words(const KeySpec&) { return "an array of 6 rows of 6 numbers or expressions"; }
+    static std::string column(const KeySpec&) { return "6×6"; }
+    static std::string schema(const KeySpec&);
     static std::optional<Mat6> read(const ValueSource& from);
     static std::string print(const Mat6& value);
     static std::string sample(const KeySpec&);
@@ -250,7 +296,11 @@ struct Kind<Mat6> {
 
 template <>
 struct Kind<PointName> {
-    static constexpr ValueType type = ValueType::point;
+    static std::string words(const KeySpec&) {
+        return "a point, such as \"rod.end\", \"rod@0.25\" or \"body\"";
+    }
+    static std::string column(const KeySpec&) { return "point"; }
+    static std::string schema(const KeySpec&) { return text_schema; }
     static std::optional<PointName> read(const ValueSource& from);
     static std::string print(const PointName& value) { return "\"" + value.word + "\""; }
     static std::string sample(const KeySpec&) { return "\"rod.end\""; }
@@ -258,7 +308,11 @@ struct Kind<PointName> {
 
 template <>
 struct Kind<TableName> {
-    static constexpr ValueType type = ValueType::reference;
+    static std::string words(const KeySpec& key) {
+        return fmt::format("the name of a {}", fmt::join(key.refers_to, " or "));
+    }
+    static std::string column(const KeySpec&) { return "name"; }
+    static std::string schema(const KeySpec&) { return text_schema; }
     static std::optional<TableName> read(const ValueSource& from);
     static std::string print(const TableName& value) { return "\"" + value.word + "\""; }
     static std::string sample(const KeySpec&) { return "\"rod\""; }
@@ -266,7 +320,11 @@ struct Kind<TableName> {
 
 template <>
 struct Kind<TableNames> {
-    static constexpr ValueType type = ValueType::names;
+    static std::string words(const KeySpec& key) {
+        return fmt::format("the name of a {}, or an array of names", fmt::join(key.refers_to, " or "));
+    }
+    static std::string column(const KeySpec&) { return "name or list of names"; }
+    static std::string schema(const KeySpec&) { return schema_of_one_or_list(text_schema); }
     static std::optional<TableNames> read(const ValueSource& from);
     static std::string print(const TableNames& value);
     static std::string sample(const KeySpec&) { return "[\"first\", \"second\"]"; }
@@ -274,7 +332,10 @@ struct Kind<TableNames> {
 
 template <>
 struct Kind<ChosenWord> {
-    static constexpr ValueType type = ValueType::choice;
+    static constexpr ValueNature nature = ValueNature::word;
+    static std::string words(const KeySpec& key) { return choice_words(key); }
+    static std::string column(const KeySpec& key) { return code_list(key.choices); }
+    static std::string schema(const KeySpec& key) { return choice_schema(key); }
     static std::optional<ChosenWord> read(const ValueSource& from);
     static std::string print(const ChosenWord& value) { return "\"" + value.word + "\""; }
     static std::string sample(const KeySpec& key) { return "\"" + key.choices.back() + "\""; }
@@ -282,7 +343,9 @@ struct Kind<ChosenWord> {
 
 template <>
 struct Kind<WordList> {
-    static constexpr ValueType type = ValueType::choices;
+    static std::string words(const KeySpec& key) { return "one or a list of " + quoted_list(key.choices); }
+    static std::string column(const KeySpec& key) { return "one or a list of " + code_list(key.choices); }
+    static std::string schema(const KeySpec& key) { return schema_of_one_or_list(choice_schema(key)); }
     static std::optional<WordList> read(const ValueSource& from);
     static std::string print(const WordList& value);
     static std::string sample(const KeySpec& key);
@@ -290,7 +353,11 @@ struct Kind<WordList> {
 
 template <>
 struct Kind<Ends> {
-    static constexpr ValueType type = ValueType::ends;
+    static std::string words(const KeySpec&) {
+        return "an array of 2 points, such as [\"arm.end\", \"body\"], or of one and \"ground\"";
+    }
+    static std::string column(const KeySpec&) { return "2 points, or a point and `\"ground\"`"; }
+    static std::string schema(const KeySpec&) { return schema_of_array(text_schema, 2); }
     static std::optional<Ends> read(const ValueSource& from);
     static std::string print(const Ends& value);
     static std::string sample(const KeySpec&) { return "[\"rod.end\", \"ground\"]"; }
@@ -298,7 +365,12 @@ struct Kind<Ends> {
 
 template <>
 struct Kind<JointNames> {
-    static constexpr ValueType type = ValueType::joints;
+    static std::string words(const KeySpec&) {
+        return "an array of 2 joints, such as [\"motor\", \"wheel\"], or of their coordinates, such as "
+               "\"nut.slide\"";
+    }
+    static std::string column(const KeySpec&) { return "2 joints, or `\"NAME.turn\"`, `\"NAME.slide\"`"; }
+    static std::string schema(const KeySpec&) { return schema_of_array(text_schema, 2); }
     static std::optional<JointNames> read(const ValueSource& from);
     static std::string print(const JointNames& value);
     static std::string sample(const KeySpec&) { return "[\"wheel\", \"nut.slide\"]"; }
@@ -311,7 +383,7 @@ struct Kind<Partners> {
                "letters, or of a part of a rod, such as \"wire@0.9..1\"";
     }
     static std::string column(const KeySpec&) { return "2 names with `*`, or `\"ROD@FROM..TO\"`"; }
-    static std::string schema(const KeySpec&) { return schema_of_array(R"({"type": "string"})", 2); }
+    static std::string schema(const KeySpec&) { return schema_of_array(text_schema, 2); }
     static std::optional<Partners> read(const ValueSource& from);
     static std::string print(const Partners& value);
     static std::string sample(const KeySpec&) { return "[\"wire@0.9..1\", \"vessel\"]"; }
@@ -319,7 +391,11 @@ struct Kind<Partners> {
 
 template <>
 struct Kind<PointList> {
-    static constexpr ValueType type = ValueType::points;
+    static std::string words(const KeySpec&) {
+        return "an array of points, two at least, such as [\"leg.end\", \"beam.start\"]";
+    }
+    static std::string column(const KeySpec&) { return "points"; }
+    static std::string schema(const KeySpec&) { return schema_of_list(text_schema, 2); }
     static std::optional<PointList> read(const ValueSource& from);
     static std::string print(const PointList& value);
     static std::string sample(const KeySpec&) { return "[\"rod.end\", \"other.start\"]"; }
@@ -497,7 +573,10 @@ concept HasWords = requires(Value value) { choices_of(value); };
 // One of some words.
 template <HasWords Word>
 struct Kind<Word> {
-    static constexpr ValueType type = ValueType::choice;
+    static constexpr ValueNature nature = ValueNature::word;
+    static std::string words(const KeySpec& key) { return choice_words(key); }
+    static std::string column(const KeySpec& key) { return code_list(key.choices); }
+    static std::string schema(const KeySpec& key) { return choice_schema(key); }
     static std::vector<std::string> choices() { return words_of(choices_of(Word{})); }
     static std::optional<Word> read(const ValueSource& from) {
         const std::optional<std::string> word = read_word(from.node, from.path, from.key, from.context);
@@ -622,14 +701,11 @@ struct Kind<std::array<Function, count>> {
 
 template <class Value>
 constexpr ValueKind make_kind() {
-    ValueKind kind{.sample = &Kind<Value>::sample};
-    if constexpr (requires { Kind<Value>::type; }) {
-        kind.type = Kind<Value>::type;
-    } else {
-        kind.words = &Kind<Value>::words;
-        kind.column = &Kind<Value>::column;
-        kind.schema = &Kind<Value>::schema;
-    }
+    ValueKind kind{.words = &Kind<Value>::words,
+                   .column = &Kind<Value>::column,
+                   .schema = &Kind<Value>::schema,
+                   .sample = &Kind<Value>::sample};
+    if constexpr (requires { Kind<Value>::nature; }) kind.nature = Kind<Value>::nature;
     if constexpr (requires { Kind<Value>::variables(); }) kind.variables = &Kind<Value>::variables;
     return kind;
 }

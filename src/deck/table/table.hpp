@@ -30,7 +30,7 @@ struct FieldTraits {
 template <class Inner>
 struct FieldTraits<std::optional<Inner>> {
     using Value = Inner;
-    static constexpr ValueType type = ValueType::table;
+    static constexpr KeyShape shape = KeyShape::table;
     static const void* find(const std::optional<Inner>& field) { return field ? &*field : nullptr; }
     static void hold(const Inner& table, std::optional<Inner>& field) { field = table; }
 };
@@ -41,8 +41,7 @@ struct FieldTraits<std::optional<std::variant<Other, Inner>>> {
     using Field = std::optional<std::variant<Other, Inner>>;
     using Value = Inner;
     using Alternative = Other;
-    static constexpr ValueType type =
-        std::is_same_v<Other, double> ? ValueType::number_or_table : ValueType::bound;
+    static constexpr KeyShape shape = KeyShape::value;
     static const void* find(const Field& field) { return field ? &*field : nullptr; }
     static void hold(const Inner& table, Field& field) { field = table; }
 };
@@ -50,7 +49,7 @@ struct FieldTraits<std::optional<std::variant<Other, Inner>>> {
 template <IsTable Inner>
 struct FieldTraits<std::vector<Inner>> {
     using Value = Inner;
-    static constexpr ValueType type = ValueType::table_list;
+    static constexpr KeyShape shape = KeyShape::table_list;
     static const void* find(const std::vector<Inner>& field) { return field.empty() ? nullptr : &field; }
     static void hold(const Inner& table, std::vector<Inner>& field) { field.push_back(table); }
 };
@@ -89,7 +88,7 @@ class Table {
             const void* found = Traits::find(field(access, table));
             return found == nullptr ? "" : Kind<Value>::print(*static_cast<const Value*>(found));
         };
-        add({.name = name, .type = value_kind<Value>.type, .sentence = sentence}, binding);
+        add({.name = name, .sentence = sentence}, binding);
         if constexpr (requires { Kind<Value>::choices(); }) last().choices = Kind<Value>::choices();
         if constexpr (std::is_same_v<Value, FieldOf<Access>> &&
                       requires(Value value) { Kind<Value>::default_value(value); }) {
@@ -111,7 +110,7 @@ class Table {
         };
         if constexpr (requires { typename Traits::Alternative; }) {
             using Other = typename Traits::Alternative;
-            if (Traits::type == ValueType::bound) binding.kind = &value_kind<Other>;
+            binding.kind = &value_kind<Other>;
             binding.read = [access](const ValueSource& from, TableHead& table) {
                 auto value = Kind<Other>::read(from);
                 if (value) field(access, table) = std::move(*value);
@@ -123,7 +122,7 @@ class Table {
                 return value == nullptr ? "" : Kind<Other>::print(*value);
             };
         }
-        add({.name = name, .type = Traits::type, .sentence = sentence, .table = &inner}, binding);
+        add({.name = name, .shape = Traits::shape, .sentence = sentence, .table = &inner}, binding);
         return *this;
     }
 
@@ -139,8 +138,8 @@ class Table {
     }
 
     // Adds tables that are not held by this one: their own functions find them in the deck.
-    Table& tables(const std::string& name, ValueType type, const TableSpec& inner) {
-        spec_.keys.push_back({.name = name, .type = type, .table = &inner});
+    Table& tables(const std::string& name, KeyShape shape, const TableSpec& inner) {
+        spec_.keys.push_back({.name = name, .shape = shape, .table = &inner});
         return *this;
     }
 

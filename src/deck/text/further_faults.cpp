@@ -23,9 +23,9 @@ const std::string* name_at(const Steps& steps, std::size_t i) {
     return i < steps.size() ? std::get_if<std::string>(&steps[i]) : nullptr;
 }
 
-ValueType type_of(const std::string& key) {
+KeyShape shape_of(const std::string& key) {
     const KeySpec* spec = deck_schema().find(key);
-    return spec == nullptr ? ValueType::text : spec->type;
+    return spec == nullptr ? KeyShape::value : spec->shape;
 }
 
 // Whether expressions read it by its name.
@@ -78,13 +78,13 @@ class Remainder {
         DeckEntry* entry = deck_.find(kind);
         if (entry == nullptr) return false;
         if (fault.message.starts_with("unknown key")) return take_out_key(*steps);
-        switch (type_of(kind)) {
-            case ValueType::named_tables:
-            case ValueType::parameters:
+        switch (shape_of(kind)) {
+            case KeyShape::named_tables:
+            case KeyShape::parameters:
                 return name_at(*steps, 1) != nullptr && take_out_named(kind, *name_at(*steps, 1));
-            case ValueType::table_list:
+            case KeyShape::table_list:
                 return kind != "stage" && take_out_element(kind, *steps);
-            case ValueType::table:
+            case KeyShape::table:
                 return take_out_value(*entry, *steps);
             default:
                 erase(deck_, kind);
@@ -151,7 +151,7 @@ class Remainder {
     }
 
     void touch(const Steps& steps) {
-        const bool is_single = type_of(*name_at(steps, 0)) == ValueType::table || steps.size() == 1;
+        const bool is_single = shape_of(*name_at(steps, 0)) == KeyShape::table || steps.size() == 1;
         touched_.insert(join_key(steps, is_single ? 1 : 2));
     }
 
@@ -245,13 +245,13 @@ class Remainder {
         std::vector<std::pair<std::string, std::string>> tables;
         std::vector<std::string> keys;
         for (DeckEntry& entry : *deck_.table()) {
-            const ValueType type = type_of(entry.key);
-            if (type == ValueType::named_tables || type == ValueType::parameters) {
+            const KeyShape shape = shape_of(entry.key);
+            if (shape == KeyShape::named_tables || shape == KeyShape::parameters) {
                 if (entry.node.table() == nullptr) continue;
                 for (const DeckEntry& one : *entry.node.table()) {
                     if (refers(one.node)) tables.emplace_back(entry.key, one.key);
                 }
-            } else if (type == ValueType::table_list && entry.node.array() != nullptr &&
+            } else if (shape == KeyShape::table_list && entry.node.array() != nullptr &&
                        entry.key != "stage") {
                 for (std::size_t i = entry.node.array()->size(); i-- > 0;) {
                     if (!refers((*entry.node.array())[i])) continue;
@@ -261,7 +261,7 @@ class Remainder {
                     }
                     erase_element(entry, i);
                 }
-            } else if (type == ValueType::table && entry.node.table() != nullptr) {
+            } else if (shape == KeyShape::table && entry.node.table() != nullptr) {
                 const auto count = std::erase_if(*entry.node.table(),
                                                  [&](const DeckEntry& one) { return refers(one.node); });
                 if (count > 0) touched_.insert(entry.key);

@@ -41,42 +41,34 @@ RoundTrip trip(const std::string& key,
             }};
 }
 
-// Of the curves of a tube, whose keys are those of rods, by where they start and end.
+// A curve of a tube, by where it starts and ends.
 struct Curve {
     std::string name, deck;
-    std::vector<std::string> keys;
     Vec3 start, end;
 };
 
 std::vector<Curve> list_curves() {
-    return {{"arc",
-             "from = [5, 0, -9], through = [0, 5, -9], to = [-5, 0, -9]",
-             {"from", "through", "to"},
-             {5, 0, -9},
-             {-5, 0, -9}},
+    return {{"arc", "from = [5, 0, -9], through = [0, 5, -9], to = [-5, 0, -9]", {5, 0, -9}, {-5, 0, -9}},
             {"arc",
              "centre = [0, 0, -9], axis = [0, 0, 1], from = [5, 0, -9], angle = \"pi\"",
-             {"centre", "axis", "angle"},
              {5, 0, -9},
              {-5, 0, -9}},
             {"helix",
              "centre = [0, 0, -9], axis = [0, 0, -1], from = [2, 0, -9], turns = 2, pitch = 3",
-             {"centre", "axis", "from", "turns", "pitch"},
              {2, 0, -9},
              {2, 0, -15}}};
 }
 
 void add_curve_trips(std::vector<RoundTrip>& trips) {
     for (const Curve& curve : list_curves()) {
-        for (const std::string& key : curve.keys)
-            trips.push_back(trip("tube." + curve.name + "." + key,
-                                 "tube = { " + curve.name + " = { " + curve.deck + " }, radius = 0.5 }",
-                                 [curve](const Obstacle& one) {
-                                     const auto* tube = std::get_if<TubeShape>(&one.shape);
-                                     return tube != nullptr &&
-                                            (tube->line.front() - curve.start).norm() < 1e-12 &&
-                                            (tube->line.back() - curve.end).norm() < 1e-12;
-                                 }));
+        trips.push_back(trip("tube." + curve.name,
+                             "tube = { " + curve.name + " = { " + curve.deck + " }, radius = 0.5 }",
+                             [curve](const Obstacle& one) {
+                                 const auto* tube = std::get_if<TubeShape>(&one.shape);
+                                 return tube != nullptr &&
+                                        (tube->line.front() - curve.start).norm() < 1e-12 &&
+                                        (tube->line.back() - curve.end).norm() < 1e-12;
+                             }));
     }
 }
 

@@ -9,11 +9,10 @@ namespace {
 using Json = nlohmann::json;
 
 // The part of the JSON Schema that describes the inside of a key's table or tables.
-const Json& inside(const Json& schema, ValueType type) {
-    if (type == ValueType::table_list) return schema.at("items");
-    if (type == ValueType::named_tables) return schema.at("patternProperties").begin().value();
-    if (type == ValueType::stations) return schema.at("anyOf").at(1);
-    if (type == ValueType::number_or_table) return schema.at("anyOf").at(2);
+const Json& inside(const Json& schema, KeyShape shape) {
+    if (shape == KeyShape::table_list) return schema.at("items");
+    if (shape == KeyShape::named_tables) return schema.at("patternProperties").begin().value();
+    if (shape == KeyShape::value) return schema.at("anyOf").back();
     return schema;
 }
 
@@ -30,8 +29,8 @@ void check_table(const Json& schema, const TableSpec& table) {
         CHECK(property.contains("default") == !std::holds_alternative<std::monostate>(key.default_value));
         const bool is_conditional = !key.only_for.empty() || !key.only_with.empty();
         if (key.presence == Presence::required && !is_conditional) required.push_back(key.name);
-        if (key.table != nullptr && key.type != ValueType::parameters)
-            check_table(inside(property, key.type), *key.table);
+        if (key.table != nullptr && key.shape != KeyShape::parameters)
+            check_table(inside(property, key.shape), *key.table);
     }
     CHECK(schema.value("required", std::vector<std::string>{}) == required);
 }

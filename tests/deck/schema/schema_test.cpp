@@ -1,6 +1,7 @@
 #include "deck/schema/schema.hpp"
 
 #include "deck/schema/schema_tables.hpp"
+#include "deck/table/kinds.hpp"
 #include "tools/catch.hpp"
 
 namespace gxrod {
@@ -20,9 +21,14 @@ std::vector<const TableSpec*> all_tables() {
     return tables;
 }
 
-bool is_table_type(ValueType type) {
-    return type == ValueType::table || type == ValueType::named_tables || type == ValueType::table_list ||
-           type == ValueType::parameters || type == ValueType::number_or_table;
+bool takes_words(const KeySpec& key) {
+    const ValueKind* kind = find_kind(key);
+    return nature_of(key) == ValueNature::word || kind == &value_kind<WordList>;
+}
+
+bool takes_names(const KeySpec& key) {
+    const ValueKind* kind = find_kind(key);
+    return kind == &value_kind<TableName> || kind == &value_kind<TableNames>;
 }
 
 }  // namespace
@@ -32,11 +38,9 @@ TEST_CASE("Every key is declared in full", "[deck]") {
         for (const KeySpec& key : table->keys) {
             INFO(table->path << "." << key.name);
             CHECK(table->find(key.name) == &key);
-            if (key.type != ValueType::bound) {
-                CHECK(is_table_type(key.type) == (key.table != nullptr));
-                CHECK((key.type == ValueType::choice || key.type == ValueType::choices) ==
-                      !key.choices.empty());
-            }
+            CHECK((find_kind(key) != nullptr) == (key.shape == KeyShape::value));
+            CHECK((key.table != nullptr || key.shape == KeyShape::value));
+            if (takes_words(key)) CHECK_FALSE(key.choices.empty());
             const bool described_by_its_table = table == &deck_schema() && key.table != nullptr;
             CHECK((described_by_its_table || key.sentence.ends_with('.')));
             const bool has_default =
@@ -58,7 +62,7 @@ TEST_CASE("Defaults are in their ranges and among their words", "[deck]") {
             if (const auto* integer = std::get_if<long>(&key.default_value)) {
                 CHECK(key.range.contains(static_cast<double>(*integer)));
             }
-            if (key.type != ValueType::choice || key.presence == Presence::required) continue;
+            if (nature_of(key) != ValueNature::word || key.presence == Presence::required) continue;
             if (!key.default_text.empty()) continue;
             const auto& word = std::get<std::string>(key.default_value);
             CHECK(std::find(key.choices.begin(), key.choices.end(), word) != key.choices.end());
@@ -82,8 +86,7 @@ TEST_CASE("A condition on a key or group names words of another key of the table
         for (const KeySpec& key : table->keys) {
             check(*table, key.only_for);
             CHECK((key.only_with.empty() || table->find(key.only_with) != nullptr));
-            const bool names_tables = key.type == ValueType::reference || key.type == ValueType::names;
-            CHECK(names_tables == !key.refers_to.empty());
+            CHECK(takes_names(key) == !key.refers_to.empty());
             for (const std::string& kind : key.refers_to) CHECK(deck_schema().find(kind) != nullptr);
         }
         for (const KeyGroup& group : table->groups) {
