@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "analyses/start_velocities.hpp"
@@ -39,12 +40,14 @@ DynamicAnalysis::DynamicAnalysis(const Model& model, const DynamicSettings& sett
 EquilibriumReport DynamicAnalysis::start() {
     if (!system_.model().has_inertia) {
         // What acts at once, actuation too, strains no law before rods have given way to it, if they do.
-        std::vector<double> memory = state_.law_memory;
+        const std::span<double> memory = system_.memory_within_rods().of(state_);
+        std::vector<double> kept(memory.begin(), memory.end());
         start_at_rest();
-        std::swap(memory, state_.law_memory);
+        std::ranges::swap_ranges(kept, memory);
         find_jumps();
         const EquilibriumReport report = settle();
-        if (report.converged() && settled() == nullptr) state_.law_memory = std::move(memory);
+        if (report.converged() && settled() == nullptr)
+            std::ranges::copy(kept, system_.memory_within_rods().of(state_).begin());
         return report;
     }
     refuse_overlaps(0.0);

@@ -98,8 +98,6 @@ void StepInterior::mix_joints(const std::vector<double>& weights) {
                 joint.multipliers[row] += weights[k] * at.multipliers[row];
             joint.turn += weights[k] * at.turn;
             joint.slide += weights[k] * at.slide;
-            joint.turn_slip += weights[k] * at.turn_slip;
-            joint.slide_slip += weights[k] * at.slide_slip;
         }
     }
 }

@@ -127,12 +127,7 @@ EquilibriumReport SteppedAnalysis::start_at_rest() {
 }
 
 EquilibriumReport SteppedAnalysis::start_after(const SteppedAnalysis& before) {
-    state_.trial = before.state_.previous;
-    state_.sections = before.state_.sections;
-    state_.law_memory = before.state_.law_memory;
-    state_.bed_contacts = before.state_.bed_contacts;
-    state_.contact_memory = before.state_.contact_memory;
-    state_.joints_trial = state_.joints_previous = before.state_.joints_previous;
+    take_over(before.state_, state_);
     totals_before_ = before.ledger_->totals(before.state_);
     for (int i = 0; i < static_cast<int>(state_.trial.size()); ++i) system_.hold_rates(i, state_.trial[i]);
     state_.previous = state_.trial;
@@ -223,12 +218,7 @@ void SteppedAnalysis::aim() {
 }
 
 EquilibriumReport SteppedAnalysis::settle_after(const SteppedAnalysis& before, double time) {
-    state_.trial = state_.previous = before.state_.previous;
-    state_.sections = before.state_.sections;
-    state_.law_memory = before.state_.law_memory;
-    state_.bed_contacts = before.state_.bed_contacts;
-    state_.contact_memory = before.state_.contact_memory;
-    state_.joints_trial = state_.joints_previous = before.state_.joints_previous;
+    take_over(before.state_, state_);
     const EquilibriumReport report =
         solve_step(system_, *integrator_, newton_, {0, time, 0.0, time}, workspace_, state_);
     if (report.converged()) accept_start(time, true);
@@ -292,10 +282,8 @@ RestartRecord SteppedAnalysis::restart_record() const {
     RestartRecord record;
     record.nodes = state_.previous;
     record.sections = state_.sections;
-    record.law_memory = state_.law_memory;
-    record.bed_contacts = state_.bed_contacts;
-    record.contact_tractions = state_.contact_memory.on_obstacles;
-    record.pair_tractions = pack(state_.contact_memory.of_pairs);
+    record.memory = state_.memory;
+    record.pair_tractions = pack(state_.pair_tractions);
     record.joints = state_.joints_previous;
     record.carried = state_.carried_previous;
     record.ledger = ledger_->memory();
@@ -318,9 +306,7 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
     const bool has_carried =
         record.carried.size() == nodes * static_cast<std::size_t>(integrator_->carried_count());
     if (record.nodes.size() != nodes || record.sections.size() != state_.sections.size() ||
-        record.law_memory.size() != state_.law_memory.size() ||
-        record.bed_contacts.size() != state_.bed_contacts.size() ||
-        record.contact_tractions.size() != state_.contact_memory.on_obstacles.size() ||
+        record.memory.size() != state_.memory.size() ||
         record.joints.size() != state_.joints_previous.size() || !has_forces || !has_carried) {
         throw std::invalid_argument("the state to resume from belongs to another model");
     }
@@ -328,9 +314,8 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
     lead_ = record.steps.lead;
     state_.previous = state_.trial = record.nodes;
     state_.sections = record.sections;
-    state_.law_memory = record.law_memory;
-    state_.bed_contacts = record.bed_contacts;
-    state_.contact_memory = {record.contact_tractions, unpack(record.pair_tractions)};
+    state_.memory = record.memory;
+    state_.pair_tractions = unpack(record.pair_tractions);
     state_.joints_previous = state_.joints_trial = record.joints;
     state_.carried_previous = state_.carried_trial = record.carried;
     state_.time = state_.trial_time = steps_->time();

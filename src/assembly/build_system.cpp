@@ -118,21 +118,26 @@ System::System(const Model& model, const Kernels& kernels, const ThreadTeam& tea
       load_values_(model, make_loaded_elements(model)),
       drive_values_(model),
       tendon_lines_(model) {
+    memory_count_ = tendon_lines_.capstans().memory_count();
     build_blocks();
-    memory_count_ += tendon_lines_.capstans().memory_count();
+    memory_within_rods_ = {0, memory_count_};
     build_pattern();
     build_batches();
     measure();
-    joints_.lay_out(equations_, pattern_, length_scale_);
+    auto surroundings = std::make_unique<SurroundingsAssembly>(model, team);
+    if (!surroundings->empty()) {
+        surroundings->lay_out(equations_, pattern_, length_scale_, memory_count_);
+        memory_count_ += surroundings->memory_count();
+        surroundings_ = std::move(surroundings);
+    }
     auto contact = std::make_unique<ContactAssembly>(model, team, scale_groups_);
     if (!contact->empty()) {
-        contact->lay_out(equations_, pattern_);
+        contact->lay_out(equations_, pattern_, memory_count_);
+        memory_count_ += contact->memory_count();
         contact_ = std::move(contact);
     }
-    auto surroundings = std::make_unique<SurroundingsAssembly>(model, team);
-    if (surroundings->empty()) return;
-    surroundings->lay_out(equations_, pattern_, length_scale_);
-    surroundings_ = std::move(surroundings);
+    joints_.lay_out(equations_, pattern_, length_scale_, memory_count_);
+    memory_count_ += joints_.memory_count();
 }
 
 void System::build_blocks() {

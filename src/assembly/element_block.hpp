@@ -36,7 +36,7 @@ struct ElementBlock {
     std::vector<ElementPlaces<node_count>> places;
     std::size_t first_history = 0;  // first of this block in State::sections
     std::size_t first_point = 0;    // first of this block in State::resultants
-    // The start of each element in State::law_memory, and the end; empty if no section remembers.
+    // The start of each element in State::memory, and the end; empty if no section remembers.
     std::vector<std::size_t> first_memory;
     bool has_laws = false;           // whether any section is not linear
     std::vector<int> section_index;  // index of a rod element among all rod elements of the model
@@ -59,13 +59,13 @@ struct ElementBlock {
 
     Histories histories(const State& state, std::size_t element, const Instant& instant) const {
         return {.axes = {state.sections.data() + first_history + element * history_count, history_count},
-                .memory = std::span(state.law_memory).subspan(memory_start(element), memory_count(element)),
+                .memory = std::span(state.memory).subspan(memory_start(element), memory_count(element)),
                 .elapsed = instant.elapsed,
                 .drives = drives_of(element, instant)};
     }
     WritableHistories writable_histories(State& state, std::size_t element) const {
         return {.axes = {state.sections.data() + first_history + element * history_count, history_count},
-                .memory = std::span(state.law_memory).subspan(memory_start(element), memory_count(element))};
+                .memory = std::span(state.memory).subspan(memory_start(element), memory_count(element))};
     }
     std::span<const PointDrive> drives_of(std::size_t element, const Instant& instant) const {
         if (!has_section || instant.drives == nullptr) return {};

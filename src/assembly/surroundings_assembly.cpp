@@ -123,9 +123,11 @@ void SurroundingsAssembly::add_contacts(int index) {
 
 void SurroundingsAssembly::lay_out(const EquationNumbers& equations,
                                    const SparsePattern& pattern,
-                                   double length) {
+                                   double length,
+                                   std::size_t first_memory) {
     if (empty()) return;
     equations_ = &equations;
+    memory_ = {first_memory, memory_count()};
     field_ = std::make_unique<FluidField>(model_->surroundings, length);
     std::map<int, std::size_t> found;
     for (WetElement& element : elements_) {
@@ -257,9 +259,8 @@ SurroundingsAssembly::Around SurroundingsAssembly::around_body(const WetBody& we
     return around;
 }
 
-const BedContact& SurroundingsAssembly::memory_of(std::size_t contact, const State& state) const {
-    static const BedContact none{};
-    return rubs_ ? state.bed_contacts[contact] : none;
+BedContact SurroundingsAssembly::contact_before(std::size_t contact, const State& state) const {
+    return rubs_ ? read_bed_contact(memory_of(contact).of(state)) : BedContact{};
 }
 
 BedPoint SurroundingsAssembly::bed_point(const Contact& contact, const NodeMotion& motion) const {
@@ -270,7 +271,7 @@ BedForce SurroundingsAssembly::compute_contact(std::size_t index, const State& s
     const Contact& contact = contacts_[index];
     const NodeMotion& motion = state.trial[static_cast<std::size_t>(contact.node)];
     return compute_bed_force(
-        *model_->surroundings.seabed, bed_point(contact, motion), motion, memory_of(index, state));
+        *model_->surroundings.seabed, bed_point(contact, motion), motion, contact_before(index, state));
 }
 
 void SurroundingsAssembly::subtract_forces(const State& state,
@@ -338,7 +339,7 @@ void SurroundingsAssembly::add_tangents(const State& state,
         const auto node = static_cast<std::size_t>(contact.node);
         const NodeMotion& motion = state.trial[node];
         const BedForceDerivative derivative = compute_bed_force_derivative(
-            *model_->surroundings.seabed, bed_point(contact, motion), motion, memory_of(c, state));
+            *model_->surroundings.seabed, bed_point(contact, motion), motion, contact_before(c, state));
         add_own(contact, -compose(linearizations[node], derivative));
     }
 }
@@ -346,7 +347,7 @@ void SurroundingsAssembly::add_tangents(const State& state,
 void SurroundingsAssembly::commit(State& state) const {
     if (!rubs_) return;
     for (std::size_t c = 0; c < contacts_.size(); ++c)
-        state.bed_contacts[c] = compute_contact(c, state).after;
+        write(compute_contact(c, state).after, memory_of(c).of(state));
 }
 
 const SurroundingsAssembly::WetElement* SurroundingsAssembly::find_element(int rod, int element) const {

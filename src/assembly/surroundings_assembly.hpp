@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "loads/fluid_force.hpp"
 #include "model/model.hpp"
 #include "parallel/thread_team.hpp"
+#include "state/memory_slice.hpp"
 #include "state/state.hpp"
 #include "state/values/point_values.hpp"
 
@@ -29,11 +31,16 @@ class SurroundingsAssembly {
     SurroundingsAssembly(const Model& model, const ThreadTeam& team);
     // Prepares the forces; call it first. `length` is the model's length, which sets the small distance for
     // differences of fields.
-    void lay_out(const EquationNumbers& equations, const SparsePattern& pattern, double length);
+    void lay_out(const EquationNumbers& equations,
+                 const SparsePattern& pattern,
+                 double length,
+                 std::size_t first_memory);
 
     bool empty() const { return elements_.empty() && bodies_.empty() && contacts_.empty(); }
-    // The number of pieces with friction on the ground, as in State::bed_contacts.
-    std::size_t rubbing_count() const { return rubs_ ? contacts_.size() : 0; }
+    // The numbers in State::memory: BedContact of each piece with friction on the ground.
+    std::size_t memory_count() const { return rubs_ ? numbers_of_bed_contact * contacts_.size() : 0; }
+    // Returns the memory of a piece, at each node that can touch.
+    BedContact contact_before(std::size_t contact, const State& state) const;
 
     // Subtracts the forces on each node from the residual, spatial, for the trial motions with fields at
     // `time`.
@@ -110,7 +117,9 @@ class SurroundingsAssembly {
     Around around_body(const WetBody& body, const State& state) const;
     BedForce compute_contact(std::size_t contact, const State& state) const;
     BedPoint bed_point(const Contact& contact, const NodeMotion& motion) const;
-    const BedContact& memory_of(std::size_t contact, const State& state) const;
+    MemorySlice memory_of(std::size_t contact) const {
+        return memory_.piece(contact, numbers_of_bed_contact);
+    }
     const WetElement* find_element(int rod, int element) const;
 
     const Model* model_;
@@ -121,6 +130,7 @@ class SurroundingsAssembly {
     std::vector<WetBody> bodies_;
     std::vector<Contact> contacts_;
     std::vector<int> places_;  // nodes whose surroundings are evaluated, each once
+    MemorySlice memory_;
     bool rubs_ = false;
     bool has_fluid_ = false;
     std::unique_ptr<FluidField> field_;

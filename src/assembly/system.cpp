@@ -92,11 +92,9 @@ State System::initial_state() const {
         hold_rates(i, state.trial[i]);
     }
     state.previous = state.trial;
-    joints_.start(state);
     state.sections.resize(history_count_);
-    state.law_memory.assign(memory_count_, 0.0);
-    if (surroundings_) state.bed_contacts.resize(surroundings_->rubbing_count());
-    if (contact_) state.contact_memory.on_obstacles.assign(contact_->traction_count(), Vec3::Zero());
+    state.memory.assign(memory_count_, 0.0);
+    joints_.start(state);
     for_each_block(blocks_, [&](const auto& block) {
         for (std::size_t e = 0; e < block.elements.size(); ++e)
             block.elements[e].start(block.writable_histories(state, e).axes);

@@ -18,6 +18,7 @@
 #include "linear/sparse_pattern.hpp"
 #include "loads/load_values.hpp"
 #include "model/model.hpp"
+#include "state/memory_slice.hpp"
 #include "state/state.hpp"
 #include "state/values/point_values.hpp"
 #include "state/values/section_values.hpp"
@@ -90,6 +91,8 @@ class System {
     // Returns the reference shape with the model's initial velocities, zero where a support holds;
     // accelerations are zero.
     State initial_state() const;
+    // The memory of laws of sections, and of tendons with friction.
+    const MemorySlice& memory_within_rods() const { return memory_within_rods_; }
     // Makes the velocities of a node zero where a support holds it.
     void hold_rates(int node, NodeMotion& motion) const;
 
@@ -248,6 +251,7 @@ class System {
     std::size_t history_count_ = 0;
     std::size_t point_count_ = 0;
     std::size_t memory_count_ = 0;
+    MemorySlice memory_within_rods_;
     int rod_element_count_ = 0;
     bool is_damped_ = false;
     bool has_laws_ = false;

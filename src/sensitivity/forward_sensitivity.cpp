@@ -78,9 +78,10 @@ void ForwardSensitivity::start_one(VariedSystem& side,
     integrator.start(state);
     system.joints().start(state);
     side.ended = state;
-    const std::vector<double> memory = state.law_memory;
     system.commit(state, 0.0);
-    if (settles) state.law_memory = memory;  // as DynamicAnalysis does
+    if (settles)  // as DynamicAnalysis does
+        std::ranges::copy(system.memory_within_rods().of(side.ended),
+                          system.memory_within_rods().of(state).begin());
 }
 
 void ForwardSensitivity::start(const Integrator& integrator,

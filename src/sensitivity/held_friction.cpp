@@ -7,6 +7,8 @@
 #include "assembly/tendons/capstan_tension.hpp"
 #include "model/sections/kinked_law.hpp"
 #include "model/ties/ties.hpp"
+#include "state/joint_state.hpp"
+#include "state/memory_slice.hpp"
 
 namespace gxrod {
 
@@ -21,7 +23,8 @@ double find_move(const Friction& friction, double coordinate, double slip) {
 
 }  // namespace
 
-HeldFriction::HeldFriction(const System& system, const State& state, double time) {
+HeldFriction::HeldFriction(const System& system, const State& state, double time)
+    : moves_(state.memory.size(), 0.0) {
     find_slips(system, state, time);
     find_tensions(system, state, time);
 }
@@ -32,11 +35,10 @@ void HeldFriction::find_slips(const System& system, const State& state, double t
     const std::vector<JointValues> values = system.joints().compute_joint_values(state, time);
     for_each_coordinates(
         model, [&](std::size_t joint, const std::string&, const auto& turn, const JointCoordinate& slide) {
-            const JointState& before = state.joints_previous[joint];
-            const Slip slip{joint,
-                            find_move(turn.friction, values[joint].turn, before.turn_slip),
-                            find_move(slide.friction, values[joint].slide, before.slide_slip)};
-            if (slip.turn != 0.0 || slip.slide != 0.0) slips_.push_back(slip);
+            const MemorySlice slips = system.joints().memory_of(joint);
+            const JointSlips before = read_slips(slips.of(state));
+            moves_[slips.first] = find_move(turn.friction, values[joint].turn, before.turn);
+            moves_[slips.first + 1] = find_move(slide.friction, values[joint].slide, before.slide);
         });
 }
 
@@ -50,24 +52,20 @@ void HeldFriction::find_tensions(const System& system, const State& state, doubl
         for (const double tension : tensions) most = std::max(most, tension);
         for (std::size_t i = 0; i < tensions.size(); ++i) {
             const auto slips_to = [&](double direction) {
-                tendon.memory(moved)[i] += direction * most;
+                double& before = moved.memory[tendon.memory().first + i];
+                before += direction * most;
                 const double other = tendon.compute(state.trial, moved, time)[i];
-                tendon.memory(moved)[i] -= direction * most;
+                before -= direction * most;
                 return std::abs(other - tensions[i]) <= at_its_limit * most;
             };
             const double direction = slips_to(-1.0) ? -1.0 : slips_to(1.0) ? 1.0 : 0.0;
-            tensions_.push_back(direction * most);
+            moves_[tendon.memory().first + i] = direction * most;
         }
     }
 }
 
 void HeldFriction::move(State& state) const {
-    for (const Slip& slip : slips_) {
-        state.joints_previous[slip.joint].turn_slip += slip.turn;
-        state.joints_previous[slip.joint].slide_slip += slip.slide;
-    }
-    const auto memory = std::span(state.law_memory).last(tensions_.size());
-    for (std::size_t i = 0; i < tensions_.size(); ++i) memory[i] += tensions_[i];
+    for (std::size_t i = 0; i < moves_.size(); ++i) state.memory[i] += moves_[i];
 }
 
 }  // namespace gxrod

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "assembly/system.hpp"
@@ -18,15 +17,11 @@ class HeldFriction {
     void move(State& state) const;
 
   private:
-    struct Slip {
-        std::size_t joint;
-        double turn = 0.0, slide = 0.0;
-    };
+    // Adds to moves_ at the numbers of these parts.
     void find_slips(const System& system, const State& state, double time);
     void find_tensions(const System& system, const State& state, double time);
 
-    std::vector<Slip> slips_;
-    std::vector<double> tensions_;  // for the last entries of State::law_memory
+    std::vector<double> moves_;  // for State::memory
 };
 
 }  // namespace gxrod

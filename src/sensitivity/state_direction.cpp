@@ -14,8 +14,6 @@ void visit_joint(Visit&& visit, Joint&... joints) {
     for (std::size_t i = 0; i < 6; ++i) visit(joints.multipliers[i]...);
     visit(joints.turn...);
     visit(joints.slide...);
-    visit(joints.turn_slip...);
-    visit(joints.slide_slip...);
 }
 
 }  // namespace
@@ -36,10 +34,7 @@ void move_along(const StateDirection& direction, double amount, State& state) {
         section.Lambda = exp_quaternion(amount * direction.sections[i].phi) * section.Lambda;
         section.K += amount * direction.sections[i].K;
     }
-    for (std::size_t i = 0; i < direction.law_memory.size(); ++i)
-        state.law_memory[i] += amount * direction.law_memory[i];
-    for (std::size_t i = 0; i < direction.bed_targets.size(); ++i)
-        state.bed_contacts[i].target += amount * direction.bed_targets[i];
+    for (std::size_t i = 0; i < direction.memory.size(); ++i) state.memory[i] += amount * direction.memory[i];
     for (std::size_t i = 0; i < direction.carried.size(); ++i) {
         state.carried_previous[i].a += amount * direction.carried[i].a;
         state.carried_previous[i].alpha += amount * direction.carried[i].alpha;
@@ -68,10 +63,8 @@ StateDirection differentiate(const State& up, const State& down, double step) {
     for (std::size_t i = 0; i < up.sections.size(); ++i)
         direction.sections.push_back({half * spin_between(down.sections[i].Lambda, up.sections[i].Lambda),
                                       half * (up.sections[i].K - down.sections[i].K)});
-    for (std::size_t i = 0; i < up.law_memory.size(); ++i)
-        direction.law_memory.push_back(half * (up.law_memory[i] - down.law_memory[i]));
-    for (std::size_t i = 0; i < up.bed_contacts.size(); ++i)
-        direction.bed_targets.push_back(half * (up.bed_contacts[i].target - down.bed_contacts[i].target));
+    for (std::size_t i = 0; i < up.memory.size(); ++i)
+        direction.memory.push_back(half * (up.memory[i] - down.memory[i]));
     for (std::size_t i = 0; i < up.carried_previous.size(); ++i)
         direction.carried.push_back({half * (up.carried_previous[i].a - down.carried_previous[i].a),
                                      half * (up.carried_previous[i].alpha - down.carried_previous[i].alpha)});
@@ -100,8 +93,7 @@ StateDirection extrapolate(StateDirection near, const StateDirection& far) {
         mix(near.sections[i].phi, far.sections[i].phi);
         mix(near.sections[i].K, far.sections[i].K);
     }
-    for (std::size_t i = 0; i < near.law_memory.size(); ++i) mix(near.law_memory[i], far.law_memory[i]);
-    for (std::size_t i = 0; i < near.bed_targets.size(); ++i) mix(near.bed_targets[i], far.bed_targets[i]);
+    for (std::size_t i = 0; i < near.memory.size(); ++i) mix(near.memory[i], far.memory[i]);
     for (std::size_t i = 0; i < near.carried.size(); ++i) {
         mix(near.carried[i].a, far.carried[i].a);
         mix(near.carried[i].alpha, far.carried[i].alpha);

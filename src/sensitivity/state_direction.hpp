@@ -20,8 +20,7 @@ struct StateDirection {
 
     std::vector<OfNode> nodes;
     std::vector<OfSection> sections;
-    std::vector<double> law_memory;
-    std::vector<Vec3> bed_targets;  // for State::bed_contacts
+    std::vector<double> memory;
     std::vector<CarriedAcceleration> carried;
     std::vector<JointState> joints;
 };

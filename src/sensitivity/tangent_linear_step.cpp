@@ -43,14 +43,12 @@ void TangentLinearStep::advance(const Stage& first_stage,
     base_ = centre_.state = before;
     undo_trial(base_);
     base_system_.forget_loads();
-    joints_before_ = base_.joints_previous;
-    memory_before_ = base_.law_memory;
+    memory_before_ = base_.memory;
     std::vector<VariedSystem*> varied(given.begin(), given.end());
     varied.push_back(&centre_);
     for (VariedSystem* one : varied) {
         undo_trial(one->state);
-        one->joints_before = one->state.joints_previous;
-        one->memory_before = one->state.law_memory;
+        one->memory_before = one->state.memory;
     }
     // A step that is committed turns the multipliers of sleeves into the axes of its end.
     const bool is_known =
@@ -92,8 +90,7 @@ void TangentLinearStep::advance(const Stage& first_stage,
 
 void TangentLinearStep::release() {
     centre_.held.release();
-    base_.joints_previous = joints_before_;
-    base_.law_memory = memory_before_;
+    base_.memory = memory_before_;
 }
 
 void TangentLinearStep::hold(double time, std::span<VariedSystem* const> varied) {
@@ -105,8 +102,7 @@ void TangentLinearStep::hold(double time, std::span<VariedSystem* const> varied)
     const HeldFriction friction(base_system_, base_, time);
     friction.move(base_);
     for (VariedSystem* one : varied) {
-        one->state.joints_previous = one->joints_before;
-        one->state.law_memory = one->memory_before;
+        one->state.memory = one->memory_before;
         friction.move(one->state);
         one->held.hold(pieces_);
     }

@@ -25,7 +25,6 @@ struct VariedSystem {
     State ended;
     std::vector<double> values;  // its matrix at its trial motions, if joints need it
     // Joints and law memory of State at the start of stages.
-    std::vector<JointState> joints_before;
     std::vector<double> memory_before;
 };
 
@@ -103,7 +102,6 @@ class TangentLinearStep {
     bool has_hidden_constraints_;
     bool is_settling_ = false;
     State base_;
-    std::vector<JointState> joints_before_;
     std::vector<double> memory_before_;
     Pieces pieces_;
 };

@@ -2,11 +2,10 @@
 
 #include <vector>
 
-#include "state/bed_contact.hpp"
-#include "state/contact_memory.hpp"
 #include "state/contact_trial.hpp"
 #include "state/joint_state.hpp"
 #include "state/motion.hpp"
+#include "state/pair_traction.hpp"
 
 namespace gxrod {
 
@@ -40,10 +39,10 @@ struct State {
     std::vector<NodeMotion> previous;      // per node, at the last accepted step
     std::vector<NodeMotion> trial;         // per node, where equilibrium is sought
     std::vector<SectionHistory> sections;  // per force point, in element order
-    // Memory per force point with a law, then the tensions of tendons with friction; of `previous`.
-    std::vector<double> law_memory;
-    std::vector<BedContact> bed_contacts;                   // per piece that can touch, of `previous`
-    ContactMemory contact_memory;                           // memory at `previous`
+    // All other numbers that parts remember from step to step, at `previous`; each part of the system has a
+    // slice (MemorySlice). Only a commit changes them.
+    std::vector<double> memory;
+    std::vector<PairTraction> pair_tractions;               // friction between rods at `previous`, sorted
     std::vector<JointState> joints_previous, joints_trial;  // per joint
     // Resultants (N, M) per force point, material, from which the mixed tangent is computed; empty with other
     // tangents.
@@ -57,6 +56,15 @@ struct State {
     std::vector<std::vector<NodeMotion>> stage_motions;
     std::vector<std::vector<JointState>> stage_joints;
 };
+
+// Takes over the last accepted step of another system of the same parts.
+inline void take_over(const State& from, State& to) {
+    to.previous = to.trial = from.previous;
+    to.sections = from.sections;
+    to.memory = from.memory;
+    to.pair_tractions = from.pair_tractions;
+    to.joints_previous = to.joints_trial = from.joints_previous;
+}
 
 // Returns to the last accepted step. Between commits only the trial values change, and the rates of stages,
 // which every step finds again.

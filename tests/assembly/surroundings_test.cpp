@@ -1,5 +1,7 @@
 // Water, air and the ground around whole models.
 
+#include <span>
+
 #include "assembly/lanes/rod_element_weights.hpp"
 #include "assembly/sample_model.hpp"
 #include "assembly/surroundings_assembly.hpp"
@@ -8,6 +10,7 @@
 #include "integrators/newmark_simplified.hpp"
 #include "solvers/difference_tangent.hpp"
 #include "solvers/trial_rates.hpp"
+#include "state/bed_contact.hpp"
 #include "tools/catch.hpp"
 #include "tools/dense_algebra.hpp"
 #include "tools/difference.hpp"
@@ -19,6 +22,10 @@ namespace {
 
 constexpr double now = 0.7;
 const Stage stage{0, 0.6, 0.1, now};
+
+std::span<double> numbers_at(std::size_t contact, State& state) {
+    return std::span(state.memory).subspan(numbers_of_bed_contact * contact, numbers_of_bed_contact);
+}
 
 SectionInFluid make_section_in_fluid() {
     SectionInFluid fluid;
@@ -96,8 +103,8 @@ void check_tangents(const Model& model) {
     REQUIRE(system.surroundings() != nullptr);
     for (const unsigned seed : {1U, 2U}) {
         State state = make_turned_state(system, seed);
-        for (std::size_t i = 0; i < state.bed_contacts.size(); i += 2)
-            state.bed_contacts[i] = {1.0, state.trial[i].r + RandomValues(seed).vector(0.05)};
+        for (std::size_t i = 0; numbers_of_bed_contact * i < state.memory.size(); i += 2)
+            write({1.0, state.trial[i].r + RandomValues(seed).vector(0.05)}, numbers_at(i, state));
         check_tangent(system, LoadStepping(), state);
         check_tangent(system, NewmarkSimplified({0.25, 0.5}), state);
         check_tangent(system, GeneralizedAlpha(0.5), state);
@@ -199,18 +206,19 @@ TEST_CASE("A commit alone moves where friction pulls to", "[assembly][surroundin
     put_on_ground(model, middle_height(model) + 5.0);  // all of it is in the ground
     const System system(model);
     State state = make_turned_state(system, 6);
-    REQUIRE(state.bed_contacts.size() == model.nodes.size());
+    REQUIRE(state.memory.size() == numbers_of_bed_contact * model.nodes.size());
     std::vector<NodeLinearization> linearizations(state.trial.size());
     LoadStepping().linearize(state, stage, linearizations);
     Residual residual;
     std::vector<double> values;
     system.compute_residual(state, now, residual);
     system.compute_tangent(state, now, linearizations, values);
-    for (const BedContact& contact : state.bed_contacts) CHECK(contact.touches == 0.0);
+    for (const double number : state.memory) CHECK(number == 0.0);
     system.commit(state, now);
-    for (std::size_t i = 0; i < state.bed_contacts.size(); ++i) {
-        CHECK(state.bed_contacts[i].touches == 1.0);
-        CHECK((state.bed_contacts[i].target - state.trial[i].r).norm() < 1e-12);
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        const BedContact contact = read_bed_contact(numbers_at(i, state));
+        CHECK(contact.touches == 1.0);
+        CHECK((contact.target - state.trial[i].r).norm() < 1e-12);
     }
 }
 

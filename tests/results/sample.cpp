@@ -160,8 +160,7 @@ RestartRecord make_restart(double t) {
         record.ledger.forces.push_back(Vec6::Constant(k + t));
         record.ledger.force_change.push_back(Vec6::Constant(k - t));
         record.ledger.fluid_forces.push_back(Vec6::Constant(k + 2.0 * t));
-        record.law_memory.push_back(k - 2.0 * t);
-        record.bed_contacts.push_back({1.0, Vec3(k, 10.0, t)});
+        record.memory.push_back(k - 2.0 * t);
         record.ledger.movement.push_back(Vec6::Constant(2.0 * k - t));
         record.path.tangent.push_back(Vec6::Constant(3.0 * k - t));
     }

@@ -39,8 +39,11 @@ void ContactAssembly::find_exceptions() {
     }
 }
 
-void ContactAssembly::lay_out(const EquationNumbers& equations, const SparsePattern& pattern) {
+void ContactAssembly::lay_out(const EquationNumbers& equations,
+                              const SparsePattern& pattern,
+                              std::size_t first_memory) {
     equations_ = &equations;
+    memory_ = {first_memory, memory_count()};
     for (ContactElement& element : places_.elements) {
         const std::span<const int> nodes(element.nodes.data(), static_cast<std::size_t>(element.count));
         element.slots.resize(36 * nodes.size() * nodes.size());
@@ -162,7 +165,7 @@ CoulombFriction ContactAssembly::friction(std::size_t obstacle, std::size_t plac
     if (coefficient == 0.0) return {};
     return {coefficient,
             element.law.stiffness / element.law.skin,
-            state.contact_memory.on_obstacles[pair(obstacle, place)]};
+            Vec3(memory_.piece(pair(obstacle, place), 3).of(state).data())};
 }
 
 // As the state's parameters take it for granted.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <string>
@@ -21,6 +22,7 @@
 #include "loads/distributed_load.hpp"
 #include "parallel/thread_team.hpp"
 #include "state/contact_touch.hpp"
+#include "state/memory_slice.hpp"
 #include "state/values/obstacle_values.hpp"
 
 namespace gxrod {
@@ -32,13 +34,15 @@ class ContactAssembly {
   public:
     // All must outlive it.
     ContactAssembly(const Model& model, const ThreadTeam& team, const ScaleGroups& groups);
-    void lay_out(const EquationNumbers& equations, const SparsePattern& pattern);
+    void lay_out(const EquationNumbers& equations, const SparsePattern& pattern, std::size_t first_memory);
 
     bool empty() const { return (places_.places.empty() || surfaces_.empty()) && pairs_.empty(); }
     // Contact of rods with each other.
     const ContactPairs& pairs() const { return pairs_; }
-    // The size of ContactMemory::on_obstacles.
-    std::size_t traction_count() const { return rubs_ ? pair_count() : 0; }
+    // The numbers in State::memory: friction from obstacles at each place, per length, spatial; places of the
+    // first obstacle, then of the next.
+    std::size_t memory_count() const { return 3 * traction_count(); }
+    MemorySlice memory() const { return memory_; }
 
     // Subtracts forces times a weight, which the schemes of time choose (Integrator::contact_weight).
     void subtract_forces(const State& state, double time, double weight, Residual& residual) const;
@@ -108,6 +112,8 @@ class ContactAssembly {
         NormalForce normal;
         CoulombFriction friction;
     };
+    // The number of places with friction, at all obstacles.
+    std::size_t traction_count() const { return rubs_ ? pair_count() : 0; }
     std::size_t pair_count() const { return surfaces_.size() * places_.places.size(); }
     std::size_t pair(std::size_t obstacle, std::size_t place) const {
         return obstacle * places_.places.size() + place;
@@ -198,6 +204,7 @@ class ContactAssembly {
     // Flags by surface and element; empty without Contact::exceptions at obstacles.
     std::vector<char> off_;
     std::vector<double> coefficients_;
+    MemorySlice memory_;
     bool rubs_ = false;
     bool moves_ = false;
 };

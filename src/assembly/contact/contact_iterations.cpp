@@ -202,7 +202,7 @@ void ContactAssembly::commit(State& state, double time) const {
             for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
                 if (is_off(obstacle, p)) continue;
                 const SurfaceTouch surface = touch(at, obstacle, p, position);
-                state.contact_memory.on_obstacles[pair(obstacle, p)] =
+                Eigen::Map<Vec3>(memory_.piece(pair(obstacle, p), 3).of(state).data()) =
                     compute_place_force(surface,
                                         places_.motion_of(place, state),
                                         law_force(at, obstacle, p, surface.gap, state),

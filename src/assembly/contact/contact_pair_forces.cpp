@@ -84,7 +84,7 @@ double ContactPairs::friction_stiffness_of(const NearPieces& near) const {
 CoulombFriction ContactPairs::friction_of(std::size_t index, const State& state) const {
     const NearPieces& near = state.contact.pieces[index];
     CoulombFriction friction{coefficient_of(near), friction_stiffness_of(near)};
-    const std::vector<PairTraction>& memory = state.contact_memory.of_pairs;
+    const std::vector<PairTraction>& memory = state.pair_tractions;
     const auto own = std::ranges::lower_bound(memory, near, {}, &PairTraction::pieces);
     if (own != memory.end() && own->pieces == near) friction.traction = own->traction;
     return friction;
@@ -378,7 +378,7 @@ void ContactPairs::commit(State& state) const {
             touching.energy, motion_of(near, state), friction_of(touching.index, state));
         if (!there.traction.value.isZero(0.0)) memory.push_back({near, there.traction.value});
     }
-    state.contact_memory.of_pairs = std::move(memory);
+    state.pair_tractions = std::move(memory);
 }
 
 }  // namespace gxrod

@@ -65,7 +65,7 @@ double ContactPairs::compute_energy_before(const State& state) const {
     double energy = before == found_.placed.now
                         ? sum_of(found_.touching, [](const Touching& one) { return one.energy.energy; })
                         : sum_of(state.contact.pieces, of_near);
-    for (const PairTraction& one : state.contact_memory.of_pairs)
+    for (const PairTraction& one : state.pair_tractions)
         energy += 0.5 * one.traction.squaredNorm() / friction_stiffness_of(one.pieces);
     return energy;
 }

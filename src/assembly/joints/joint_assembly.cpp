@@ -36,11 +36,6 @@ std::vector<int> list_nodes(const Joint& joint) {
     return nodes;
 }
 
-void set_slips(const JointSlips& slips, JointState& state) {
-    state.turn_slip = slips.turn;
-    state.slide_slip = slips.slide;
-}
-
 Vec6 increment_at(const std::vector<Vec6>& increments, int node) {
     return node < 0 ? Vec6::Zero() : increments[node];
 }
@@ -97,12 +92,16 @@ bool JointAssembly::have_friction_by_multipliers() const {
     return std::ranges::any_of(forces_, [](const JointForces& forces) { return forces.follows_held(); });
 }
 
-void JointAssembly::lay_out(const EquationNumbers& equations, const SparsePattern& pattern, double length) {
+void JointAssembly::lay_out(const EquationNumbers& equations,
+                            const SparsePattern& pattern,
+                            double length,
+                            std::size_t first_memory) {
     equations_ = &equations;
     length_ = length;
     places_.reserve(joints_.size());
     for (std::size_t i = 0; i < joints_.size(); ++i) places_.push_back(find_places(i, equations, pattern));
-    wide_.lay_out(equations, pattern, length, first_rows_.back());
+    memory_ = {first_memory, memory_count()};
+    wide_.lay_out(equations, pattern, length, first_rows_.back(), memory_of(joints_.size()).first);
 }
 
 JointAssembly::Places JointAssembly::find_places(std::size_t index,
@@ -176,7 +175,8 @@ void JointAssembly::add_held_tangent(
     const JointMotions at = motions(state.trial, index);
     const PairVector by_held =
         forces_[index]
-            .compute_held_derivative(at, before.turn, inputs_at(index, state, time), slips_of(before))
+            .compute_held_derivative(
+                at, before.turn, inputs_at(index, state, time), slips_before(state, index))
             .transpose();
     const JointVector by_multipliers = find_held_force(state, index).by_multipliers;
     const JointMatrix G = joints_[index].compute_gradient(at);
@@ -223,9 +223,10 @@ PairVector JointAssembly::compute_force(const State& state, double time, std::si
         rows.compute_force(rows.compute_frames(at, ConstraintLevel::position), multipliers(state, index));
     if (!forces_[index].is_empty()) {
         const JointState& before = state.joints_previous[index];
-        force += forces_[index]
-                     .compute_force(at, before.turn, inputs_at(index, state, time), slips_of(before))
-                     .transpose();
+        force +=
+            forces_[index]
+                .compute_force(at, before.turn, inputs_at(index, state, time), slips_before(state, index))
+                .transpose();
     }
     return force;
 }
@@ -307,7 +308,7 @@ void JointAssembly::add_tangents(const State& state,
                                            linearizations_of(model_->joints[i], linearizations),
                                            before.turn,
                                            inputs_at(i, state, time),
-                                           slips_of(before));
+                                           slips_before(state, i));
         }
         add_matrix(i, matrix, values);
     }
@@ -429,7 +430,7 @@ LargestGap JointAssembly::measure_gap(const std::vector<double>& rows, const Sta
 void JointAssembly::start(State& state) const {
     state.joints_previous.resize(count());
     for (std::size_t i = 0; i < joints_.size(); ++i)
-        set_slips(forces_[i].compute_first_slips(motions(state.trial, i), 0.0), state.joints_previous[i]);
+        write(forces_[i].compute_first_slips(motions(state.trial, i), 0.0), memory_of(i).of(state));
     wide_.start(state);
     state.joints_trial = state.joints_previous;
 }
@@ -440,8 +441,8 @@ void JointAssembly::commit(State& state) const {
         JointState& after = state.joints_trial[i];
         after.turn = place_of(state.trial, i, state).turn.value;
         if (!forces_[i].is_empty())
-            set_slips(forces_[i].compute_slips(motions(state.trial, i), before.turn, slips_of(before)),
-                      after);
+            write(forces_[i].compute_slips(motions(state.trial, i), before.turn, slips_before(state, i)),
+                  memory_of(i).of(state));
     }
     wide_.commit(state);
     state.joints_previous = state.joints_trial;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -16,6 +17,8 @@
 #include "constraints/joints/joint_rows.hpp"
 #include "linear/sparse_pattern.hpp"
 #include "model/model.hpp"
+#include "state/joint_state.hpp"
+#include "state/memory_slice.hpp"
 #include "state/state.hpp"
 #include "state/values/joint_values.hpp"
 
@@ -55,8 +58,14 @@ class JointAssembly {
     // Whether all equations are linear in positions, so that velocities meet them where positions do.
     bool are_linear() const { return are_linear_; }
 
+    // The numbers in State::memory: slip points, two a joint.
+    std::size_t memory_count() const { return numbers_of_slips * count(); }
+    MemorySlice memory_of(std::size_t joint) const { return memory_.piece(joint, numbers_of_slips); }
     // Prepares the equations, once, when they are numbered.
-    void lay_out(const EquationNumbers& equations, const SparsePattern& pattern, double length);
+    void lay_out(const EquationNumbers& equations,
+                 const SparsePattern& pattern,
+                 double length,
+                 std::size_t first_memory);
 
     // Sets rows to the equations of the trial motions.
     void compute_rows(const State& state,
@@ -158,7 +167,9 @@ class JointAssembly {
     // Adds the contribution of friction that depends on this force to the joint's matrix.
     void add_held_tangent(
         std::size_t joint, const State& state, double time, const JointVector& D, Matrix& matrix) const;
-    static JointSlips slips_of(const JointState& state) { return {state.turn_slip, state.slide_slip}; }
+    JointSlips slips_before(const State& state, std::size_t joint) const {
+        return read_slips(memory_of(joint).of(state));
+    }
     const NodeMotion& motion(const std::vector<NodeMotion>& nodes, int node) const;
     JointMotions motions(const std::vector<NodeMotion>& nodes, std::size_t joint) const;
     JointVector multipliers(const State& state, std::size_t joint) const;
@@ -182,6 +193,7 @@ class JointAssembly {
     const Model* model_;
     const EquationNumbers* equations_ = nullptr;
     double length_ = 1.0;
+    MemorySlice memory_;
     WideAssembly wide_;
     std::vector<JointRows> joints_;
     std::vector<JointForces> forces_;

@@ -77,7 +77,7 @@ double JointAssembly::compute_strain_energy(const State& state, double time) con
         // Of the last accepted step, and also of one that has not been committed.
         const JointState& before = state.joints_previous[i];
         const JointMotions at = motions(state.trial, i);
-        const JointSlips slips = forces_[i].compute_slips(at, before.turn, slips_of(before));
+        const JointSlips slips = forces_[i].compute_slips(at, before.turn, slips_before(state, i));
         energy += forces_[i].compute_strain_energy(at, before.turn, inputs_at(i, state, time), slips);
     }
     return energy + wide_.compute_strain_energy(state, time);
@@ -107,7 +107,7 @@ double JointAssembly::compute_damping_action(const State& state) const {
 double JointAssembly::compute_slip_dissipation(const State& state) const {
     double dissipated = 0.0;
     for (std::size_t i = 0; i < joints_.size() && is_damped_; ++i) {
-        const JointSlips before = slips_of(state.joints_previous[i]);
+        const JointSlips before = slips_before(state, i);
         const JointSlips after =
             forces_[i].compute_slips(motions(state.trial, i), state.joints_previous[i].turn, before);
         dissipated += forces_[i].compute_dissipation(inputs_at(i, state, state.time), before, after);
@@ -143,13 +143,12 @@ std::vector<JointValues> JointAssembly::compute_joint_values(const State& state,
         values.drive_turn = drive(joint.turn, joints_[i].turn_motor_row());
         values.drive_slide = drive(joint.slide, joints_[i].slide_motor_row());
         const JointInputs inputs = inputs_at(i, state, time);
-        const JointState& before = state.joints_previous[i];
-        values.friction = compute_friction_force(
-                              joint.turn.friction, inputs.turn.held, place.turn.value, before.turn_slip) +
-                          compute_friction_force(
-                              joint.slide.friction, inputs.slide.held, place.slide.value, before.slide_slip);
+        const JointSlips slips = slips_before(state, i);
+        values.friction =
+            compute_friction_force(joint.turn.friction, inputs.turn.held, place.turn.value, slips.turn) +
+            compute_friction_force(joint.slide.friction, inputs.slide.held, place.slide.value, slips.slide);
         const JointMotors motors = compute_motors(joint, time, {}, ConstraintLevel::position);
-        const JointGap gap = joints_[i].compute_gap(at, before.turn, motors);
+        const JointGap gap = joints_[i].compute_gap(at, state.joints_previous[i].turn, motors);
         values.gap = std::max(gap.length, gap.angle * length_);
     }
     wide_.add_joint_values(state, time, all);

@@ -73,10 +73,12 @@ void WideAssembly::add_groups(std::vector<NodeGroup>& groups) const {
 void WideAssembly::lay_out(const EquationNumbers& equations,
                            const SparsePattern& pattern,
                            double length,
-                           std::int64_t first_row) {
+                           std::int64_t first_row,
+                           std::size_t first_memory) {
     equations_ = &equations;
     pattern_ = &pattern;
     length_ = length;
+    first_memory_ = first_memory;
     for (const auto& rows : rows_) {
         first_rows_.push_back(first_row);
         first_row += rows->count();
@@ -399,12 +401,13 @@ void WideAssembly::check_ranges(const State& state, double time) const {
 
 void WideAssembly::start(State& state) const {
     for (std::size_t i = 0; i < rows_.size(); ++i)
-        rows_[i]->start(place(i, state, state.time), state.joints_previous[first_ + i]);
+        memory_of(i).of(state)[1] = rows_[i]->find_first_slip(place(i, state, state.time));
 }
 
 void WideAssembly::commit(State& state) const {
     for (std::size_t i = 0; i < rows_.size(); ++i)
-        rows_[i]->commit(place(i, state, state.time), state.joints_trial[first_ + i]);
+        memory_of(i).of(state)[1] =
+            rows_[i]->commit(place(i, state, state.time), state.joints_trial[first_ + i]);
 }
 
 }  // namespace gxrod

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -12,6 +13,8 @@
 #include "constraints/joints/wide_rows.hpp"
 #include "linear/sparse_pattern.hpp"
 #include "model/model.hpp"
+#include "state/joint_state.hpp"
+#include "state/memory_slice.hpp"
 #include "state/state.hpp"
 #include "state/values/joint_values.hpp"
 
@@ -38,7 +41,8 @@ class WideAssembly {
     void lay_out(const EquationNumbers& equations,
                  const SparsePattern& pattern,
                  double length,
-                 std::int64_t first_row);
+                 std::int64_t first_row,
+                 std::size_t first_memory);
 
     // These do the same as in JointAssembly; `rows` already has its size.
     std::size_t row_count() const;
@@ -100,11 +104,18 @@ class WideAssembly {
     void commit(State& state) const;
 
   private:
+    MemorySlice memory_of(std::size_t index) const {
+        return {first_memory_ + numbers_of_slips * index, numbers_of_slips};
+    }
     WidePlace place(std::size_t index,
                     const std::vector<NodeMotion>& nodes,
                     double time,
                     const State& state) const {
-        return {nodes, state, state.joints_previous[first_ + index], time};
+        return {nodes,
+                state,
+                state.joints_previous[first_ + index],
+                read_slips(memory_of(index).of(state)),
+                time};
     }
     WidePlace place(std::size_t index, const State& state, double time) const {
         return place(index, state.trial, time, state);
@@ -145,6 +156,7 @@ class WideAssembly {
     const EquationNumbers* equations_ = nullptr;
     const SparsePattern* pattern_ = nullptr;
     double length_ = 1.0;
+    std::size_t first_memory_ = 0;
     std::vector<std::int64_t> first_rows_;  // first row of each in Residual::rows
 };
 

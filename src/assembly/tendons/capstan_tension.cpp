@@ -41,12 +41,12 @@ struct CapstanTension::Sweep {
     Eigen::MatrixXd derivatives;  // of each tension a row, if asked for
 };
 
-CapstanTension::CapstanTension(const Model& model, const Tendon& tendon, std::size_t behind)
+CapstanTension::CapstanTension(const Model& model, const Tendon& tendon, std::size_t first)
     : name_("tendon " + tendon.name),
       tendon_(&tendon),
       line_(model, tendon),
       start_stretches_(line_.start_stretches()),
-      from_end_(behind + start_stretches_.size() + 1) {
+      first_memory_(first) {
     if (!tendon.friction->is_pulled_at_start) std::ranges::reverse(start_stretches_);
     const Rod& rod = model.rods[static_cast<std::size_t>(tendon.rod)];
     round_off_ = no_tension * model.sections[static_cast<std::size_t>(rod.section)].stiffness(0, 0);
@@ -73,7 +73,7 @@ std::vector<TendonTangent> CapstanTension::list_tangents(const std::vector<NodeM
 
 std::vector<double> CapstanTension::find_sticking(const std::vector<TendonTangent>& tangents,
                                                   const State& state) const {
-    const std::span<const double> before = memory(state);
+    const std::span<const double> before = memory().of(state);
     std::vector<double> sticking(before.begin(), before.end());
     const double stiffness = tendon_->friction->stiffness;
     if (stiffness == 0.0) return sticking;
@@ -156,13 +156,10 @@ std::vector<double> CapstanTension::along_rod(std::span<const double> tensions) 
 
 std::vector<CapstanTension> list_capstan_tensions(const Model& model) {
     std::vector<CapstanTension> tensions;
-    std::size_t behind = 0;
-    for (auto tendon = model.tendons.rbegin(); tendon != model.tendons.rend(); ++tendon) {
-        if (!tendon->friction) continue;
-        tensions.emplace_back(model, *tendon, behind);
-        behind += tensions.back().count();
+    for (const Tendon& tendon : model.tendons) {
+        if (tendon.friction)
+            tensions.emplace_back(model, tendon, tensions.empty() ? 0 : tensions.back().memory().end());
     }
-    std::ranges::reverse(tensions);
     return tensions;
 }
 
@@ -175,9 +172,7 @@ CapstanTensions::CapstanTensions(const Model& model) {
 }
 
 std::size_t CapstanTensions::memory_count() const {
-    std::size_t count = 0;
-    for (const Entry& entry : entries_) count += entry.tension.count();
-    return count;
+    return empty() ? 0 : entries_.back().tension.memory().end();
 }
 
 void CapstanTensions::set_tensions(const std::vector<NodeMotion>& motions,
@@ -191,7 +186,7 @@ void CapstanTensions::set_tensions(const std::vector<NodeMotion>& motions,
 void CapstanTensions::commit(State& state, double time) const {
     for (const Entry& entry : entries_)
         std::ranges::copy(entry.tension.compute(state.trial, state, time),
-                          entry.tension.memory(state).begin());
+                          entry.tension.memory().of(state).begin());
 }
 
 std::optional<double> CapstanTensions::find_end_tension(std::size_t tendon,

@@ -9,6 +9,7 @@
 #include "assembly/tendons/tendon_line.hpp"
 #include "loads/drive_values.hpp"
 #include "model/model.hpp"
+#include "state/memory_slice.hpp"
 #include "state/state.hpp"
 
 namespace gxrod {
@@ -19,8 +20,8 @@ namespace gxrod {
 // and then to its anchored end.
 class CapstanTension {
   public:
-    // `behind` entries follow its own in State::law_memory. The model must outlive this.
-    CapstanTension(const Model& model, const Tendon& tendon, std::size_t behind);
+    // Its memory begins at `first`. The model must outlive this.
+    CapstanTension(const Model& model, const Tendon& tendon, std::size_t first);
 
     const std::string& name() const { return name_; }
     const std::vector<int>& nodes() const { return line_.nodes(); }
@@ -36,12 +37,7 @@ class CapstanTension {
                                      const State& state,
                                      double time) const;
     // The values of the last accepted step.
-    std::span<const double> memory(const State& state) const {
-        return std::span(state.law_memory).last(from_end_).first(count());
-    }
-    std::span<double> memory(State& state) const {
-        return std::span(state.law_memory).last(from_end_).first(count());
-    }
+    MemorySlice memory() const { return {first_memory_, count()}; }
     // Returns the values of force points, from the rod's start to its end.
     std::vector<double> along_rod(std::span<const double> tensions) const;
 
@@ -65,8 +61,8 @@ class CapstanTension {
     const Tendon* tendon_;
     TendonLine line_;
     std::vector<double> start_stretches_;  // for the force points
-    std::size_t from_end_;                 // distance of its entries from the end of State::law_memory
-    double round_off_;                     // a force
+    std::size_t first_memory_;
+    double round_off_;  // a force
 };
 
 // Lists the tensions of all tendons of a model with friction, in its order.
@@ -79,7 +75,7 @@ class CapstanTensions {
     explicit CapstanTensions(const Model& model);
 
     bool empty() const { return entries_.empty(); }
-    // The number of entries in State::law_memory, the last ones.
+    // The size of their memory, the first of all.
     std::size_t memory_count() const;
     // Sets the tensions in the drives within sections; its tendons are all of the model's or those with given
     // tension.

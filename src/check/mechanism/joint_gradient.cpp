@@ -46,7 +46,7 @@ WideGradient compute_start_gradient(const Model& model, const WideRows& rows) {
     for (const Node& node : model.nodes) state.previous.emplace_back().r = node.position;
     // Everything is 0 at the start, for whatever the rows look up.
     state.joints_previous.resize(count_numbered_ties(model));
-    const WidePlace start{state.previous, state, JointState{}, 0.0};
+    const WidePlace start{state.previous, state, JointState{}, {}, 0.0};
     return {rows.list_nodes(start), rows.compute_gradient(start)};
 }
 

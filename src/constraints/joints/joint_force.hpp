@@ -1,6 +1,7 @@
 #pragma once
 
 #include "constraints/joints/joint_coordinate.hpp"
+#include "state/joint_state.hpp"
 
 // Actions on coordinates that joints leave free, docs/theory/joints.md (J14) to (J17): springs, dampers,
 // drives, friction, limits. They do not depend on a time step: friction slips from a given point.
@@ -59,11 +60,6 @@ double compute_slip_dissipation(const Friction& friction, double held, double sl
 struct JointInputs {
     CoordinateInputs turn, slide;
 };
-struct JointSlips {
-    double turn = 0.0;
-    double slide = 0.0;
-};
-
 // The forces on the coordinates of one joint.
 class JointForces {
   public:

@@ -230,7 +230,7 @@ CoordinateForce SleeveRows::compute_law(const Situation& at, const WidePlace& pl
     return compute_coordinate_force(laws,
                                     compute_slide(at, ConstraintLevel::velocity),
                                     {laws.rest(place.time), laws.drive(place.time)},
-                                    place.before.slide_slip);
+                                    place.slips_before.slide);
 }
 
 Vec3 SleeveRows::compute_force_on_point(const Situation& at,
@@ -283,7 +283,7 @@ double SleeveRows::compute_strain_energy(const WidePlace& place) const {
     return compute_coordinate_energy(laws,
                                      slide,
                                      {laws.rest(place.time), laws.drive(place.time)},
-                                     compute_slip(laws.friction, slide, place.before.slide_slip));
+                                     compute_slip(laws.friction, slide, place.slips_before.slide));
 }
 
 bool SleeveRows::is_damped() const { return is_damped_by(sleeve_->slide); }
@@ -305,7 +305,7 @@ double SleeveRows::compute_slip_dissipation(const WidePlace& place) const {
     const Friction& friction = sleeve_->slide.friction;
     if (friction.force == 0.0) return 0.0;
     const double slide = compute_slide(find_situation(place), ConstraintLevel::position).value;
-    const double before = place.before.slide_slip;
+    const double before = place.slips_before.slide;
     return gxrod::compute_slip_dissipation(friction, 0.0, before, compute_slip(friction, slide, before));
 }
 
@@ -363,7 +363,7 @@ JointValues SleeveRows::compute_joint_values(const WidePlace& place,
     values.drive_slide =
         sleeve_->slide.motion ? multipliers[SleeveMotion::slide] : sleeve_->slide.drive(place.time);
     values.friction =
-        compute_friction_force(sleeve_->slide.friction, 0.0, slide.value, place.before.slide_slip);
+        compute_friction_force(sleeve_->slide.friction, 0.0, slide.value, place.slips_before.slide);
     return values;
 }
 
@@ -379,22 +379,21 @@ void SleeveRows::check_range(const WidePlace& place) const {
                           (is_end ? "upper" : "lower") + " = …, stiffness = … }");
 }
 
-void SleeveRows::start(const WidePlace& place, JointState& state) const {
+double SleeveRows::find_first_slip(const WidePlace& place) const {
     const Situation at = find_situation(place);
     double speed = 0.0;
     for (int i = 0; i < at.points.count(); ++i) speed = std::max(speed, at.points.jets[i].rate.norm());
-    state.slide_slip =
-        compute_first_slip(sleeve_->slide.friction, compute_slide(at, ConstraintLevel::velocity), speed);
+    return compute_first_slip(sleeve_->slide.friction, compute_slide(at, ConstraintLevel::velocity), speed);
 }
 
-void SleeveRows::commit(const WidePlace& place, JointState& state) const {
+double SleeveRows::commit(const WidePlace& place, JointState& state) const {
     const Situation at = find_situation(place);
     state.slide = at.place - sleeve_->place;
     // In the directions across the line where it is now.
     const Vec3 across = at.across * Eigen::Map<const Eigen::Vector2d>(state.multipliers.data());
     Eigen::Map<Eigen::Vector2d>(state.multipliers.data()) =
         find_across(compute_tangent(at.points, at.place).normalized()).transpose() * across;
-    state.slide_slip = compute_slip(sleeve_->slide.friction, state.slide, place.before.slide_slip);
+    return compute_slip(sleeve_->slide.friction, state.slide, place.slips_before.slide);
 }
 
 }  // namespace gxrod

@@ -57,8 +57,8 @@ class SleeveRows : public WideRows {
     // Throws EvaluationError beyond the ends of the rod.
     void check_range(const WidePlace& place) const override;
 
-    void start(const WidePlace& place, JointState& state) const override;
-    void commit(const WidePlace& place, JointState& state) const override;
+    double find_first_slip(const WidePlace& place) const override;
+    double commit(const WidePlace& place, JointState& state) const override;
 
   private:
     // The present point and line, and the place of the line nearest to the point.

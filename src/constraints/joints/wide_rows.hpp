@@ -6,6 +6,7 @@
 
 #include "constraints/step_differences.hpp"
 #include "state/constraint_level.hpp"
+#include "state/joint_state.hpp"
 #include "state/state.hpp"
 #include "state/values/joint_values.hpp"
 
@@ -16,6 +17,7 @@ struct WidePlace {
     const std::vector<NodeMotion>& nodes;  // motions of the whole model; trial motions, or others
     const State& state;                    // with its previous motions and joints_previous of all joints
     const JointState& before;              // state of these equations at the last accepted step
+    JointSlips slips_before;               // likewise
     double time;
 };
 
@@ -108,10 +110,11 @@ class WideRows {
     // Throws EvaluationError, which names these equations, at motions for which they have no meaning.
     virtual void check_range(const WidePlace& /*place*/) const {}
 
-    // Set the values kept from step to step, apart from the multipliers: at the start of a run, and when a
-    // step is accepted.
-    virtual void start(const WidePlace& /*place*/, JointState& /*state*/) const {}
-    virtual void commit(const WidePlace& /*place*/, JointState& /*state*/) const {}
+    // Returns the slide at which friction is zero at the start of a run.
+    virtual double find_first_slip(const WidePlace& /*place*/) const { return 0.0; }
+    // Sets the values kept from step to step when a step is accepted; returns the slide at which friction is
+    // zero then.
+    virtual double commit(const WidePlace& /*place*/, JointState& /*state*/) const { return 0.0; }
 };
 
 }  // namespace gxrod

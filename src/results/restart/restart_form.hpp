@@ -14,7 +14,7 @@
 namespace gxrod {
 
 inline constexpr std::int64_t no_slot = -1;
-inline constexpr std::int64_t form_version = 16;  // version of /restart; raise it with every change
+inline constexpr std::int64_t form_version = 17;  // version of /restart; raise it with every change
 inline std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
 
 using Vec1 = Eigen::Matrix<double, 1, 1>;
@@ -38,19 +38,14 @@ void visit_vectors(Row& row, Visitor&& visit) {
         visit(row.alpha);
     } else if constexpr (std::is_same_v<Kind, JointState>) {
         visit(Eigen::Map<std::conditional_t<std::is_const_v<Row>, const Vec6, Vec6>>(row.multipliers.data()));
-        for (auto* number : {&row.turn, &row.slide, &row.turn_slip, &row.slide_slip})
-            visit_vectors(*number, visit);
-    } else if constexpr (std::is_same_v<Kind, BedContact>) {
-        visit_vectors(row.touches, visit);
-        visit(row.target);
+        for (auto* number : {&row.turn, &row.slide}) visit_vectors(*number, visit);
     } else if constexpr (std::is_same_v<Kind, InputState>) {
         for (auto* number : {&row.is_set, &row.planned, &row.from_time, &row.from, &row.to_time, &row.to})
             visit_vectors(*number, visit);
     } else if constexpr (std::is_same_v<Kind, double>) {
         visit(Eigen::Map<std::conditional_t<std::is_const_v<Row>, const Vec1, Vec1>>(&row));
     } else {
-        static_assert(std::is_same_v<Kind, Vec6> || std::is_same_v<Kind, Vec3> ||
-                      std::is_same_v<Kind, PairTractionRow>);
+        static_assert(std::is_same_v<Kind, Vec6> || std::is_same_v<Kind, PairTractionRow>);
         visit(row);
     }
 }
@@ -158,21 +153,11 @@ inline const DatasetLabel sections_label{
     "material curvature",
     "none",
     ""};
-inline const DatasetLabel law_memory_label{
-    "law_memory",
-    "of each force point whose section has a law: what that remembers; of each tendon with friction: its "
-    "tensions from where it is pulled to where it is anchored",
+inline const DatasetLabel memory_label{
+    "memory",
+    "all other numbers that parts remember from step to step: tensions of tendons with friction, laws of "
+    "sections, the ground, obstacles, slip points of joints",
     "none",
-    ""};
-inline const DatasetLabel bed_contacts_label{
-    "bed_contacts",
-    "of each piece of a rod that rubs on the ground: whether it touches, and to where friction pulls it",
-    "spatial",
-    ""};
-inline const DatasetLabel contact_tractions_label{
-    "contact_tractions",
-    "of each place that can touch, obstacle by obstacle: friction per length",
-    "spatial",
     ""};
 // Rows whose number changes within a stage have a dataset for each number, a power of two.
 inline const DatasetLabel pair_tractions_label{
@@ -192,11 +177,7 @@ inline DatasetLabel with_rows(DatasetLabel label, std::size_t rows) {
     return label;
 }
 inline const DatasetLabel joints_label{
-    "joints",
-    "of each joint: up to six multipliers, turn, slip points of friction of turn "
-    "and slide",
-    "none",
-    ""};
+    "joints", "of each joint: up to six multipliers, turn, slide", "none", ""};
 inline const DatasetLabel forces_label{
     "forces", "force and moment that does work on each node", "spatial", ""};
 inline const DatasetLabel fluid_forces_label{
@@ -223,9 +204,7 @@ template <class Record, class Visitor>
 void visit_lists(Record& record, Visitor&& visit) {
     visit(nodes_label, record.nodes);
     visit(sections_label, record.sections);
-    visit(law_memory_label, record.law_memory);
-    visit(bed_contacts_label, record.bed_contacts);
-    visit(contact_tractions_label, record.contact_tractions);
+    visit(memory_label, record.memory);
     visit(pair_tractions_label, record.pair_tractions);
     visit(carried_label, record.carried);
     visit(joints_label, record.joints);

@@ -60,10 +60,8 @@ struct PathMemory {
 struct RestartRecord {
     std::vector<NodeMotion> nodes;                // at that step, theta zero
     std::vector<SectionHistory> sections;         // State::sections
-    std::vector<double> law_memory;               // State::law_memory
-    std::vector<BedContact> bed_contacts;         // State::bed_contacts
-    std::vector<Vec3> contact_tractions;          // ContactMemory::on_obstacles
-    std::vector<PairTractionRow> pair_tractions;  // ContactMemory::of_pairs
+    std::vector<double> memory;                   // State::memory
+    std::vector<PairTractionRow> pair_tractions;  // State::pair_tractions
     std::vector<JointState> joints;               // State::joints_previous
     std::vector<CarriedAcceleration> carried;     // State::carried_previous; can be empty
     LedgerMemory ledger;

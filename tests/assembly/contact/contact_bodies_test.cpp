@@ -1,6 +1,7 @@
 // Bodies that touch obstacles.
 
 #include "assembly/contact/contact_assembly.hpp"
+#include "assembly/contact/tractions.hpp"
 #include "assembly/sample_model.hpp"
 #include "integrators/load_stepping.hpp"
 #include "integrators/newmark_simplified.hpp"
@@ -74,7 +75,7 @@ State make_state(const System& system, unsigned seed) {
         place(before, before.r + random.vector(0.05), random.vector(0.2), state.trial[i]);
     }
     // So large that differences hardly turn it.
-    for (Vec3& traction : state.contact_memory.on_obstacles) traction = random.vector(50.0);
+    set_tractions(system, state, [&](std::size_t) { return random.vector(50.0); });
     return state;
 }
 

@@ -212,7 +212,7 @@ TEST_CASE("Pairs: friction is remembered as it was, of what touches", "[assembly
     const Scene scene("friction = 0.3");
     State state = scene.state;
     scene.system.contact()->commit(state, 1.0);
-    const std::vector<PairTraction>& pairs = state.contact_memory.of_pairs;
+    const std::vector<PairTraction>& pairs = state.pair_tractions;
     REQUIRE(pairs.size() > 10);
     CHECK(std::ranges::is_sorted(pairs, {}, &PairTraction::pieces));
     const std::vector<PairTractionRow> rows = pack(pairs);
@@ -232,9 +232,9 @@ TEST_CASE("Pairs: friction is remembered as it was, of what touches", "[assembly
     }
     const std::vector<PairTraction> before = pairs;
     scene.system.contact()->commit(state, 1.0);
-    REQUIRE(state.contact_memory.of_pairs.size() == before.size());
+    REQUIRE(state.pair_tractions.size() == before.size());
     for (std::size_t i = 0; i < before.size(); ++i)
-        CHECK((state.contact_memory.of_pairs[i].traction - before[i].traction).norm() <
+        CHECK((state.pair_tractions[i].traction - before[i].traction).norm() <
               1e-9 * before[i].traction.norm());
 }
 

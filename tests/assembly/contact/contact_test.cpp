@@ -1,6 +1,7 @@
 // Obstacles around whole models.
 
 #include "assembly/contact/contact_assembly.hpp"
+#include "assembly/contact/tractions.hpp"
 #include "assembly/sample_model.hpp"
 #include "integrators/generalized_alpha.hpp"
 #include "integrators/load_stepping.hpp"
@@ -55,8 +56,10 @@ void enclose(Model& model, const State& state) {
 State make_state(const Model& model, unsigned seed) {
     const System system(model);
     State state = make_turned_state(system, seed);
-    for (std::size_t i = 0; i < state.contact_memory.on_obstacles.size(); ++i)
-        state.contact_memory.on_obstacles[i] = RandomValues(static_cast<unsigned>(i) + seed).vector(0.5);
+    if (system.contact() == nullptr) return state;
+    set_tractions(system, state, [&](std::size_t i) {
+        return RandomValues(static_cast<unsigned>(i) + seed).vector(0.5);
+    });
     return state;
 }
 
@@ -137,7 +140,7 @@ TEST_CASE("Without friction forces of contact are derivatives of its energy", "[
     Scene scene = make_scene(ElementKind::objective, 3, 2);
     for (Obstacle& obstacle : scene.model.contact.obstacles) obstacle.friction = 0.0;
     const System system(scene.model);
-    scene.state.contact_memory.on_obstacles.clear();
+    scene.state.memory.clear();
     scene.state.previous = scene.state.trial;  // where impulses are along the normal
     const std::vector<Vec6> forces = system.contact()->compute_forces(scene.state, now);
     for (std::size_t node = 0; node < forces.size(); ++node) {
@@ -242,13 +245,13 @@ TEST_CASE("Only a commit moves what friction remembers", "[assembly][touch]") {
     const Scene scene = make_scene(ElementKind::objective, 2, 7);
     const System system(scene.model);
     State state = scene.state;
-    const std::vector<Vec3> before = state.contact_memory.on_obstacles;
+    const std::vector<double> before = state.memory;
     Residual residual;
     system.compute_residual(state, now, residual);
-    CHECK(state.contact_memory.on_obstacles == before);
+    CHECK(state.memory == before);
     const std::vector<ObstacleValues> trial = system.contact()->compute_obstacle_values(state, now);
     system.commit(state, now);
-    CHECK(state.contact_memory.on_obstacles != before);
+    CHECK(state.memory != before);
     const std::vector<ObstacleValues> kept = system.contact()->compute_obstacle_values(state, now);
     for (std::size_t i = 0; i < kept.size(); ++i)
         CHECK((kept[i].friction - trial[i].friction).norm() < 1e-12);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "assembly/contact/contact_assembly.hpp"
+#include "assembly/contact/tractions.hpp"
 #include "assembly/system.hpp"
 #include "deck/decks.hpp"
 #include "tools/catch.hpp"
@@ -54,7 +55,7 @@ struct Scene {
     explicit Scene(int threads = 1) : team(threads) {
         RandomValues random(5);
         for (NodeMotion& motion : state.trial) motion.r += random.vector(2e-3);
-        for (Vec3& traction : state.contact_memory.on_obstacles) traction = random.vector(2.0);
+        set_tractions(system, state, [&](std::size_t) { return random.vector(2.0); });
         contact().search(state);
     }
     const ContactAssembly& contact() const { return *system.contact(); }
@@ -140,13 +141,13 @@ TEST_CASE("Touches: sorted, each place once, and the same for any number of thre
 
 TEST_CASE("Touches: friction holds within the cone, and slides on it", "[assembly][touch]") {
     Scene scene;
-    for (Vec3& traction : scene.state.contact_memory.on_obstacles) traction = 1e6 * Vec3::UnitX();
+    set_tractions(scene.system, scene.state, [](std::size_t) { return Vec3(1e6 * Vec3::UnitX()); });
     for (const ContactTouch& one : scene.touches()) {
         if (one.rods[1] != -1) continue;
         CHECK(one.slides);
         CHECK(one.friction_force.norm() == Approx(0.3 * one.normal_force.norm()));
     }
-    for (Vec3& traction : scene.state.contact_memory.on_obstacles) traction.setZero();
+    std::ranges::fill(scene.state.memory, 0.0);
     scene.state.previous = scene.state.trial;
     for (const ContactTouch& one : scene.touches()) {
         if (one.rods[1] == -1) CHECK_FALSE(one.slides);

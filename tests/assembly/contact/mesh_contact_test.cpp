@@ -1,6 +1,7 @@
 // Meshes around whole models.
 
 #include "assembly/contact/contact_assembly.hpp"
+#include "assembly/contact/tractions.hpp"
 #include "assembly/sample_model.hpp"
 #include "contact/meshes.hpp"
 #include "integrators/load_stepping.hpp"
@@ -29,8 +30,10 @@ struct MeshScene {
 State make_state_on(const Model& model, unsigned seed) {
     const System system(model);
     State state = make_turned_state(system, seed);
-    for (std::size_t i = 0; i < state.contact_memory.on_obstacles.size(); ++i)
-        state.contact_memory.on_obstacles[i] = RandomValues(static_cast<unsigned>(i) + seed).vector(0.5);
+    if (system.contact() == nullptr) return state;
+    set_tractions(system, state, [&](std::size_t i) {
+        return RandomValues(static_cast<unsigned>(i) + seed).vector(0.5);
+    });
     return state;
 }
 
@@ -108,7 +111,7 @@ TEST_CASE("Without friction forces of a mesh are derivatives of its energy", "[a
     MeshScene scene = make_mesh_scene(3, 2, 0.1, 0.1, false);
     for (Obstacle& obstacle : scene.model.contact.obstacles) obstacle.friction = 0.0;
     const System system(scene.model);
-    scene.state.contact_memory.on_obstacles.clear();
+    scene.state.memory.clear();
     scene.state.previous = scene.state.trial;  // of no motion, whose impulses are forces
     const std::vector<Vec6> forces = system.contact()->compute_forces(scene.state, mesh_now);
     Vec3 sum = Vec3::Zero();
@@ -151,9 +154,7 @@ TEST_CASE("A flat mesh pushes and rubs as a plane does", "[assembly][touch]") {
         far.motion.reset();
         model.contact.obstacles = {plane, far};
         State state = scene.state;
-        const std::vector<Vec3> zeros(state.contact_memory.on_obstacles.size(), Vec3::Zero());
-        state.contact_memory.on_obstacles.insert(
-            state.contact_memory.on_obstacles.end(), zeros.begin(), zeros.end());
+        state.memory.resize(2 * state.memory.size());
         const System on_plane(model);
         const std::vector<Vec6> expected = on_plane.contact()->compute_forces(state, mesh_now);
         double largest = 0.0, difference = 0.0;

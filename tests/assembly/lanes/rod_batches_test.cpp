@@ -139,9 +139,8 @@ struct Assembled {
         RandomValues random(9);
         block.first_memory = {0};
         for (const auto& element : block.elements) {
-            for (int i = 0; i < element.memory_count(); ++i)
-                state.law_memory.push_back(random.number(-0.3, 0.3));
-            block.first_memory.push_back(state.law_memory.size());
+            for (int i = 0; i < element.memory_count(); ++i) state.memory.push_back(random.number(-0.3, 0.3));
+            block.first_memory.push_back(state.memory.size());
         }
         const Quat common = random.rotation();
         for (const Node& node : model.nodes) {

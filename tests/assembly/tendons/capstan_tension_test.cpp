@@ -77,7 +77,7 @@ struct RubbingSample {
         for (std::size_t i = 0; i < state.trial.size(); ++i)
             state.trial[i] = displace(state.previous[i], random);
         const std::vector<double> first = tension.compute(state.trial, state, rubbing_time);
-        const std::span<double> memory = tension.memory(state);
+        const std::span<double> memory = tension.memory().of(state);
         for (std::size_t i = 0; i < memory.size(); ++i)
             memory[i] = i % 3 == 0 ? 0.5 * first[i] : i % 3 == 1 ? 1.01 * first[i] : 2.0 * first[i];
     }
@@ -167,7 +167,7 @@ TEST_CASE("The tangent of a model whose tendon rubs is the derivative of its res
             // Of what elements do not know alone: the rod's own stiffness is a thousand times as large.
             CapstanRows rows(sample.tension);
             const WidePlace at{
-                sample.state.trial, sample.state, sample.state.joints_previous[0], rubbing_time};
+                sample.state.trial, sample.state, sample.state.joints_previous[0], {}, rubbing_time};
             const double own = rows.compute_law_tangent(at, placed).norm();
             REQUIRE(own > 0.1);
             CHECK((tangent - expected).norm() < 1e-6 * own);
@@ -180,7 +180,7 @@ TEST_CASE("About an accepted state a tendon sticks and keeps its tensions", "[as
         const std::vector<double> expected =
             sample.tension.compute(sample.state.trial, sample.state, rubbing_time);
         sample.system.commit(sample.state, rubbing_time);
-        const std::span<const double> kept = sample.tension.memory(sample.state);
+        const std::span<const double> kept = sample.tension.memory().of(sample.state);
         CHECK(std::ranges::equal(kept, expected));
         CHECK(sample.tension.compute(sample.state.trial, sample.state, rubbing_time) == expected);
         CHECK(sample.tension.compute_coupling(sample.state.trial, sample.state, rubbing_time).isZero(0.0));
@@ -197,9 +197,8 @@ TEST_CASE("Without a coefficient the tension is the same all along", "[assembly]
         smooth.tendons.front().friction.reset();
         const System other(smooth);
         State state = sample.state;
-        state.law_memory.erase(
-            state.law_memory.begin(),
-            state.law_memory.begin() + static_cast<std::ptrdiff_t>(sample.tension.count()));
+        state.memory.erase(state.memory.begin(),
+                           state.memory.begin() + static_cast<std::ptrdiff_t>(sample.tension.count()));
         Residual rubbed, unrubbed;
         sample.system.compute_residual(sample.state, rubbing_time, rubbed);
         other.compute_residual(state, rubbing_time, unrubbed);

@@ -70,7 +70,7 @@ struct Sample {
         for (std::size_t i = 0; i < state.trial.size(); ++i) state.trial[i] = move(state.previous[i], random);
     }
     const Tendon& tendon() const { return problem.model.tendons.front(); }
-    WidePlace at(const Nodes& nodes) const { return {nodes, state, state.joints_previous[0], 0.3}; }
+    WidePlace at(const Nodes& nodes) const { return {nodes, state, state.joints_previous[0], {}, 0.3}; }
     WidePlace here() const { return at(state.trial); }
     template <class Function>
     Eigen::MatrixXd differentiate(const NodeLinearization& linearization, Function&& function) const {

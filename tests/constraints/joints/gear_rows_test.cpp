@@ -24,7 +24,7 @@ struct GearSample {
     State state;  // trial motions anywhere, joints not closed
 
     GearRows rows() const { return {model, model.gears[0]}; }
-    WidePlace at(const Nodes& nodes) const { return {nodes, state, state.joints_previous.back(), 0.0}; }
+    WidePlace at(const Nodes& nodes) const { return {nodes, state, state.joints_previous.back(), {}, 0.0}; }
     WidePlace here() const { return at(state.trial); }
 };
 

@@ -21,7 +21,7 @@ struct SleeveSample {
     State state;  // trial motions anywhere near, the point not on the line
 
     SleeveRows rows() const { return {model, model.sleeves[0]}; }
-    WidePlace at(const Nodes& nodes) const { return {nodes, state, state.joints_previous[0], 0.3}; }
+    WidePlace at(const Nodes& nodes) const { return {nodes, state, state.joints_previous[0], {}, 0.3}; }
     WidePlace here() const { return at(state.trial); }
 };
 

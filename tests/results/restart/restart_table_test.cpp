@@ -36,9 +36,7 @@ void check_equal(const RestartRecord& a, const RestartRecord& b) {
     CHECK(a.ledger.forces == b.ledger.forces);
     CHECK(a.ledger.force_change == b.ledger.force_change);
     CHECK(a.ledger.fluid_forces == b.ledger.fluid_forces);
-    CHECK(a.law_memory == b.law_memory);
-    CHECK(are_equal(a.bed_contacts, b.bed_contacts, &BedContact::target));
-    CHECK(are_equal(a.bed_contacts, b.bed_contacts, &BedContact::touches));
+    CHECK(a.memory == b.memory);
     CHECK(a.ledger.movement == b.ledger.movement);
     CHECK(a.ledger.load_step == b.ledger.load_step);
     CHECK(a.ledger.initial_energy == b.ledger.initial_energy);

@@ -1,4 +1,4 @@
-#include "state/contact_memory.hpp"
+#include "state/pair_traction.hpp"
 
 #include <bit>
 
