@@ -3,10 +3,10 @@
 
 #include "assembly/contact/contact_assembly.hpp"
 #include "assembly/element_geometry.hpp"
+#include "assembly/loads/load_assembly.hpp"
 #include "assembly/node_groups.hpp"
 #include "assembly/surroundings_assembly.hpp"
 #include "assembly/system.hpp"
-#include "loads/shape_functions.hpp"
 #include "machine/reserve_more.hpp"
 #include "model/ties/ties.hpp"
 
@@ -73,33 +73,6 @@ void add_tie_element(const Model& model, const Tie& tie, int group, ElementBlock
         add_tie<CarriedBushingElement>(bushing, group, blocks);
 }
 
-template <int Nodes>
-LoadedElement make_loaded_element(const Model& model, const DistributedLoad& load, int element) {
-    const Rod& rod = model.rods[load.rod];
-    const RodElementGeometry<Nodes> geometry = find_geometry<Nodes>(model, rod, element);
-    const std::array<Vec3, Nodes> positions = geometry.reference().positions;
-    const auto first = rod.arc_length.begin() + element * Nodes;
-    return {.load = &load,
-            .nodes = {geometry.nodes.begin(), geometry.nodes.end()},
-            .triads = {geometry.triads.begin(), geometry.triads.end()},
-            .arc_lengths = {first, first + Nodes},
-            .positions = {positions.begin(), positions.end()},
-            .shapes = find_shape_functions(rod.order)};
-}
-
-std::vector<LoadedElement> make_loaded_elements(const Model& model) {
-    std::vector<LoadedElement> elements;
-    for (const DistributedLoad& load : model.distributed_loads) {
-        const Rod& rod = model.rods[load.rod];
-        for (int e = 0; e < rod.element_count(); ++e) {
-            visit_node_count(rod.order, [&](auto node_count) {
-                elements.push_back(make_loaded_element<node_count>(model, load, e));
-            });
-        }
-    }
-    return elements;
-}
-
 }  // namespace
 
 System::System(const Model& model, const ThreadTeam& team)
@@ -115,7 +88,6 @@ System::System(const Model& model, const Kernels& kernels, const ThreadTeam& tea
       rod_batches_(kernels, kernels, kernels, kernels),
       rotary_batches_(kernels.rotary, kernels.width, equations_),
       rotary_damping_batches_(kernels.rotary_damping, kernels.width, equations_),
-      load_values_(model, make_loaded_elements(model)),
       drive_values_(model),
       tendon_lines_(model) {
     memory_count_ = tendon_lines_.capstans().memory_count();
@@ -124,20 +96,30 @@ System::System(const Model& model, const Kernels& kernels, const ThreadTeam& tea
     build_pattern();
     build_batches();
     measure();
-    auto surroundings = std::make_unique<SurroundingsAssembly>(model, team);
+    build_contributions();
+}
+
+// In the order in which they add.
+void System::build_contributions() {
+    loads_.push_back(std::make_unique<LoadAssembly>(*model_));
+    auto surroundings = std::make_unique<SurroundingsAssembly>(*model_, *team_);
     if (!surroundings->empty()) {
-        surroundings->lay_out(equations_, pattern_, length_scale_, memory_count_);
-        memory_count_ += surroundings->memory_count();
-        surroundings_ = std::move(surroundings);
+        surroundings_ = surroundings.get();
+        loads_.push_back(std::move(surroundings));
     }
-    auto contact = std::make_unique<ContactAssembly>(model, team, scale_groups_);
+    std::vector<Contribution*> all;
+    for (const auto& load : loads_) all.push_back(load.get());
+    auto contact = std::make_unique<ContactAssembly>(*model_, *team_, scale_groups_);
     if (!contact->empty()) {
-        contact->lay_out(equations_, pattern_, memory_count_);
-        memory_count_ += contact->memory_count();
+        all.push_back(contact.get());
         contact_ = std::move(contact);
     }
-    joints_.lay_out(equations_, pattern_, length_scale_, memory_count_);
-    memory_count_ += joints_.memory_count();
+    all.push_back(&joints_);  // last: their equations are scaled by all else
+    for (Contribution* one : all) {
+        one->lay_out({equations_, pattern_, scale_groups_, length_scale_, memory_count_});
+        memory_count_ += one->memory_count();
+    }
+    contributions_.assign(all.begin(), all.end());
 }
 
 void System::build_blocks() {
@@ -221,14 +203,6 @@ void System::build_pattern() {
         }
     });
     find_cleared();
-    for (const NodalLoad& load : model_->loads) {
-        load_places_.push_back(find_places<1>({load.node}, equations_, pattern_));
-    }
-    for (const LoadedElement& element : load_values_.elements()) {
-        const std::size_t size = 6 * element.nodes.size();
-        loaded_element_slots_.emplace_back(size * size);
-        find_slots(element.nodes, equations_, pattern_, loaded_element_slots_.back());
-    }
 }
 
 // Zeros are written just before others are added to them, while they are in the cache.

@@ -7,7 +7,7 @@
 
 namespace gxrod {
 
-// Options for the equations of joints.
+// Options for contributions to a residual or tangent.
 struct ConstraintRequest {
     ConstraintLevel level = ConstraintLevel::position;
     TimeSpan step{0.0, 0.0};      // motors are differentiated within it

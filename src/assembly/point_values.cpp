@@ -2,7 +2,6 @@
 
 #include "assembly/surroundings_assembly.hpp"
 #include "assembly/system.hpp"
-#include "loads/distributed_load.hpp"
 #include "loads/shape_functions.hpp"
 
 // Points of rods: the part of System that histories look at.
@@ -44,15 +43,7 @@ PointValues System::compute_point_value(const State& state, double time, const R
             element.add_internal_force(motions, histories, force);
             if (element.is_damped()) element.add_damping_force(motions, histories, force);
             element.add_inertial_force(motions, model_->gravity(time), force);
-            for (std::size_t i = 0; i < model_->distributed_loads.size(); ++i) {
-                if (model_->distributed_loads[i].rod != place.rod) continue;
-                const LoadValues& loads = loads_at(time);
-                const std::size_t loaded = loads.first_element(i) + static_cast<std::size_t>(place.element);
-                force -= compute_distributed_load(
-                    loads.elements()[loaded], {time, loads.moments(loaded)}, state.trial);
-            }
-            if (surroundings_)
-                force -= surroundings_->compute_element_force(state, time, place.rod, place.element);
+            for (const auto& load : loads_) load->subtract_element_forces(state, time, place, force);
             values = element.point_values(motions, histories, force, place.xi);
             const auto shape = compute_shape_functions<Block::node_count>(place.xi);
             values.start.setZero();

@@ -121,19 +121,17 @@ void SurroundingsAssembly::add_contacts(int index) {
     }
 }
 
-void SurroundingsAssembly::lay_out(const EquationNumbers& equations,
-                                   const SparsePattern& pattern,
-                                   double length,
-                                   std::size_t first_memory) {
-    if (empty()) return;
-    equations_ = &equations;
-    memory_ = {first_memory, memory_count()};
-    field_ = std::make_unique<FluidField>(model_->surroundings, length);
+void SurroundingsAssembly::lay_out(const Layout& layout) {
+    equations_ = &layout.equations;
+    groups_ = &layout.groups;
+    memory_ = {layout.first_memory, memory_count()};
+    // The length sets the small distance for differences of fields.
+    field_ = std::make_unique<FluidField>(model_->surroundings, layout.length);
     std::map<int, std::size_t> found;
     for (WetElement& element : elements_) {
         const std::size_t size = 6 * element.nodes.size();
         element.slots.resize(size * size);
-        find_slots(element.nodes, equations, pattern, element.slots);
+        find_slots(element.nodes, layout.equations, layout.pattern, element.slots);
         for (const int node : element.nodes) {
             const auto [at, is_new] = found.try_emplace(node, places_.size());
             if (is_new) places_.push_back(node);
@@ -142,7 +140,7 @@ void SurroundingsAssembly::lay_out(const EquationNumbers& equations,
     }
     const auto find_own = [&](auto& one) {
         one.slots.resize(36);
-        find_slots(std::span(&one.node, 1), equations, pattern, one.slots);
+        find_slots(std::span(&one.node, 1), layout.equations, layout.pattern, one.slots);
     };
     std::ranges::for_each(bodies_, find_own);
     std::ranges::for_each(contacts_, find_own);
@@ -276,10 +274,10 @@ BedForce SurroundingsAssembly::compute_contact(std::size_t index, const State& s
 
 void SurroundingsAssembly::subtract_forces(const State& state,
                                            double time,
-                                           const ScaleGroups& groups,
+                                           const ConstraintRequest& /*request*/,
                                            Residual& residual) const {
     const auto subtract = [&](int node, const Vec6& force) {
-        residual.raise_group(groups.of_node(node), force);
+        residual.raise_group(groups_->of_node(node), force);
         residual.nodal[static_cast<std::size_t>(node)] -= force;
     };
     if (has_fluid_) {
@@ -310,6 +308,7 @@ void SurroundingsAssembly::subtract_forces(const State& state,
 
 void SurroundingsAssembly::add_tangents(const State& state,
                                         double time,
+                                        const ConstraintRequest& /*request*/,
                                         const std::vector<NodeLinearization>& linearizations,
                                         std::vector<double>& values) const {
     if (has_fluid_) {
@@ -344,7 +343,7 @@ void SurroundingsAssembly::add_tangents(const State& state,
     }
 }
 
-void SurroundingsAssembly::commit(State& state) const {
+void SurroundingsAssembly::commit(State& state, double /*time*/) const {
     if (!rubs_) return;
     for (std::size_t c = 0; c < contacts_.size(); ++c)
         write(compute_contact(c, state).after, memory_of(c).of(state));
@@ -355,17 +354,14 @@ const SurroundingsAssembly::WetElement* SurroundingsAssembly::find_element(int r
     return &elements_[static_cast<std::size_t>(first_element_[static_cast<std::size_t>(rod)] + element)];
 }
 
-LoadVector SurroundingsAssembly::compute_element_force(const State& state,
-                                                       double time,
-                                                       int rod,
-                                                       int element) const {
-    const WetElement* wet = find_element(rod, element);
-    if (wet == nullptr) {
-        const auto nodes = static_cast<std::size_t>(model_->rods[static_cast<std::size_t>(rod)].order) + 1;
-        return LoadVector::Zero(first_of(nodes));
-    }
+void SurroundingsAssembly::subtract_element_forces(const State& state,
+                                                   double time,
+                                                   const RodPlace& place,
+                                                   Eigen::Ref<Eigen::VectorXd> forces) const {
+    const WetElement* wet = find_element(place.rod, place.element);
+    if (wet == nullptr) return;
     look_around(state, time, false);
-    return compute_force(*wet, state);
+    forces -= compute_force(*wet, state);
 }
 
 // At the nodes of the element, and between them interpolated.

@@ -1,15 +1,17 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "assembly/constraint_request.hpp"
+#include "assembly/contribution.hpp"
 #include "assembly/equation_numbers.hpp"
 #include "assembly/residual.hpp"
 #include "assembly/scale_groups.hpp"
 #include "environment/fluid_field.hpp"
-#include "linear/sparse_pattern.hpp"
 #include "loads/bed_force.hpp"
 #include "loads/distributed_load.hpp"
 #include "loads/fluid_force.hpp"
@@ -25,40 +27,36 @@ namespace gxrod {
 // the nodes of an element and distributed with ∫ N_I N_J ds, like a load that turns with the rod. Each node
 // of a rod touches the ground by itself, with its share of the rod's length. The class caches the water at
 // the last requested motions, which does not change results.
-class SurroundingsAssembly {
+class SurroundingsAssembly : public Contribution {
   public:
     // The model and the threads must outlive it.
     SurroundingsAssembly(const Model& model, const ThreadTeam& team);
-    // Prepares the forces; call it first. `length` is the model's length, which sets the small distance for
-    // differences of fields.
-    void lay_out(const EquationNumbers& equations,
-                 const SparsePattern& pattern,
-                 double length,
-                 std::size_t first_memory);
+    void lay_out(const Layout& layout) override;
 
     bool empty() const { return elements_.empty() && bodies_.empty() && contacts_.empty(); }
     // The numbers in State::memory: BedContact of each piece with friction on the ground.
-    std::size_t memory_count() const { return rubs_ ? numbers_of_bed_contact * contacts_.size() : 0; }
+    std::size_t memory_count() const override {
+        return rubs_ ? numbers_of_bed_contact * contacts_.size() : 0;
+    }
     // Returns the memory of a piece, at each node that can touch.
     BedContact contact_before(std::size_t contact, const State& state) const;
 
-    // Subtracts the forces on each node from the residual, spatial, for the trial motions with fields at
-    // `time`.
     void subtract_forces(const State& state,
                          double time,
-                         const ScaleGroups& groups,
-                         Residual& residual) const;
+                         const ConstraintRequest& request,
+                         Residual& residual) const override;
     void add_tangents(const State& state,
                       double time,
+                      const ConstraintRequest& request,
                       const std::vector<NodeLinearization>& linearizations,
-                      std::vector<double>& values) const;
-    // Commits the memory, before the trial motions become the last accepted step.
-    void commit(State& state) const;
-    // Forgets cached values because a number other than the time has changed on which functions depend.
-    void forget() const;
+                      std::vector<double>& values) const override;
+    void commit(State& state, double time) const override;
+    void forget() const override;
+    void subtract_element_forces(const State& state,
+                                 double time,
+                                 const RodPlace& place,
+                                 Eigen::Ref<Eigen::VectorXd> forces) const override;
 
-    // Computes the forces on the nodes of an element, six per node; zero without fluid.
-    LoadVector compute_element_force(const State& state, double time, int rod, int element) const;
     // `shapes` are the shape functions at the place.
     PointSurroundings compute_point_value(const State& state,
                                           double time,
@@ -125,6 +123,7 @@ class SurroundingsAssembly {
     const Model* model_;
     const ThreadTeam* team_;
     const EquationNumbers* equations_ = nullptr;
+    const ScaleGroups* groups_ = nullptr;
     std::vector<WetElement> elements_;           // the elements of each rod follow each other
     std::vector<std::ptrdiff_t> first_element_;  // for each rod, index in elements_; −1: dry
     std::vector<WetBody> bodies_;

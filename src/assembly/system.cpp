@@ -4,9 +4,6 @@
 #include <limits>
 
 #include "assembly/contact/contact_assembly.hpp"
-#include "assembly/surroundings_assembly.hpp"
-#include "loads/distributed_load.hpp"
-#include "loads/nodal_load.hpp"
 #include "model/ties/ties.hpp"
 
 namespace gxrod {
@@ -61,8 +58,9 @@ NodalVector<E::node_count> compute_acceleration_force(const E& element,
 
 System::~System() = default;
 
-void System::forget_surroundings() const {
-    if (surroundings_) surroundings_->forget();
+void System::forget_loads() const {
+    drive_values_.forget();
+    for (const Contribution* one : contributions_) one->forget();
 }
 
 std::size_t System::element_count() const {
@@ -121,25 +119,8 @@ Instant System::instant_of_sections(const State& state, double time) const {
     return now;
 }
 
-const LoadValues& System::loads_at(double time) const {
-    load_values_.move_to(time);
-    return load_values_;
-}
-
-void System::add_loads(const State& state, double time, Residual& residual) const {
-    const LoadValues& values = loads_at(time);
-    for (std::size_t i = 0; i < model_->loads.size(); ++i) {
-        const NodalLoad& load = model_->loads[i];
-        const Vec6 force = compute_load(load, values.nodal()[i], state.trial[load.node], time);
-        residual.raise_group(scale_groups_.of_node(load.node), force);
-        residual.nodal[load.node] -= force;
-    }
-    const std::vector<Vec6>& distributed = load_values_.add_distributed(state.trial);
-    for (std::size_t i = 0; i < distributed.size(); ++i) {
-        residual.raise_group(scale_groups_.of_node(static_cast<int>(i)), distributed[i]);
-        residual.nodal[i] -= distributed[i];
-    }
-    if (surroundings_) surroundings_->subtract_forces(state, time, scale_groups_, residual);
+void System::subtract_loads(const State& state, double time, Residual& residual) const {
+    for (const auto& load : loads_) load->subtract_forces(state, time, {}, residual);
 }
 
 template <class E>
@@ -206,43 +187,9 @@ void System::compute_residual(const State& state,
         scales.raise(residual.groups,
                      [&](std::size_t part, std::size_t i) { return batches->groups(part)[i]; });
     }
-    add_loads(state, time, residual);
-    if (contact_) contact_->subtract_forces(state, time, request.contact_weight, residual);
-    if (!joints_.empty()) {
-        joints_.compute_rows(state, time, request, residual.rows);
-        joints_.add_forces(state, time, request.level, scale_groups_, residual);
-    }
+    for (const Contribution* one : contributions_) one->subtract_forces(state, time, request, residual);
     residual.force_scale = residual.moment_scale = 0.0;
     for (const ForceScales& group : residual.groups) residual.raise(group);
-}
-
-void System::add_load_tangents(const State& state,
-                               double time,
-                               const std::vector<NodeLinearization>& linearizations,
-                               std::vector<double>& values) const {
-    const LoadValues& loads = loads_at(time);
-    for (std::size_t i = 0; i < model_->loads.size(); ++i) {
-        const NodalLoad& load = model_->loads[i];
-        if (load.frame == Frame::spatial && !load.motion_force) continue;
-        const NodeMotion& motion = state.trial[load.node];
-        const Vec6 force = compute_load(load, loads.nodal()[i], motion, time);
-        const NodeLinearization& linearization = linearizations[load.node];
-        Mat6 tangent = -compute_load_tangent(load, force, linearization);
-        if (load.motion_force)
-            tangent.topLeftCorner<3, 3>() -=
-                compute_motion_force_tangent(load, motion, linearization, time, length_scale_);
-        turn_to_own_axes(std::span(&load.node, 1), equations_, tangent);
-        add_to_values<1>(tangent, load_places_[i], values);
-    }
-    for (std::size_t i = 0; i < loads.elements().size(); ++i) {
-        const LoadedElement& element = loads.elements()[i];
-        if (element.load->frame == Frame::spatial) continue;
-        LoadMatrix tangent =
-            -compute_distributed_load_tangent(element, {time, loads.moments(i)}, state.trial, linearizations);
-        turn_to_own_axes(std::span<const int>(element.nodes), equations_, tangent);
-        add_to_values(tangent.data(), loaded_element_slots_[i], values);
-    }
-    if (surroundings_) surroundings_->add_tangents(state, time, linearizations, values);
 }
 
 template <class E>
@@ -300,12 +247,11 @@ void System::compute_tangent(const State& state,
             });
         }
     }
-    add_load_tangents(state, time, linearizations, values);
-    if (contact_) contact_->add_tangents(state, time, request.contact_weight, linearizations, values);
-    if (request.added != nullptr) {
-        for (std::size_t i = 0; i < values.size(); ++i) values[i] += (*request.added)[i];
+    for (const Contribution* one : contributions_) {
+        for (std::size_t i = 0; one == &joints_ && request.added != nullptr && i < values.size(); ++i)
+            values[i] += (*request.added)[i];
+        one->add_tangents(state, time, request, linearizations, values);
     }
-    joints_.add_tangents(state, time, linearizations, request, values);
 }
 
 void System::start_resultants(State& state) const {
@@ -344,9 +290,7 @@ void System::set_resultants(const std::vector<NodeMotion>& motions,
 }
 
 void System::commit(State& state, double time) const {
-    joints_.commit(state);
-    if (surroundings_) surroundings_->commit(state);
-    if (contact_) contact_->commit(state, time);
+    for (const Contribution* one : contributions_) one->commit(state, time);
     const Instant now = instant(state, time);
     tendon_lines_.capstans().commit(state, time);
     for_each_block(blocks_, [&](const auto& block) {

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "assembly/constraint_request.hpp"
+#include "assembly/contribution.hpp"
 #include "assembly/element_block.hpp"
 #include "assembly/equation_numbers.hpp"
 #include "assembly/joints/joint_assembly.hpp"
@@ -16,7 +18,7 @@
 #include "assembly/tendons/tendon_lines.hpp"
 #include "constraints/supports.hpp"
 #include "linear/sparse_pattern.hpp"
-#include "loads/load_values.hpp"
+#include "loads/drive_values.hpp"
 #include "model/model.hpp"
 #include "state/memory_slice.hpp"
 #include "state/state.hpp"
@@ -70,7 +72,7 @@ class System {
     // nullptr if nothing can touch.
     const ContactAssembly* contact() const { return contact_.get(); }
     // nullptr without fluid and ground.
-    const SurroundingsAssembly* surroundings() const { return surroundings_.get(); }
+    const SurroundingsAssembly* surroundings() const { return surroundings_; }
     const EquationNumbers& equations() const { return equations_; }
     const SparsePattern& pattern() const { return pattern_; }
     // The groups of nodes that elements and joints couple; the pattern follows from them.
@@ -120,11 +122,7 @@ class System {
 
     // Forgets cached loads because a number other than the time has changed on which functions of loads
     // depend.
-    void forget_loads() const {
-        load_values_.forget();
-        drive_values_.forget();
-        forget_surroundings();
-    }
+    void forget_loads() const;
 
     // Computes the balance with gravity at `time`.
     Balance compute_balance(const State& state, double time) const;
@@ -186,6 +184,7 @@ class System {
     Instant instant(const State& state, double time) const { return instant(state, time, state.trial); }
     Instant instant(const State& state) const { return instant(state, state.trial_time); }
     void build_pattern();
+    void build_contributions();
     void find_cleared();
     void build_batches();
     void measure();
@@ -217,15 +216,9 @@ class System {
                       std::vector<double>& values) const;
     // Adds damping forces, one vector for each node, which must be zero before.
     void add_damping_forces(const State& state, std::vector<Vec6>& nodal) const;
-    void forget_surroundings() const;
-    void add_loads(const State& state, double time, Residual& residual) const;
-    void add_load_tangents(const State& state,
-                           double time,
-                           const std::vector<NodeLinearization>& linearizations,
-                           std::vector<double>& values) const;
+    void subtract_loads(const State& state, double time, Residual& residual) const;
     // Returns the instant with the tensions of all tendons, for records of sections.
     Instant instant_of_sections(const State& state, double time) const;
-    const LoadValues& loads_at(double time) const;
     PointValues compute_point_value(const State& state, double time, const RodPlace& place) const;
 
     const Model* model_;
@@ -238,15 +231,14 @@ class System {
     AllRodBatches rod_batches_;
     RotaryBatches rotary_batches_;
     RotaryBatches rotary_damping_batches_;
-    mutable LoadValues load_values_;
     mutable DriveValues drive_values_;
-    std::unique_ptr<const SurroundingsAssembly> surroundings_;  // nullptr without surroundings
-    std::unique_ptr<const ContactAssembly> contact_;            // nullptr if nothing can touch
     TendonLines tendon_lines_;
+    std::vector<std::unique_ptr<Contribution>> loads_;    // contributions whose work is external
+    const SurroundingsAssembly* surroundings_ = nullptr;  // one of them; nullptr without surroundings
+    std::unique_ptr<const ContactAssembly> contact_;      // nullptr if nothing can touch
+    std::vector<const Contribution*> contributions_;      // all, in the order in which they add
     SparsePattern pattern_;
-    std::vector<EntryRange> cleared_alone_;      // entries of nodes without elements
-    std::vector<ElementPlaces<1>> load_places_;  // places of each load's node
-    std::vector<std::vector<std::int64_t>> loaded_element_slots_;
+    std::vector<EntryRange> cleared_alone_;  // entries of nodes without elements
     double length_scale_ = 1.0;
     std::size_t history_count_ = 0;
     std::size_t point_count_ = 0;

@@ -189,7 +189,7 @@ double System::compute_damping_action(const State& state) const {
 std::vector<Vec6> System::compute_load_forces(const State& state, double time) const {
     Residual loads;
     loads.nodal.assign(state.trial.size(), Vec6::Zero());
-    add_loads(state, time, loads);
+    subtract_loads(state, time, loads);
     std::vector<Vec6> forces = std::move(loads.nodal);
     for (Vec6& force : forces) force = -force;
     if (model_->gravity.is_constant()) return forces;
@@ -213,7 +213,7 @@ std::vector<Vec6> System::compute_surrounding_forces(const State& state, double 
     if (!surroundings_) return {};
     Residual loads;
     loads.nodal.assign(state.trial.size(), Vec6::Zero());
-    surroundings_->subtract_forces(state, time, scale_groups_, loads);
+    surroundings_->subtract_forces(state, time, {}, loads);
     for (Vec6& force : loads.nodal) force = -force;
     return std::move(loads.nodal);
 }
@@ -257,8 +257,8 @@ Resultant System::compute_outer_resultant(const State& state,
                                           std::span<const Vec6> reactions) const {
     Residual loads;
     loads.nodal.assign(state.trial.size(), Vec6::Zero());
-    add_loads(state, time, loads);
-    if (contact_) contact_->subtract_forces(state, time, 1.0, loads);
+    subtract_loads(state, time, loads);
+    if (contact_) contact_->subtract_forces(state, time, {}, loads);
     // What acts on the nodes in addition to their inertia: the opposite of what acts on them.
     std::vector<Vec6> asked = std::move(loads.nodal);
     const Vec3 gravity = model_->gravity(time);

@@ -40,7 +40,7 @@ void add_joint_rows(const System& system,
     std::vector<NodeLinearization> linearizations;
     integrator.linearize(state, stage, linearizations, system.team());
     system.joints().add_tangents(
-        without_forces, integrator.stage_time(stage), linearizations, request, values);
+        without_forces, integrator.stage_time(stage), request, linearizations, values);
 }
 
 }  // namespace

@@ -39,15 +39,13 @@ void ContactAssembly::find_exceptions() {
     }
 }
 
-void ContactAssembly::lay_out(const EquationNumbers& equations,
-                              const SparsePattern& pattern,
-                              std::size_t first_memory) {
-    equations_ = &equations;
-    memory_ = {first_memory, memory_count()};
+void ContactAssembly::lay_out(const Layout& layout) {
+    equations_ = &layout.equations;
+    memory_ = {layout.first_memory, memory_count()};
     for (ContactElement& element : places_.elements) {
         const std::span<const int> nodes(element.nodes.data(), static_cast<std::size_t>(element.count));
         element.slots.resize(36 * nodes.size() * nodes.size());
-        find_slots(nodes, equations, pattern, element.slots);
+        find_slots(nodes, layout.equations, layout.pattern, element.slots);
     }
 }
 
@@ -274,8 +272,9 @@ std::vector<LoadVector> ContactAssembly::compute_element_forces(const At& at,
 
 void ContactAssembly::subtract_forces(const State& state,
                                       double time,
-                                      double weight,
+                                      const ConstraintRequest& request,
                                       Residual& residual) const {
+    const double weight = request.contact_weight;
     if (weight == 0.0) return;
     pairs_.subtract_forces(state, weight, residual);
     const At at = find_obstacles(state, time, state.contact.progress);
@@ -324,9 +323,10 @@ void ContactAssembly::replace_by_tangent_forces(const State& state,
 
 void ContactAssembly::add_tangents(const State& state,
                                    double time,
-                                   double weight,
+                                   const ConstraintRequest& request,
                                    const std::vector<NodeLinearization>& linearizations,
                                    std::vector<double>& values) const {
+    const double weight = request.contact_weight;
     if (weight == 0.0) return;
     const bool is_mixed = state.contact.has_parameters;
     const At at = find_obstacles(state, time, is_mixed ? 1.0 : state.contact.progress);
@@ -388,7 +388,7 @@ bool ContactAssembly::has_forces(const State& state, double time) const {
 std::vector<Vec6> ContactAssembly::compute_forces(const State& state, double time) const {
     Residual residual;
     residual.nodal.assign(state.trial.size(), Vec6::Zero());
-    subtract_forces(state, time, -1.0, residual);
+    subtract_forces(state, time, {.contact_weight = -1.0}, residual);
     return residual.nodal;
 }
 

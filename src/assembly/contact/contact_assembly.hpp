@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "assembly/constraint_request.hpp"
 #include "assembly/contact/contact_exceptions.hpp"
 #include "assembly/contact/contact_limits.hpp"
 #include "assembly/contact/contact_overlap.hpp"
@@ -13,12 +14,12 @@
 #include "assembly/contact/contact_places.hpp"
 #include "assembly/contact/contact_work.hpp"
 #include "assembly/contact/impulse_direction.hpp"
+#include "assembly/contribution.hpp"
 #include "assembly/equation_numbers.hpp"
 #include "assembly/residual.hpp"
 #include "assembly/scale_groups.hpp"
 #include "contact/impact_law.hpp"
 #include "contact/obstacle_surface.hpp"
-#include "linear/sparse_pattern.hpp"
 #include "loads/distributed_load.hpp"
 #include "parallel/thread_team.hpp"
 #include "state/contact_touch.hpp"
@@ -30,27 +31,30 @@ namespace gxrod {
 // Contact of rods and bodies with obstacles: forces, their tangent, and the largest share of a motion without
 // penetration. Each place of a rod or body (ContactPlaces) touches each obstacle by itself. Forces belong to
 // State::trial. If State::contact has parameters, the tangents treat the forces as separate unknowns.
-class ContactAssembly {
+class ContactAssembly : public Contribution {
   public:
     // All must outlive it.
     ContactAssembly(const Model& model, const ThreadTeam& team, const ScaleGroups& groups);
-    void lay_out(const EquationNumbers& equations, const SparsePattern& pattern, std::size_t first_memory);
+    void lay_out(const Layout& layout) override;
 
     bool empty() const { return (places_.places.empty() || surfaces_.empty()) && pairs_.empty(); }
     // Contact of rods with each other.
     const ContactPairs& pairs() const { return pairs_; }
     // The numbers in State::memory: friction from obstacles at each place, per length, spatial; places of the
     // first obstacle, then of the next.
-    std::size_t memory_count() const { return 3 * traction_count(); }
+    std::size_t memory_count() const override { return 3 * traction_count(); }
     MemorySlice memory() const { return memory_; }
 
-    // Subtracts forces times a weight, which the schemes of time choose (Integrator::contact_weight).
-    void subtract_forces(const State& state, double time, double weight, Residual& residual) const;
+    // Forces are multiplied by a weight, which the schemes of time choose (Integrator::contact_weight).
+    void subtract_forces(const State& state,
+                         double time,
+                         const ConstraintRequest& request,
+                         Residual& residual) const override;
     void add_tangents(const State& state,
                       double time,
-                      double weight,
+                      const ConstraintRequest& request,
                       const std::vector<NodeLinearization>& linearizations,
-                      std::vector<double>& values) const;
+                      std::vector<double>& values) const override;
     // If the state has parameters: replaces the true forces in the residual by the forces that belong to the
     // tangents, with obstacles at their places at `time`.
     void replace_by_tangent_forces(const State& state, double time, double weight, Residual& residual) const;
@@ -69,7 +73,7 @@ class ContactAssembly {
                         double time,
                         Approach approach = Approach::increment) const;
 
-    void commit(State& state, double time) const;
+    void commit(State& state, double time) const override;
 
     // Whether anything pushes at the trial motions, also in a step that leaves an obstacle.
     bool has_forces(const State& state, double time) const;

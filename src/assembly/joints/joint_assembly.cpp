@@ -92,16 +92,15 @@ bool JointAssembly::have_friction_by_multipliers() const {
     return std::ranges::any_of(forces_, [](const JointForces& forces) { return forces.follows_held(); });
 }
 
-void JointAssembly::lay_out(const EquationNumbers& equations,
-                            const SparsePattern& pattern,
-                            double length,
-                            std::size_t first_memory) {
-    equations_ = &equations;
-    length_ = length;
+void JointAssembly::lay_out(const Layout& layout) {
+    equations_ = &layout.equations;
+    groups_ = &layout.groups;
+    length_ = layout.length;
+    memory_ = {layout.first_memory, memory_count()};
     places_.reserve(joints_.size());
-    for (std::size_t i = 0; i < joints_.size(); ++i) places_.push_back(find_places(i, equations, pattern));
-    memory_ = {first_memory, memory_count()};
-    wide_.lay_out(equations, pattern, length, first_rows_.back(), memory_of(joints_.size()).first);
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+        places_.push_back(find_places(i, layout.equations, layout.pattern));
+    wide_.lay_out(layout, first_rows_.back(), memory_of(joints_.size()).first);
 }
 
 JointAssembly::Places JointAssembly::find_places(std::size_t index,
@@ -231,22 +230,23 @@ PairVector JointAssembly::compute_force(const State& state, double time, std::si
     return force;
 }
 
-void JointAssembly::add_forces(const State& state,
-                               double time,
-                               ConstraintLevel level,
-                               const ScaleGroups& groups,
-                               Residual& residual) const {
+void JointAssembly::subtract_forces(const State& state,
+                                    double time,
+                                    const ConstraintRequest& request,
+                                    Residual& residual) const {
+    if (empty()) return;
+    compute_rows(state, time, request, residual.rows);
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         const PairVector force = compute_force(state, time, i);
         const std::array<int, 2> nodes = nodes_of(model_->joints[i]);
         for (int side = 0; side < 2; ++side) {
             if (nodes[side] < 0) continue;
             const Vec6 on_node = force.segment<6>(6 * side);
-            residual.raise_group(groups.of_node(nodes[side]), on_node);
+            residual.raise_group(groups_->of_node(nodes[side]), on_node);
             residual.nodal[nodes[side]] -= on_node;
         }
     }
-    wide_.add_forces(state, time, level, groups, residual);
+    wide_.add_forces(state, time, request.level, *groups_, residual);
 }
 
 void JointAssembly::subtract_ground_forces(const State& state, double time, std::vector<Vec6>& nodal) const {
@@ -280,8 +280,8 @@ std::vector<JointScales> JointAssembly::compute_scales(const State& state,
 
 void JointAssembly::add_tangents(const State& state,
                                  double time,
-                                 const std::vector<NodeLinearization>& linearizations,
                                  const ConstraintRequest& request,
+                                 const std::vector<NodeLinearization>& linearizations,
                                  std::vector<double>& values) const {
     if (empty()) return;
     const bool has_equations =
@@ -435,7 +435,7 @@ void JointAssembly::start(State& state) const {
     state.joints_trial = state.joints_previous;
 }
 
-void JointAssembly::commit(State& state) const {
+void JointAssembly::commit(State& state, double /*time*/) const {
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         const JointState& before = state.joints_previous[i];
         JointState& after = state.joints_trial[i];

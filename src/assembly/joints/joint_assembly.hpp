@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "assembly/constraint_request.hpp"
+#include "assembly/contribution.hpp"
 #include "assembly/equation_numbers.hpp"
 #include "assembly/joints/wide_assembly.hpp"
 #include "assembly/node_groups.hpp"
@@ -37,7 +38,7 @@ struct LargestGap {
 //   [K − ∂(Gᵀλ) + GᵀDG   −GᵀD] [δ]     [R − Gᵀλ]
 //   [−DG                 −εD ] [μ] = − [−DΦ    ]
 // so no pivot vanishes, in any unit and for any step, and redundant equations do no harm.
-class JointAssembly {
+class JointAssembly : public Contribution {
   public:
     explicit JointAssembly(const Model& model);
 
@@ -59,34 +60,30 @@ class JointAssembly {
     bool are_linear() const { return are_linear_; }
 
     // The numbers in State::memory: slip points, two a joint.
-    std::size_t memory_count() const { return numbers_of_slips * count(); }
+    std::size_t memory_count() const override { return numbers_of_slips * count(); }
     MemorySlice memory_of(std::size_t joint) const { return memory_.piece(joint, numbers_of_slips); }
     // Prepares the equations, once, when they are numbered.
-    void lay_out(const EquationNumbers& equations,
-                 const SparsePattern& pattern,
-                 double length,
-                 std::size_t first_memory);
+    void lay_out(const Layout& layout) override;
 
     // Sets rows to the equations of the trial motions.
     void compute_rows(const State& state,
                       double time,
                       const ConstraintRequest& request,
                       std::vector<double>& rows) const;
-    // Subtracts what joints exert from the nodal residual of the trial motions.
-    void add_forces(const State& state,
-                    double time,
-                    ConstraintLevel level,
-                    const ScaleGroups& groups,
-                    Residual& residual) const;
+    // Sets the rows of the residual, too.
+    void subtract_forces(const State& state,
+                         double time,
+                         const ConstraintRequest& request,
+                         Residual& residual) const override;
     // Subtracts the forces of joints to the ground on the nodes.
     void subtract_ground_forces(const State& state, double time, std::vector<Vec6>& nodal) const;
     // Adds to the values of a tangent after all other contributions. At the level of positions, equations and
     // multipliers are left out if the linearizations have no placement.
     void add_tangents(const State& state,
                       double time,
-                      const std::vector<NodeLinearization>& linearizations,
                       const ConstraintRequest& request,
-                      std::vector<double>& values) const;
+                      const std::vector<NodeLinearization>& linearizations,
+                      std::vector<double>& values) const override;
     // Sets the entries of a residual vector to −DΦ, with D from the values of the tangent.
     void set_rows(const std::vector<double>& rows,
                   const std::vector<double>& values,
@@ -131,7 +128,7 @@ class JointAssembly {
     // Throws EvaluationError if a joint has no meaning at the trial motions, beyond the end of a rod.
     void check_ranges(const State& state, double time) const { wide_.check_ranges(state, time); }
     // Makes turns and slips at the trial motions those of the last accepted step.
-    void commit(State& state) const;
+    void commit(State& state, double time) const override;
 
   private:
     struct Block {
@@ -192,6 +189,7 @@ class JointAssembly {
 
     const Model* model_;
     const EquationNumbers* equations_ = nullptr;
+    const ScaleGroups* groups_ = nullptr;
     double length_ = 1.0;
     MemorySlice memory_;
     WideAssembly wide_;

@@ -70,14 +70,10 @@ void WideAssembly::add_groups(std::vector<NodeGroup>& groups) const {
     }
 }
 
-void WideAssembly::lay_out(const EquationNumbers& equations,
-                           const SparsePattern& pattern,
-                           double length,
-                           std::int64_t first_row,
-                           std::size_t first_memory) {
-    equations_ = &equations;
-    pattern_ = &pattern;
-    length_ = length;
+void WideAssembly::lay_out(const Layout& layout, std::int64_t first_row, std::size_t first_memory) {
+    equations_ = &layout.equations;
+    pattern_ = &layout.pattern;
+    length_ = layout.length;
     first_memory_ = first_memory;
     for (const auto& rows : rows_) {
         first_rows_.push_back(first_row);

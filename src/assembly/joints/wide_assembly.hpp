@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "assembly/constraint_request.hpp"
+#include "assembly/contribution.hpp"
 #include "assembly/equation_numbers.hpp"
 #include "assembly/joints/joint_scales.hpp"
 #include "assembly/node_groups.hpp"
@@ -38,11 +39,7 @@ class WideAssembly {
     void attach(std::vector<int>& carried, std::vector<AttachedUnknowns>& attached) const;
     void add_groups(std::vector<NodeGroup>& groups) const;
     // Prepares the equations; both references must outlive this. `first_row` is the number of rows of joints.
-    void lay_out(const EquationNumbers& equations,
-                 const SparsePattern& pattern,
-                 double length,
-                 std::int64_t first_row,
-                 std::size_t first_memory);
+    void lay_out(const Layout& layout, std::int64_t first_row, std::size_t first_memory);
 
     // These do the same as in JointAssembly; `rows` already has its size.
     std::size_t row_count() const;
