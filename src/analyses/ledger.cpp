@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "assembly/contact/contacts.hpp"
+#include "assembly/system_measures.hpp"
 #include "state/energy_jump.hpp"
 
 namespace gxrod {
@@ -67,15 +68,15 @@ Ledger::Ledger(const System& system,
         // energy.
         held_ = residual.nodal;
         if (!is_loaded && before == nullptr) {
-            const std::vector<Vec6> loads = system.compute_load_forces(state, state.time);
+            const std::vector<Vec6> loads = SystemMeasures(system).compute_load_forces(state, state.time);
             for (std::size_t i = 0; i < held_.size(); ++i) held_[i] += loads[i];
         }
     }
-    const Balance balance = system.compute_balance(state, state.time);
+    const Balance balance = SystemMeasures(system).compute_balance(state, state.time);
     initial_energy_ = balance.kinetic_energy + balance.strain_energy;
     initial_potential_ = balance.gravity_potential;
     strain_energy_ = balance.strain_energy;
-    fluid_forces_ = system.compute_surrounding_forces(state, state.time);
+    fluid_forces_ = SystemMeasures(system).compute_surrounding_forces(state, state.time);
     contact_energy_ = initial_contact_energy_ = Contacts(system).compute_energy(state, state.time);
     if (before == nullptr) return;
     initial_energy_ = before->initial_energy;
@@ -103,16 +104,16 @@ LedgerTotals Ledger::totals(const State& state) const {
 }
 
 std::vector<Vec6> Ledger::compute_forces(const State& state, double time, const Residual& residual) const {
-    std::vector<Vec6> forces = system_->compute_load_forces(state, time);
-    system_->add_support_forces(residual, forces);
+    std::vector<Vec6> forces = SystemMeasures(*system_).compute_load_forces(state, time);
+    SystemMeasures(*system_).add_support_forces(residual, forces);
     const std::vector<Vec6> of_joints = system_->joints().compute_driving_forces(state, time);
     forces.insert(forces.end(), of_joints.begin(), of_joints.end());
     return forces;
 }
 
 void Ledger::add_step(const State& state, const Step& step) {
-    law_dissipation_ = system_->compute_law_dissipation(state, step.time);
-    drive_work_ = system_->compute_drive_work(state, step.time);
+    law_dissipation_ = SystemMeasures(*system_).compute_law_dissipation(state, step.time);
+    drive_work_ = SystemMeasures(*system_).compute_drive_work(state, step.time);
     if (weighs_powers()) {
         add_powers(step);
         work_ += drive_work_;
@@ -123,7 +124,8 @@ void Ledger::add_step(const State& state, const Step& step) {
         } else {
             work_ += compute_mean_work(forces_, forces, find_movement(*system_, state, step.time));
             work_ += drive_work_;
-            if (system_->is_damped()) dissipated_ += system_->compute_damping_action(state) / step.time_step;
+            if (system_->traits().is_damped)
+                dissipated_ += SystemMeasures(*system_).compute_damping_action(state) / step.time_step;
         }
         forces_ = std::move(forces);
     }
@@ -136,7 +138,7 @@ void Ledger::add_step(const State& state, const Step& step) {
 // Of the mean of the forces at both ends of the step, in every scheme.
 void Ledger::add_fluid_work(const State& state, double time) {
     if (fluid_forces_.empty()) return;
-    std::vector<Vec6> forces = system_->compute_surrounding_forces(state, time);
+    std::vector<Vec6> forces = SystemMeasures(*system_).compute_surrounding_forces(state, time);
     fluid_work_ += compute_mean_work(fluid_forces_, forces, compute_movement(state));
     fluid_forces_ = std::move(forces);
 }
@@ -170,7 +172,7 @@ void Ledger::add_load_step(const State& state, const Step& step, const std::vect
     load_step_ = std::move(load_step);
     forces_before_ = std::move(forces_);
     strain_energy_before_ = strain_energy_;
-    balance_ = system_->compute_balance(state, step.time);
+    balance_ = SystemMeasures(*system_).compute_balance(state, step.time);
     strain_energy_ = balance_->strain_energy;
     largest_energy_before_ = largest_energy_;
     measure_largest_energy();
@@ -202,14 +204,14 @@ void Ledger::begin_settling(const State& state, double time, const Residual& res
 void Ledger::end_settling(const State& state, double time, const Residual& residual) {
     std::vector<Vec6> forces = compute_forces(state, time, residual);
     work_ += compute_mean_work(forces_before_settling_, forces, find_movement(*system_, state, time)) +
-             system_->compute_drive_work(state, time);
-    dissipated_ +=
-        system_->compute_law_dissipation(state, time) + system_->joints().compute_slip_dissipation(state);
+             SystemMeasures(*system_).compute_drive_work(state, time);
+    dissipated_ += SystemMeasures(*system_).compute_law_dissipation(state, time) +
+                   system_->joints().compute_slip_dissipation(state);
     add_fluid_work(state, time);
     add_contact_work(state, time);
     if (!weighs_powers()) forces_ = std::move(forces);
     load_step_ = {};
-    const Balance balance = system_->compute_balance(state, time);
+    const Balance balance = SystemMeasures(*system_).compute_balance(state, time);
     strain_energy_ = balance.strain_energy;
     if (integrator_->is_static()) balance_ = balance;
     dissipated_ += std::max(error_before_settling_ - row(state).energy_error, 0.0);
@@ -246,7 +248,7 @@ double Ledger::compute_scheme_dissipation(const State& state, double time_step) 
     for (int term = 0; term < terms; ++term) {
         integrator_->set_dissipated_rates(state, time_step, term, rates);
         clear_moved_rates(*system_, rates);
-        energy += 2.0 * system_->compute_kinetic_energy(rates);
+        energy += 2.0 * SystemMeasures(*system_).compute_kinetic_energy(rates);
     }
     return energy;
 }
@@ -298,7 +300,8 @@ void Ledger::resume(const LedgerMemory& memory) {
 }
 
 LedgerRow Ledger::row(const State& state) const {
-    const Balance balance = balance_ ? *balance_ : system_->compute_balance(state, state.time);
+    const Balance balance =
+        balance_ ? *balance_ : SystemMeasures(*system_).compute_balance(state, state.time);
     LedgerRow row;
     row.kinetic_energy = balance.kinetic_energy;
     // A resumed series of equilibria continues from the last one, to the last bit.

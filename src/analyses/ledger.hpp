@@ -4,6 +4,7 @@
 
 #include "analyses/static_work.hpp"
 #include "assembly/system.hpp"
+#include "assembly/system_measures.hpp"
 #include "integrators/integrator.hpp"
 #include "solvers/equilibrium.hpp"
 #include "state/energy_jump.hpp"

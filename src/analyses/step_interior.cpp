@@ -1,6 +1,8 @@
 #include "analyses/step_interior.hpp"
 
 #include "assembly/contact/contacts.hpp"
+#include "assembly/system_measures.hpp"
+#include "assembly/system_values.hpp"
 #include "elements/tie_values.hpp"
 #include "rotation/tangent_map.hpp"
 
@@ -60,17 +62,17 @@ void StepInterior::find_values(bool with_elements, const std::vector<RodPlace>& 
         if (place.has_others && (place.has_sections || !with_elements)) continue;
         const State state = state_at(i);
         if (with_elements && !place.has_sections) {
-            place.sections = system_.compute_section_values(state);
+            place.sections = SystemValues(system_).compute_section_values(state);
             place.has_sections = true;
         }
         if (place.has_others) continue;
-        place.points = system_.compute_point_values(state, state.trial_time, watched);
+        place.points = SystemValues(system_).compute_point_values(state, state.trial_time, watched);
         Residual residual;
         if (!system_.model().supports.empty())
             system_.compute_residual(state, state.trial_time, residual);
         else
             residual.nodal.assign(state.trial.size(), Vec6::Zero());
-        place.reactions = system_.compute_reactions(residual);
+        place.reactions = SystemMeasures(system_).compute_reactions(residual);
         place.has_others = true;
     }
 }
@@ -104,7 +106,7 @@ void StepInterior::mix_joints(const std::vector<double>& weights) {
 
 // Axes are those of the interpolated motions.
 void StepInterior::mix_sections(const std::vector<double>& weights) {
-    sections_ = system_.compute_section_values(between_);
+    sections_ = SystemValues(system_).compute_section_values(between_);
     for (std::size_t i = 0; i < sections_.size(); ++i) {
         SectionValues& section = sections_[i];
         section.force = section.moment = section.strain = section.curvature = Vec3::Zero();
@@ -155,12 +157,13 @@ Snapshot StepInterior::snapshot(double time,
     mix_joints(weights);
     sections_.clear();
     if (with_elements) mix_sections(weights);
-    points_ = system_.compute_point_values(between_, time, watched);
+    points_ = SystemValues(system_).compute_point_values(between_, time, watched);
     mix_points(weights);
     mix_reactions(weights);
-    bodies_ = system_.compute_body_surroundings(between_, time);
+    bodies_ = SystemValues(system_).compute_body_surroundings(between_, time);
     joints_ = system_.joints().compute_joint_values(between_, time);
-    if (!system_.model().tendons.empty()) tendons_ = system_.compute_tendon_values(between_, time);
+    if (!system_.model().tendons.empty())
+        tendons_ = SystemValues(system_).compute_tendon_values(between_, time);
     Snapshot snapshot{time, between_.trial, sections_, reactions_, points_};
     ties_ = compute_tie_values(system_.model(), between_.trial);
     snapshot.ties = &ties_;

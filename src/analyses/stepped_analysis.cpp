@@ -7,6 +7,8 @@
 #include "analyses/start_velocities.hpp"
 #include "assembly/contact/contacts.hpp"
 #include "assembly/lanes/frame_columns.hpp"
+#include "assembly/system_measures.hpp"
+#include "assembly/system_values.hpp"
 #include "check/findings/stiffness_contrast.hpp"
 #include "check/summaries/direction_words.hpp"
 #include "elements/spring_line.hpp"
@@ -99,10 +101,10 @@ void SteppedAnalysis::refuse_overlaps(double time) {
 void SteppedAnalysis::accept_start(double time, bool is_loaded) {
     refuse_overlaps(time);
     integrator_->start(state_);
-    point_values_ = system_.compute_point_values(state_, time, watched_);
-    body_values_ = system_.compute_body_surroundings(state_, time);
+    point_values_ = SystemValues(system_).compute_point_values(state_, time, watched_);
+    body_values_ = SystemValues(system_).compute_body_surroundings(state_, time);
     system_.commit(state_, time);
-    reactions_ = system_.compute_reactions(workspace_.residual);
+    reactions_ = SystemMeasures(system_).compute_reactions(workspace_.residual);
     solver_row_.negative_pivots = counted_pivots();
     ledger_ = std::make_unique<Ledger>(system_,
                                        *integrator_,
@@ -129,7 +131,8 @@ EquilibriumReport SteppedAnalysis::start_at_rest() {
 EquilibriumReport SteppedAnalysis::start_after(const SteppedAnalysis& before) {
     take_over(before.state_, state_);
     totals_before_ = before.ledger_->totals(before.state_);
-    for (int i = 0; i < static_cast<int>(state_.trial.size()); ++i) system_.hold_rates(i, state_.trial[i]);
+    for (int i = 0; i < static_cast<int>(state_.trial.size()); ++i)
+        system_.equations().hold_rates(i, state_.trial[i]);
     state_.previous = state_.trial;
     if (before.accepted_pivots() >= 0) resume_pivots(before.accepted_pivots());
     if (!integrator_->is_static()) {
@@ -171,22 +174,22 @@ EquilibriumReport SteppedAnalysis::settle() {
     settled_parts_ = 0;
     NewtonSettings newton = newton_;  // what comes at once is as large as a load step
     if (newton.tangent == TangentKind::automatic) newton.tangent = TangentKind::mixed;
-    report =
-        gxrod::settle(system_,
-                      settling_integrator(),
-                      newton,
-                      stage,
-                      workspace_,
-                      state_,
-                      {.begin = [&] { ledger_->begin_settling(state_, stage.end_time, workspace_.residual); },
-                       .end =
-                           [&] {
-                               reactions_ = system_.compute_reactions(workspace_.residual);
-                               point_values_ = system_.compute_point_values(state_, stage.end_time, watched_);
-                               body_values_ = system_.compute_body_surroundings(state_, stage.end_time);
-                               ledger_->end_settling(state_, stage.end_time, workspace_.residual);
-                               ++settled_parts_;
-                           }});
+    report = gxrod::settle(
+        system_,
+        settling_integrator(),
+        newton,
+        stage,
+        workspace_,
+        state_,
+        {.begin = [&] { ledger_->begin_settling(state_, stage.end_time, workspace_.residual); },
+         .end =
+             [&] {
+                 reactions_ = SystemMeasures(system_).compute_reactions(workspace_.residual);
+                 point_values_ = SystemValues(system_).compute_point_values(state_, stage.end_time, watched_);
+                 body_values_ = SystemValues(system_).compute_body_surroundings(state_, stage.end_time);
+                 ledger_->end_settling(state_, stage.end_time, workspace_.residual);
+                 ++settled_parts_;
+             }});
     if (!report.converged()) return report;
     is_settling_ = false;
     settled_ = state_;
@@ -246,7 +249,7 @@ SteppedAnalysis::SupportJump SteppedAnalysis::find_support_jump(double time) con
         const NodeMotion& to = moved.trial[support->node];
         const double distance = (to.r - from.r).norm();
         const double angle = from.Lambda.angularDistance(to.Lambda);
-        const double length = system_.length_scale_at(support->node);
+        const double length = system_.scale_groups().length_at(support->node);
         if (distance > same_place * length || angle > same_place) return {support, distance, angle};
     }
     return {};
@@ -302,7 +305,7 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
     const bool has_forces = books.forces.size() == (integrator_->power_weights().empty() ? with_joints : 0) &&
                             books.force_change.size() == of_load_step &&
                             books.movement.size() == of_load_step &&
-                            books.fluid_forces.size() == (system_.surroundings() ? nodes : 0);
+                            books.fluid_forces.size() == (system_.traits().has_surroundings ? nodes : 0);
     const bool has_carried =
         record.carried.size() == nodes * static_cast<std::size_t>(integrator_->carried_count());
     if (record.nodes.size() != nodes || record.sections.size() != state_.sections.size() ||
@@ -363,7 +366,7 @@ bool SteppedAnalysis::take_step(EquilibriumReport& report) {
 }
 
 void SteppedAnalysis::check_error(EquilibriumReport& report) {
-    const auto length_at = [&](int node) { return system_.length_scale_at(node); };
+    const auto length_at = [&](int node) { return system_.scale_groups().length_at(node); };
     const StepError error =
         workspace_.coupled
             ? measure_step_error(
@@ -406,10 +409,10 @@ EquilibriumReport SteppedAnalysis::advance() {
     const PhaseTimer timer(workspace_.seconds.update);
     // All allocations come before anything that changes the state to resume from. And before the step becomes
     // the last one: what `simo` elements ask of their nodes depends on it.
-    reactions_ = system_.compute_reactions(workspace_.residual);
+    reactions_ = SystemMeasures(system_).compute_reactions(workspace_.residual);
     const double time = trial_time();
-    point_values_ = system_.compute_point_values(state_, time, watched_);
-    body_values_ = system_.compute_body_surroundings(state_, time);
+    point_values_ = SystemValues(system_).compute_point_values(state_, time, watched_);
+    body_values_ = SystemValues(system_).compute_body_surroundings(state_, time);
     keep_step(time);
     ledger_->add_step(state_, {time, next_stage().time_step, workspace_.residual, workspace_.stage_powers});
     if (has_relaxed()) {
@@ -453,13 +456,14 @@ std::optional<PathPoint> SteppedAnalysis::find_equilibrium(const PathPoint& from
     if (!report.converged()) return std::nullopt;
     point.iterations = report.iterations;
     for (std::size_t i = 0; i < point.turned.size(); ++i) point.turned[i] += point.state.trial[i].theta;
-    point.forces = system_.compute_load_forces(point.state, load_factor);
-    system_.add_support_forces(workspace_.residual, point.forces);
+    point.forces = SystemMeasures(system_).compute_load_forces(point.state, load_factor);
+    SystemMeasures(system_).add_support_forces(workspace_.residual, point.forces);
     const std::vector<Vec6> driving = system_.joints().compute_driving_forces(point.state, load_factor);
     point.forces.insert(point.forces.end(), driving.begin(), driving.end());
     point.coordinates = system_.joints().compute_coordinates(point.state.trial, load_factor, point.state);
-    point.dissipated += system_.compute_law_dissipation(point.state, load_factor);
-    point.strain_energy = system_.compute_balance(point.state, load_factor).strain_energy + point.dissipated;
+    point.dissipated += SystemMeasures(system_).compute_law_dissipation(point.state, load_factor);
+    point.strain_energy =
+        SystemMeasures(system_).compute_balance(point.state, load_factor).strain_energy + point.dissipated;
     system_.commit(point.state, load_factor);
     return point;
 }
@@ -554,14 +558,15 @@ void SteppedAnalysis::find_reason(Failure& failure) {
 
 Snapshot SteppedAnalysis::snapshot(bool with_elements) {
     section_values_.clear();
-    if (with_elements) section_values_ = system_.compute_section_values(state_);
+    if (with_elements) section_values_ = SystemValues(system_).compute_section_values(state_);
     joint_values_ = system_.joints().compute_joint_values(state_, state_.time);
     Snapshot snapshot{axis_time(), state_.trial, section_values_, reactions_, point_values_};
     ties_ = compute_tie_values(system_.model(), state_.trial);
     snapshot.ties = &ties_;
     snapshot.joints = joint_values_;
     snapshot.bodies = body_values_;
-    if (!system_.model().tendons.empty()) tendon_values_ = system_.compute_tendon_values(state_, state_.time);
+    if (!system_.model().tendons.empty())
+        tendon_values_ = SystemValues(system_).compute_tendon_values(state_, state_.time);
     snapshot.tendons = tendon_values_;
     contact_record_ = record_contacts(system_, state_, state_.time, watched_contacts_, with_elements);
     contact_record_.show_in(snapshot);

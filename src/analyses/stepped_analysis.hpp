@@ -8,6 +8,7 @@
 #include "analyses/path_work.hpp"
 #include "analyses/step_interior.hpp"
 #include "assembly/system.hpp"
+#include "assembly/system_measures.hpp"
 #include "check/failure_advice.hpp"
 #include "integrators/integrator.hpp"
 #include "solvers/equilibrium.hpp"
@@ -105,7 +106,7 @@ class SteppedAnalysis {
     // Returns the resultant of external actions on the last accepted state; in dynamics it is the rate of the
     // momenta.
     Resultant outer_resultant() const {
-        return system_.compute_outer_resultant(state_, state_.time, reactions_);
+        return SystemMeasures(system_).compute_outer_resultant(state_, state_.time, reactions_);
     }
 
   protected:
@@ -146,7 +147,9 @@ class SteppedAnalysis {
     virtual double trial_time() const { return steps_->next_time(); }
     // Whether a load step whose work differs from its strain energy is solved again at load factors in
     // between.
-    virtual bool looks_into_load_steps() const { return integrator_->is_static() && !system_.is_driven(); }
+    virtual bool looks_into_load_steps() const {
+        return integrator_->is_static() && !system_.traits().is_driven;
+    }
     // Store and restore the data that a kind of analysis needs in addition to resume; recalled after all the
     // rest.
     virtual void remember(RestartRecord&) const {}

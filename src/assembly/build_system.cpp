@@ -93,6 +93,9 @@ System::System(const Model& model, const Kernels& kernels, const ThreadTeam& tea
     memory_count_ = tendon_lines_.capstans().memory_count();
     build_blocks();
     memory_within_rods_ = {0, memory_count_};
+    traits_.uses_step_rotations = history_count_ > 0;
+    traits_.is_damped = is_damped_ || joints_.is_damped();
+    traits_.is_driven = !drive_values_.empty();
     build_pattern();
     build_batches();
     measure();
@@ -120,6 +123,7 @@ void System::build_contributions() {
         memory_count_ += one->memory_count();
     }
     contributions_.assign(all.begin(), all.end());
+    traits_.has_surroundings = surroundings_ != nullptr;
 }
 
 void System::build_blocks() {
@@ -159,7 +163,7 @@ void System::build_blocks() {
         lay_out_memory(block);
         block.has_laws = std::any_of(
             block.elements.begin(), block.elements.end(), [](const auto& e) { return e.has_law(); });
-        has_laws_ = has_laws_ || block.has_laws;
+        traits_.has_laws = traits_.has_laws || block.has_laws;
         block.is_damped = std::any_of(
             block.elements.begin(), block.elements.end(), [](const auto& e) { return e.is_damped(); });
         is_damped_ = is_damped_ || block.is_damped;
@@ -183,7 +187,6 @@ void System::lay_out_memory(ElementBlock<E>& block) {
 
 std::vector<NodeGroup> System::list_node_groups() const {
     std::vector<NodeGroup> groups;
-    groups.reserve(element_count());
     for_each_block(blocks_, [&](const auto& block) {
         for (const auto& element : block.elements)
             groups.emplace_back(element.nodes.begin(), element.nodes.end());

@@ -64,4 +64,16 @@ Vec6 EquationNumbers::increment_of(int node, const Eigen::VectorXd& solution) co
     return to_global_axes(node, own);
 }
 
+void EquationNumbers::hold_rates(int node, NodeMotion& motion) const {
+    Vec6 rates;
+    rates << motion.v, motion.omega;
+    rates = to_own_axes(node, rates);
+    for (int k = 0; k < 6; ++k) {
+        if (of_node(node)[k] < 0) rates[k] = 0.0;
+    }
+    rates = to_global_axes(node, rates);
+    motion.v = rates.head<3>();
+    motion.omega = rates.tail<3>();
+}
+
 }  // namespace gxrod

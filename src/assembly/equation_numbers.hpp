@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "constraints/supports.hpp"
+#include "state/motion.hpp"
 
 namespace gxrod {
 
@@ -55,6 +56,8 @@ class EquationNumbers {
     // Turn global components of a node into the axes of its unknowns, and back.
     Vec6 to_own_axes(int node, const Vec6& global) const;
     Vec6 to_global_axes(int node, const Vec6& own) const;
+    // Makes the velocities of a node zero where a support holds it.
+    void hold_rates(int node, NodeMotion& motion) const;
     // The increment (δr, δφ) of a node, global components, zero where held.
     Vec6 increment_of(int node, const Eigen::VectorXd& solution) const;
 

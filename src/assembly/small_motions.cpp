@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assembly/system_measures.hpp"
 #include "linear/eigen/pencil.hpp"
 #include "model/sections/kinked_law.hpp"
 #include "model/sections/small_motion_law.hpp"
@@ -101,7 +102,7 @@ bool differ(const std::vector<double>& one, const std::vector<double>& other) {
 }  // namespace
 
 SmallMotions::SmallMotions(const System& system, Linearization linearization) : given_(&system) {
-    if (!system.has_laws() && list_frictions(system.model()).empty()) return;
+    if (!system.traits().has_laws && list_frictions(system.model()).empty()) return;
     times_ = list_relaxation_times(system.model());
     quick_ = std::make_shared<double>(0.0);
     model_ = std::make_unique<const Model>(linearize(system.model(), quick_, linearization));
@@ -121,7 +122,7 @@ std::vector<RelaxingMatrix> SmallMotions::compute_relaxing(const State& state, d
 }
 
 double SmallMotions::measure_length_at_limit(const State& state, double time) const {
-    return own_ ? own_->compute_law_dissipation(state, time) : 0.0;
+    return own_ ? SystemMeasures(*own_).compute_law_dissipation(state, time) : 0.0;
 }
 
 std::vector<std::string> SmallMotions::list_friction_at_limit(const State& state, double time) const {

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "assembly/contact/contact_assembly.hpp"
-#include "model/ties/ties.hpp"
 
 namespace gxrod {
 
@@ -58,25 +57,11 @@ NodalVector<E::node_count> compute_acceleration_force(const E& element,
 
 System::~System() = default;
 
+const ContactAssembly* contact_assembly_of(const System& system) { return system.contact_.get(); }
+
 void System::forget_loads() const {
     drive_values_.forget();
     for (const Contribution* one : contributions_) one->forget();
-}
-
-std::size_t System::element_count() const {
-    return static_cast<std::size_t>(rod_element_count_) + model_->bodies.size() + count_element_ties(*model_);
-}
-
-void System::hold_rates(int node, NodeMotion& motion) const {
-    Vec6 rates;
-    rates << motion.v, motion.omega;
-    rates = equations_.to_own_axes(node, rates);
-    for (int k = 0; k < 6; ++k) {
-        if (equations_.of_node(node)[k] < 0) rates[k] = 0.0;
-    }
-    rates = equations_.to_global_axes(node, rates);
-    motion.v = rates.head<3>();
-    motion.omega = rates.tail<3>();
 }
 
 State System::initial_state() const {
@@ -87,7 +72,7 @@ State System::initial_state() const {
         state.trial[i].r = node.position;
         state.trial[i].v = node.velocity;
         state.trial[i].omega = node.angular_velocity;
-        hold_rates(i, state.trial[i]);
+        equations_.hold_rates(i, state.trial[i]);
     }
     state.previous = state.trial;
     state.sections.resize(history_count_);
@@ -104,7 +89,7 @@ Instant System::instant(const State& state, double time, const std::vector<NodeM
     Instant instant;
     instant.elapsed =
         model_->has_time ? std::max(time - state.time, 0.0) : std::numeric_limits<double>::infinity();
-    if (is_driven()) {
+    if (!drive_values_.empty()) {
         drive_values_.move_to(time);
         if (drive_values_.have_pressures()) drive_values_.press(motions, model_->gravity(time).norm());
         tendon_lines_.capstans().set_tensions(motions, state, time, drive_values_);

@@ -1,10 +1,11 @@
+#include "assembly/system_measures.hpp"
+
 #include <algorithm>
 
 #include "assembly/contact/contact_assembly.hpp"
 #include "assembly/surroundings_assembly.hpp"
-#include "assembly/system.hpp"
+#include "model/ties/ties.hpp"
 
-// What is measured of a system's motion, once a step.
 namespace gxrod {
 
 namespace {
@@ -65,13 +66,19 @@ Balance& Balance::operator+=(const Balance& other) {
     return *this;
 }
 
-Balance System::compute_balance(const State& state, double time) const {
-    const bool has_potential = model_->gravity.is_constant();
-    const Vec3 gravity = has_potential ? model_->gravity(time) : Vec3::Zero();
-    const Instant now = instant(state, time);
+std::size_t SystemMeasures::count_elements() const {
+    const Model& model = system_->model();
+    return static_cast<std::size_t>(system_->rod_element_count_) + model.bodies.size() +
+           count_element_ties(model);
+}
+
+Balance SystemMeasures::compute_balance(const State& state, double time) const {
+    const bool has_potential = system_->model_->gravity.is_constant();
+    const Vec3 gravity = has_potential ? system_->model_->gravity(time) : Vec3::Zero();
+    const Instant now = system_->instant(state, time);
     Balance balance;
-    for_each_block(blocks_, [&](const auto& block) {
-        add_up(*team_, block, balance, [&](std::size_t e, Balance& sum) {
+    for_each_block(system_->blocks_, [&](const auto& block) {
+        add_up(*system_->team_, block, balance, [&](std::size_t e, Balance& sum) {
             const auto& element = block.elements[e];
             const auto motions = block.motions(state.trial, e);
             const Momentum momentum = element.momentum(motions);
@@ -82,24 +89,24 @@ Balance System::compute_balance(const State& state, double time) const {
             sum.momentum.angular += momentum.angular;
         });
     });
-    balance.strain_energy += joints_.compute_strain_energy(state, time);
+    balance.strain_energy += system_->joints_.compute_strain_energy(state, time);
     return balance;
 }
 
-double System::compute_kinetic_energy(const std::vector<NodeMotion>& motions) const {
+double SystemMeasures::compute_kinetic_energy(const std::vector<NodeMotion>& motions) const {
     double energy = 0.0;
-    for_each_block(blocks_, [&](const auto& block) {
-        add_up(*team_, block, energy, [&](std::size_t e, double& sum) {
+    for_each_block(system_->blocks_, [&](const auto& block) {
+        add_up(*system_->team_, block, energy, [&](std::size_t e, double& sum) {
             sum += block.elements[e].kinetic_energy(block.motions(motions, e));
         });
     });
     return energy;
 }
 
-Momentum System::compute_momentum(const std::vector<NodeMotion>& motions) const {
+Momentum SystemMeasures::compute_momentum(const std::vector<NodeMotion>& motions) const {
     Balance sums;
-    for_each_block(blocks_, [&](const auto& block) {
-        add_up(*team_, block, sums, [&](std::size_t e, Balance& sum) {
+    for_each_block(system_->blocks_, [&](const auto& block) {
+        add_up(*system_->team_, block, sums, [&](std::size_t e, Balance& sum) {
             const Momentum momentum = block.elements[e].momentum(block.motions(motions, e));
             sum.momentum.linear += momentum.linear;
             sum.momentum.angular += momentum.angular;
@@ -108,12 +115,12 @@ Momentum System::compute_momentum(const std::vector<NodeMotion>& motions) const 
     return sums.momentum;
 }
 
-std::vector<DrivenPoint> System::list_driven_points(const std::vector<NodeMotion>& motions,
-                                                    const State& state,
-                                                    double time) const {
-    const Instant now = instant(state, time, motions);
+std::vector<DrivenPoint> SystemMeasures::list_driven_points(const std::vector<NodeMotion>& motions,
+                                                            const State& state,
+                                                            double time) const {
+    const Instant now = system_->instant(state, time, motions);
     std::vector<DrivenPoint> points;
-    for_each_block(blocks_, [&](const auto& block) {
+    for_each_block(system_->blocks_, [&](const auto& block) {
         for (std::size_t e = 0; e < block.elements.size(); ++e) {
             const Histories histories = block.histories(state, e, now);
             if (!histories.drives.empty())
@@ -123,8 +130,8 @@ std::vector<DrivenPoint> System::list_driven_points(const std::vector<NodeMotion
     return points;
 }
 
-double System::compute_drive_work(const State& state, double time) const {
-    if (!is_driven()) return 0.0;
+double SystemMeasures::compute_drive_work(const State& state, double time) const {
+    if (!system_->traits().is_driven) return 0.0;
     const std::vector<DrivenPoint> before = list_driven_points(state.previous, state, state.time);
     const std::vector<DrivenPoint> after = list_driven_points(state.trial, state, time);
     double work = 0.0;
@@ -139,12 +146,12 @@ double System::compute_drive_work(const State& state, double time) const {
     return work;
 }
 
-double System::compute_law_dissipation(const State& state, double time) const {
+double SystemMeasures::compute_law_dissipation(const State& state, double time) const {
     double energy = 0.0;
-    const Instant now = instant(state, time);
-    for_each_block(blocks_, [&](const auto& block) {
+    const Instant now = system_->instant(state, time);
+    for_each_block(system_->blocks_, [&](const auto& block) {
         if (!block.has_laws) return;
-        add_up(*team_, block, energy, [&](std::size_t e, double& sum) {
+        add_up(*system_->team_, block, energy, [&](std::size_t e, double& sum) {
             sum += block.elements[e].dissipated_energy(block.motions(state.trial, e),
                                                        block.histories(state, e, now));
         });
@@ -152,13 +159,13 @@ double System::compute_law_dissipation(const State& state, double time) const {
     return energy;
 }
 
-double System::compute_damping_power(const State& state) const {
-    const Instant now = instant(state);
+double SystemMeasures::compute_damping_power(const State& state) const {
+    const Instant now = system_->instant(state);
     double power = 0.0;
-    for_each_block(blocks_, [&](const auto& block) {
+    for_each_block(system_->blocks_, [&](const auto& block) {
         constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;
         if (!block.is_damped) return;
-        add_up(*team_, block, power, [&](std::size_t e, double& sum) {
+        add_up(*system_->team_, block, power, [&](std::size_t e, double& sum) {
             const auto motions = block.motions(state.trial, e);
             NodalVector<node_count> force = NodalVector<node_count>::Zero();
             block.elements[e].add_damping_force(motions, block.histories(state, e, now), force);
@@ -168,35 +175,35 @@ double System::compute_damping_power(const State& state) const {
             }
         });
     });
-    power += joints_.compute_damping_power(state);
+    power += system_->joints_.compute_damping_power(state);
     return std::max(power, 0.0);  // but for round-off it is a sum of squares
 }
 
-double System::compute_damping_action(const State& state) const {
-    const Instant now = instant(state);
+double SystemMeasures::compute_damping_action(const State& state) const {
+    const Instant now = system_->instant(state);
     double action = 0.0;
-    for_each_block(blocks_, [&](const auto& block) {
+    for_each_block(system_->blocks_, [&](const auto& block) {
         if (!block.is_damped) return;
-        add_up(*team_, block, action, [&](std::size_t e, double& sum) {
+        add_up(*system_->team_, block, action, [&](std::size_t e, double& sum) {
             sum += block.elements[e].damping_action(block.motions(state.previous, e),
                                                     block.motions(state.trial, e),
                                                     block.histories(state, e, now));
         });
     });
-    return action + joints_.compute_damping_action(state);
+    return action + system_->joints_.compute_damping_action(state);
 }
 
-std::vector<Vec6> System::compute_load_forces(const State& state, double time) const {
+std::vector<Vec6> SystemMeasures::compute_load_forces(const State& state, double time) const {
     Residual loads;
     loads.nodal.assign(state.trial.size(), Vec6::Zero());
-    subtract_loads(state, time, loads);
+    system_->subtract_loads(state, time, loads);
     std::vector<Vec6> forces = std::move(loads.nodal);
     for (Vec6& force : forces) force = -force;
-    if (model_->gravity.is_constant()) return forces;
-    const Vec3 gravity = model_->gravity(time);
-    for_each_block(blocks_, [&](const auto& block) {
+    if (system_->model_->gravity.is_constant()) return forces;
+    const Vec3 gravity = system_->model_->gravity(time);
+    for_each_block(system_->blocks_, [&](const auto& block) {
         constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;
-        block.phases.run(*team_, [&](std::size_t part) {
+        block.phases.run(*system_->team_, [&](std::size_t part) {
             for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
                 const auto& element = block.elements[e];
                 add_to_nodes<node_count>(
@@ -209,33 +216,33 @@ std::vector<Vec6> System::compute_load_forces(const State& state, double time) c
     return forces;
 }
 
-std::vector<Vec6> System::compute_surrounding_forces(const State& state, double time) const {
-    if (!surroundings_) return {};
+std::vector<Vec6> SystemMeasures::compute_surrounding_forces(const State& state, double time) const {
+    if (!system_->surroundings_) return {};
     Residual loads;
     loads.nodal.assign(state.trial.size(), Vec6::Zero());
-    surroundings_->subtract_forces(state, time, {}, loads);
+    system_->surroundings_->subtract_forces(state, time, {}, loads);
     for (Vec6& force : loads.nodal) force = -force;
     return std::move(loads.nodal);
 }
 
-void System::add_support_forces(const Residual& residual, std::vector<Vec6>& forces) const {
-    for (const Support* support : supports_.moving()) {
-        Vec6 exerted = equations_.to_own_axes(support->node, residual.nodal[support->node]);
+void SystemMeasures::add_support_forces(const Residual& residual, std::vector<Vec6>& forces) const {
+    for (const Support* support : system_->supports_.moving()) {
+        Vec6 exerted = system_->equations_.to_own_axes(support->node, residual.nodal[support->node]);
         for (int i = 0; i < 6; ++i) {
-            if (!supports_.held(support->node)[i]) exerted[i] = 0.0;
+            if (!system_->supports_.held(support->node)[i]) exerted[i] = 0.0;
         }
-        forces[support->node] += equations_.to_global_axes(support->node, exerted);
+        forces[support->node] += system_->equations_.to_global_axes(support->node, exerted);
     }
 }
 
-void System::add_damping_forces(const State& state, std::vector<Vec6>& nodal) const {
+void SystemMeasures::add_damping_forces(const State& state, std::vector<Vec6>& nodal) const {
     nodal.resize(state.trial.size(), Vec6::Zero());
-    const Instant now = instant(state);
-    for_each_block(blocks_, [&]<class E>(const ElementBlock<E>& block) {
+    const Instant now = system_->instant(state);
+    for_each_block(system_->blocks_, [&]<class E>(const ElementBlock<E>& block) {
         if (!block.is_damped) return;
-        block.phases.run(*team_, [&](std::size_t part) {
+        block.phases.run(*system_->team_, [&](std::size_t part) {
             if constexpr (is_batched<E>) {
-                batches_of(block).add_damping_forces(part, state, now, nodal);
+                system_->batches_of(block).add_damping_forces(part, state, now, nodal);
             } else {
                 for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
                     NodalVector<E::node_count> force = NodalVector<E::node_count>::Zero();
@@ -246,26 +253,26 @@ void System::add_damping_forces(const State& state, std::vector<Vec6>& nodal) co
             }
         });
     });
-    team_->for_each(rotary_damping_batches_.part_count(), [&](std::size_t part) {
-        std::vector<ForceScales> unused(rotary_damping_batches_.groups(part).size());
-        rotary_damping_batches_.add_forces(part, state.trial, nodal, unused);
+    system_->team_->for_each(system_->rotary_damping_batches_.part_count(), [&](std::size_t part) {
+        std::vector<ForceScales> unused(system_->rotary_damping_batches_.groups(part).size());
+        system_->rotary_damping_batches_.add_forces(part, state.trial, nodal, unused);
     });
 }
 
-Resultant System::compute_outer_resultant(const State& state,
-                                          double time,
-                                          std::span<const Vec6> reactions) const {
+Resultant SystemMeasures::compute_outer_resultant(const State& state,
+                                                  double time,
+                                                  std::span<const Vec6> reactions) const {
     Residual loads;
     loads.nodal.assign(state.trial.size(), Vec6::Zero());
-    subtract_loads(state, time, loads);
-    if (contact_) contact_->subtract_forces(state, time, {}, loads);
+    system_->subtract_loads(state, time, loads);
+    if (system_->contact_) system_->contact_->subtract_forces(state, time, {}, loads);
     // What acts on the nodes in addition to their inertia: the opposite of what acts on them.
     std::vector<Vec6> asked = std::move(loads.nodal);
-    const Vec3 gravity = model_->gravity(time);
-    const Instant now = instant(state, time);
-    for_each_block(blocks_, [&](const auto& block) {
+    const Vec3 gravity = system_->model_->gravity(time);
+    const Instant now = system_->instant(state, time);
+    for_each_block(system_->blocks_, [&](const auto& block) {
         constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;
-        block.phases.run(*team_, [&](std::size_t part) {
+        block.phases.run(*system_->team_, [&](std::size_t part) {
             for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
                 const auto& element = block.elements[e];
                 const auto motions = block.motions(state.trial, e);
@@ -276,8 +283,8 @@ Resultant System::compute_outer_resultant(const State& state,
             }
         });
     });
-    if (is_damped_) add_damping_forces(state, asked);
-    joints_.subtract_ground_forces(state, time, asked);
+    if (system_->is_damped_) add_damping_forces(state, asked);
+    system_->joints_.subtract_ground_forces(state, time, asked);
     Resultant sum;
     for (std::size_t i = 0; i < asked.size(); ++i) {
         const Vec6 acting = reactions[i] - asked[i];
@@ -287,73 +294,26 @@ Resultant System::compute_outer_resultant(const State& state,
     return sum;
 }
 
-std::vector<Vec6> System::compute_reactions(const Residual& residual) const {
+std::vector<Vec6> SystemMeasures::compute_reactions(const Residual& residual) const {
     std::vector<Vec6> reactions(residual.nodal.size(), Vec6::Zero());
-    for (const Support& support : model_->supports) {
-        Vec6 own = equations_.to_own_axes(support.node, residual.nodal[support.node]);
+    for (const Support& support : system_->model_->supports) {
+        Vec6 own = system_->equations_.to_own_axes(support.node, residual.nodal[support.node]);
         for (int i = 0; i < 6; ++i) {
-            if (!supports_.held(support.node)[i]) own[i] = 0.0;
+            if (!system_->supports_.held(support.node)[i]) own[i] = 0.0;
         }
-        reactions[support.node] = equations_.to_global_axes(support.node, own);
+        reactions[support.node] = system_->equations_.to_global_axes(support.node, own);
     }
     return reactions;
 }
 
-std::vector<Vec6> System::compute_strain_work(const State& state, const std::vector<Vec6>& increments) const {
-    const Instant now = instant(state);
-    std::vector<Vec6> of_elements(static_cast<std::size_t>(rod_element_count_), Vec6::Zero());
-    for_each_block(blocks_, [&](const auto& block) {
-        using Block = std::remove_cvref_t<decltype(block)>;
-        if constexpr (Block::has_section) {
-            team_->for_each_range(block.elements.size(), [&](std::size_t first, std::size_t last) {
-                for (std::size_t e = first; e < last; ++e) {
-                    const auto& element = block.elements[e];
-                    NodalVector<Block::node_count> increment;
-                    for (int i = 0; i < Block::node_count; ++i) {
-                        increment.template segment<6>(6 * i) = increments[element.nodes[i]];
-                    }
-                    of_elements[block.section_index[e]] = element.compute_strain_work(
-                        block.motions(state.trial, e), block.histories(state, e, now), increment);
-                }
-            });
-        }
-    });
-    std::vector<Vec6> of_rods(model_->rods.size(), Vec6::Zero());
-    std::size_t element = 0;
-    for (std::size_t rod = 0; rod < of_rods.size(); ++rod) {
-        for (int e = 0; e < model_->rods[rod].element_count(); ++e) of_rods[rod] += of_elements[element++];
-    }
-    return of_rods;
-}
-
-std::vector<TendonValues> System::compute_tendon_values(const State& state, double time) const {
-    return tendon_lines_.compute_values(state, joints_, time);
-}
-
-std::vector<SectionValues> System::compute_section_values(const State& state) const {
-    const Instant now = instant_of_sections(state, state.trial_time);
-    std::vector<SectionValues> values(static_cast<std::size_t>(rod_element_count_));
-    for_each_block(blocks_, [&](const auto& block) {
-        if constexpr (std::remove_cvref_t<decltype(block)>::has_section) {
-            team_->for_each_range(block.elements.size(), [&](std::size_t first, std::size_t last) {
-                for (std::size_t e = first; e < last; ++e) {
-                    values[block.section_index[e]] = block.elements[e].section_values(
-                        block.motions(state.trial, e), block.histories(state, e, now));
-                }
-            });
-        }
-    });
-    return values;
-}
-
-RelativeRotation System::bound_relative_rotation(const std::vector<NodeMotion>& motions,
-                                                 const std::vector<Vec3>& spins) const {
+RelativeRotation SystemMeasures::bound_relative_rotation(const std::vector<NodeMotion>& motions,
+                                                         const std::vector<Vec3>& spins) const {
     RelativeRotation largest;
-    for_each_block(blocks_, [&](const auto& block) {
+    for_each_block(system_->blocks_, [&](const auto& block) {
         using Block = std::remove_cvref_t<decltype(block)>;
         if constexpr (sees_relative_rotation<typename Block::ElementType>) {
             std::vector<RelativeRotation> parts(block.phases.part_count());
-            team_->for_each(parts.size(), [&](std::size_t part) {
+            system_->team_->for_each(parts.size(), [&](std::size_t part) {
                 for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
                     const auto& nodes = block.elements[e].nodes;
                     double added = Block::node_count == 1 ? spins[nodes[0]].norm() : 0.0;

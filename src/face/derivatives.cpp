@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "assembly/system_measures.hpp"
+#include "assembly/system_values.hpp"
 #include "elements/tie_values.hpp"
 #include "sensitivity/equilibrium_adjoint.hpp"
 #include "watch/history_watch.hpp"
@@ -55,25 +57,26 @@ std::vector<double> compute_history(const Problem& problem,
     const double load_factor = state.trial_time;
     const std::vector<HistoryRequest>& requests = problem.output.histories;
     const std::vector<PointValues> points =
-        system.compute_point_values(state, load_factor, list_rod_places(requests));
+        SystemValues(system).compute_point_values(state, load_factor, list_rod_places(requests));
     const std::vector<JointValues> joints = system.joints().compute_joint_values(state, load_factor);
     const Quantity& asked = *quantities_of(requests.at(history)).at(quantity);
     std::vector<Vec6> reactions;
     if (part_of(asked) == SnapshotPart::reactions) {
         Residual residual;
         system.compute_residual(state, load_factor, residual);
-        reactions = system.compute_reactions(residual);
+        reactions = SystemMeasures(system).compute_reactions(residual);
     }
     Snapshot snapshot{load_factor, state.trial, {}, reactions, points};
     snapshot.load_factor = snapshot.limit_load_factor = load_factor;
     snapshot.joints = joints;
     const TieValues ties = compute_tie_values(problem.model, state.trial);
     snapshot.ties = &ties;
-    const std::vector<PointSurroundings> bodies = system.compute_body_surroundings(state, load_factor);
+    const std::vector<PointSurroundings> bodies =
+        SystemValues(system).compute_body_surroundings(state, load_factor);
     snapshot.bodies = bodies;
     std::vector<TendonValues> tendons;
     if (std::holds_alternative<WatchedTendon>(requests.at(history).target))
-        tendons = system.compute_tendon_values(state, load_factor);
+        tendons = SystemValues(system).compute_tendon_values(state, load_factor);
     snapshot.tendons = tendons;
     const HistoryRow row = HistoryWatch(problem.model, requests, history).compute(asked, snapshot);
     return {row.begin(), row.begin() + asked.columns};

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "analyses/dynamic.hpp"
+#include "assembly/system_measures.hpp"
 #include "check/shape_report.hpp"
 #include "machine/file_error.hpp"
 #include "model/evaluation_error.hpp"
@@ -31,7 +32,7 @@ SteppedRun::SteppedRun(RunRequest request)
     schedule_output();
     note_interpolants();
     summary.nodes = static_cast<long>(problem().model.nodes.size());
-    summary.elements = static_cast<long>(analysis().system().element_count());
+    summary.elements = static_cast<long>(SystemMeasures(analysis().system()).count_elements());
     summary.unknowns = analysis().system().equations().count();
     summary.threads = analysis().system().team().size();
 }

@@ -86,7 +86,7 @@ Eigen::VectorXd EquilibriumAdjoint::find_gradient(const std::vector<int>& nodes,
                     trial.Lambda = exp_quaternion(along) * start.Lambda;
                 return quantity(system_, moved, -1);
             };
-            const double size = component < 3 ? system_.length_scale_at(node) : 1.0;
+            const double size = component < 3 ? system_.scale_groups().length_at(node) : 1.0;
             nodal[index][component] = differentiate_at_zero(move, part * size);
             moved.trial[index] = start;
         }

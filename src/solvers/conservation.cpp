@@ -1,5 +1,7 @@
 #include "solvers/conservation.hpp"
 
+#include "assembly/system_measures.hpp"
+
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
@@ -32,7 +34,7 @@ WholeInertia find_inertia(const System& system, const State& state) {
             motion.v = rates.velocity_at(motion.r);
             motion.omega = rates.spin;
         }
-        return system.compute_momentum(motions);
+        return SystemMeasures(system).compute_momentum(motions);
     };
     const Momentum along_x = momentum_of({Vec3::UnitX(), Vec3::Zero(), Vec3::Zero()});
     const Momentum along_y = momentum_of({Vec3::UnitY(), Vec3::Zero(), Vec3::Zero()});
@@ -84,17 +86,17 @@ std::optional<double> find_factor(double energy, double due, double size) {
 
 Resultant compute_acting(const System& system, const State& state, double time) {
     const std::vector<Vec6> no_reactions(state.trial.size(), Vec6::Zero());
-    return system.compute_outer_resultant(state, time, no_reactions);
+    return SystemMeasures(system).compute_outer_resultant(state, time, no_reactions);
 }
 
 }  // namespace
 
 StepStart note_step_start(const System& system, const State& state, double time) {
-    const Balance balance = system.compute_balance(state, time);
+    const Balance balance = SystemMeasures(system).compute_balance(state, time);
     return {balance.kinetic_energy + balance.strain_energy + balance.gravity_potential,
             balance.momentum,
             compute_acting(system, state, time),
-            system.compute_load_forces(state, time)};
+            SystemMeasures(system).compute_load_forces(state, time)};
 }
 
 void conserve(const System& system,
@@ -102,7 +104,7 @@ void conserve(const System& system,
               const Stage& step,
               State& state,
               EquilibriumReport& report) {
-    const Balance end = system.compute_balance(state, step.end_time);
+    const Balance end = SystemMeasures(system).compute_balance(state, step.end_time);
     const Resultant acting = compute_acting(system, state, step.end_time);
     Momentum due = start.momentum;
     due.linear += 0.5 * step.time_step * (start.acting.force + acting.force);
@@ -116,12 +118,13 @@ void conserve(const System& system,
         motion.v -= found.velocity_at(motion.r);
         motion.omega -= found.spin;
     }
-    const double work = compute_work(start.forces, system.compute_load_forces(state, step.end_time), state);
+    const double work =
+        compute_work(start.forces, SystemMeasures(system).compute_load_forces(state, step.end_time), state);
     const double energy_due =
         start.energy + work - end.strain_energy - end.gravity_potential - find_energy(inertia, rigid);
     const double size = end.kinetic_energy + std::abs(end.strain_energy) + std::abs(end.gravity_potential);
     const std::optional<double> factor =
-        find_factor(system.compute_kinetic_energy(relative), energy_due, size);
+        find_factor(SystemMeasures(system).compute_kinetic_energy(relative), energy_due, size);
     if (!factor) {
         report.outcome = Outcome::energy_out_of_reach;
         report.worst_node = -1;

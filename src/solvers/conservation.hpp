@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "assembly/system_measures.hpp"
 #include "solvers/equilibrium.hpp"
 
 // Corrects the rates at the end of a step so that its energy and momenta balance (docs/theory/newmark.md,

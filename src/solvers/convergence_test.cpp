@@ -25,7 +25,7 @@ void ConvergenceTest::add_increment(const std::vector<Vec6>& deltas, const State
     last_increment_ = system_->team().find_largest(deltas.size(), [&](std::size_t node) {
         const Vec6& delta = deltas[node];
         const double scale =
-            std::max(system_->length_scale_at(static_cast<int>(node)), state.trial[node].r.norm());
+            std::max(system_->scale_groups().length_at(static_cast<int>(node)), state.trial[node].r.norm());
         return std::max(delta.head<3>().lpNorm<Eigen::Infinity>() / scale,
                         delta.tail<3>().lpNorm<Eigen::Infinity>());
     });

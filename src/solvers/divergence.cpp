@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "assembly/system_measures.hpp"
 #include "linear/eigen/eigenvalue_count.hpp"
 #include "linear/eigen/lowest_pairs.hpp"
 #include "linear/eigen/pencil.hpp"
@@ -77,7 +78,7 @@ double measure_load_stiffness(const System& system,
     const double length = system.length_scale();
     double sum = 0.0;
     for (const std::vector<Vec6>& forces :
-         {system.compute_load_forces(state, time), workspace.residual.nodal}) {
+         {SystemMeasures(system).compute_load_forces(state, time), workspace.residual.nodal}) {
         for (const Vec6& force : forces) sum += force.head<3>().norm() + force.tail<3>().norm() / length;
     }
     return sum / length;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "assembly/contact/contacts.hpp"
+#include "assembly/system_measures.hpp"
 #include "solvers/conservation.hpp"
 #include "solvers/coupled/coupled_step.hpp"
 #include "solvers/hidden_constraints.hpp"
@@ -35,11 +36,11 @@ double compute_power_of(const std::vector<Vec6>& forces, const std::vector<NodeM
 Power compute_power(
     const System& system, const State& state, double time, const Residual& residual, const TimeSpan& step) {
     Power power;
-    std::vector<Vec6> forces = system.compute_load_forces(state, time);
-    system.add_support_forces(residual, forces);
+    std::vector<Vec6> forces = SystemMeasures(system).compute_load_forces(state, time);
+    SystemMeasures(system).add_support_forces(residual, forces);
     power.driving =
         compute_power_of(forces, state.trial) + system.joints().compute_driving_power(state, time, step);
-    power.damping = system.compute_damping_power(state);
+    power.damping = SystemMeasures(system).compute_damping_power(state);
     return power;
 }
 
@@ -103,7 +104,7 @@ bool check_rotations(const System& system,
         report.worst_component = -1;
         return false;
     }
-    const RelativeRotation bound = system.bound_relative_rotation(state.previous, spins);
+    const RelativeRotation bound = SystemMeasures(system).bound_relative_rotation(state.previous, spins);
     if (bound.angle < half_turn) return true;
     report.outcome = Outcome::element_too_turned;
     report.worst_node = bound.node;

@@ -43,7 +43,7 @@ class Newton {
           moves_supports_(integrator.is_static() && system.supports().move()),
           contacts_(system),
           limiter_(system),
-          limits_rotation_(!integrator.is_static() || system.uses_step_rotations()),
+          limits_rotation_(!integrator.is_static() || system.traits().uses_step_rotations),
           workspace_(workspace),
           state_(state),
           pseudo_step_(pseudo_step),

@@ -66,7 +66,7 @@ void measure_residual(const System& system, const Residual& residual, Equilibriu
 bool is_as_large_as_forces(const System& system, const Residual& residual, const EquilibriumReport& report) {
     constexpr double tenth = 0.1;
     const ScaleGroups& groups = system.scale_groups();
-    const double length = system.length_scale_at(report.worst_node);
+    const double length = system.scale_groups().length_at(report.worst_node);
     const double worst =
         report.residual * groups.compute_scales(residual).of(report.worst_node).of(report.worst_component);
     const double force = report.worst_component < 3 ? worst : worst / length;

@@ -21,7 +21,7 @@ PseudoDrag::PseudoDrag(const System& system)
     : system_(&system), share_(1.0 / static_cast<double>(system.equations().node_count())) {
     turning_.resize(system.equations().node_count());
     for (std::size_t node = 0; node < turning_.size(); ++node) {
-        const double arm = arm_of_length * system.length_scale_at(static_cast<int>(node));
+        const double arm = arm_of_length * system.scale_groups().length_at(static_cast<int>(node));
         turning_[node] = share_ * arm * arm;
     }
     const auto turns_freely = [&](int node) { return !system.supports().has_own_axes(node); };
@@ -34,7 +34,7 @@ PseudoDrag::PseudoDrag(const System& system)
             const int first = rod.element_nodes[i];
             const int second = rod.element_nodes[i + 1];
             if (!turns_freely(first) || !turns_freely(second)) continue;
-            const double length = system.length_scale_at(first);
+            const double length = system.scale_groups().length_at(first);
             pairs_.push_back({first, second, bending_of_length * share_ * count * count * length * length});
         }
     }

@@ -101,7 +101,7 @@ class Fall {
     void measure_move(const std::vector<NodeMotion>& before) {
         move_ = 0.0;
         for (std::size_t i = 0; i < before.size(); ++i) {
-            const double length = system_.length_scale_at(static_cast<int>(i));
+            const double length = system_.scale_groups().length_at(static_cast<int>(i));
             const double moved = (state_.trial[i].r - before[i].r).norm() / length;
             const double turned = state_.trial[i].Lambda.angularDistance(before[i].Lambda);
             move_ = std::max({move_, moved / largest_move, turned / largest_turn});
@@ -154,7 +154,7 @@ class Fall {
         for (std::size_t i = 0; i < increments.size(); ++i) {
             const int node = static_cast<int>(i);
             increments[i] = system_.equations().increment_of(node, leaves.shape);
-            const double length = system_.length_scale_at(node);
+            const double length = system_.scale_groups().length_at(node);
             largest =
                 std::max({largest, increments[i].head<3>().norm() / length, increments[i].tail<3>().norm()});
         }

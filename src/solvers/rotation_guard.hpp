@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "assembly/system.hpp"
+#include "assembly/system_measures.hpp"
 #include "solvers/equilibrium.hpp"
 
 namespace gxrod {
@@ -23,7 +24,7 @@ class RotationGuard {
         if (bound_ < std::numbers::pi) return true;
         std::vector<Vec3> spins(motions.size());
         for (std::size_t node = 0; node < spins.size(); ++node) spins[node] = spin(node);
-        const RelativeRotation bound = system_->bound_relative_rotation(motions, spins);
+        const RelativeRotation bound = SystemMeasures(*system_).bound_relative_rotation(motions, spins);
         bound_ = bound.angle;
         if (bound.angle < std::numbers::pi) return true;
         report.outcome = Outcome::element_too_turned;

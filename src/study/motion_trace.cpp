@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analyses/static.hpp"
+#include "assembly/system_measures.hpp"
 #include "machine/phase_timer.hpp"
 #include "model/energy_round_off.hpp"
 #include "model/evaluation_error.hpp"
@@ -79,7 +80,7 @@ class Tracer {
         trace.unknowns = analysis_->system().equations().count();
         trace.length = analysis_->system().length_scale();
         trace.mass = mass_;
-        trace.elements = static_cast<long>(analysis_->system().element_count());
+        trace.elements = static_cast<long>(SystemMeasures(analysis_->system()).count_elements());
         {
             const PhaseTimer timer(trace.seconds);
             try {

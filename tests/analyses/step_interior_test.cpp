@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 
+#include "assembly/system_values.hpp"
 #include "deck/decks.hpp"
 #include "integrators/scheme_samples.hpp"
 #include "tools/catch.hpp"
@@ -308,7 +309,7 @@ steps = 20
             std::max(of_equilibria, std::abs(within.elements[0].force.x() - 0.5 * (before + after)));
         State between = analysis.state();
         between.trial.assign(within.nodes.begin(), within.nodes.end());
-        const double moved = analysis.system().compute_section_values(between)[0].force.x();
+        const double moved = SystemValues(analysis.system()).compute_section_values(between)[0].force.x();
         of_motion = std::max(of_motion, std::abs(moved - 0.5 * (before + after)));
     }
     INFO(largest << " " << of_equilibria << " " << of_motion);

@@ -3,6 +3,7 @@
 
 #include "assembly/sample_model.hpp"
 #include "assembly/system.hpp"
+#include "assembly/system_measures.hpp"
 #include "rotation/rotation_map.hpp"
 #include "tools/catch.hpp"
 #include "tools/difference.hpp"
@@ -22,7 +23,7 @@ Momentum move_on(const System& system, const State& state, double time, double l
         node.v += later * node.a;
         node.omega += later * node.alpha;
     }
-    return system.compute_balance(moved, time).momentum;
+    return SystemMeasures(system).compute_balance(moved, time).momentum;
 }
 
 void check_rates(const Model& model, State state, const System& system) {
@@ -42,7 +43,7 @@ void check_rates(const Model& model, State state, const System& system) {
         missing.moment += residual.nodal[i].tail<3>() + state.trial[i].r.cross(residual.nodal[i].head<3>());
     }
     const std::vector<Vec6> none(model.nodes.size(), Vec6::Zero());
-    const Resultant outer = system.compute_outer_resultant(state, time, none);
+    const Resultant outer = SystemMeasures(system).compute_outer_resultant(state, time, none);
     for (int i = 0; i < 3; ++i) {
         const double linear =
             differentiate([&](double t) { return move_on(system, state, time, t).linear[i]; });
@@ -76,9 +77,9 @@ TEST_CASE("reactions act from outside", "[assembly]") {
     const System system(model);
     const State state = make_sample_state(system, 3);
     std::vector<Vec6> reactions(model.nodes.size(), Vec6::Zero());
-    const Resultant without = system.compute_outer_resultant(state, 0.0, reactions);
+    const Resultant without = SystemMeasures(system).compute_outer_resultant(state, 0.0, reactions);
     reactions[1] << 1.0, 2.0, 3.0, 4.0, 5.0, 6.0;
-    const Resultant with = system.compute_outer_resultant(state, 0.0, reactions);
+    const Resultant with = SystemMeasures(system).compute_outer_resultant(state, 0.0, reactions);
     CHECK((with.force - without.force - Vec3(1.0, 2.0, 3.0)).norm() < 1e-12);
     const Vec3 moment = Vec3(4.0, 5.0, 6.0) + state.trial[1].r.cross(Vec3(1.0, 2.0, 3.0));
     CHECK((with.moment - without.moment - moment).norm() < 1e-12);

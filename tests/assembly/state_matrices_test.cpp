@@ -1,4 +1,5 @@
 #include "assembly/state_matrices.hpp"
+#include "assembly/system_values.hpp"
 
 #include "assembly/sample_model.hpp"
 #include "assembly/scatter.hpp"
@@ -111,7 +112,7 @@ TEST_CASE("strain work of rods is the second derivative of their energy without 
             std::vector<Vec6> increments(state.trial.size());
             for (Vec6& increment : increments) increment << random.vector(), random.vector();
             const Eigen::VectorXd x = gather(increments, system.equations());
-            const std::vector<Vec6> work = system.compute_strain_work(state, increments);
+            const std::vector<Vec6> work = SystemValues(system).compute_strain_work(state, increments);
             REQUIRE(work.size() == 1);
             std::vector<double> stiffness;
             system.compute_tangent(state,

@@ -5,6 +5,7 @@
 #include "assembly/lanes/rod_element_weights.hpp"
 #include "assembly/sample_model.hpp"
 #include "assembly/surroundings_assembly.hpp"
+#include "assembly/system_measures.hpp"
 #include "integrators/generalized_alpha.hpp"
 #include "integrators/load_stepping.hpp"
 #include "integrators/newmark_simplified.hpp"
@@ -100,7 +101,7 @@ void check_tangent(const System& system, const Integrator& integrator, State sta
 
 void check_tangents(const Model& model) {
     const System system(model);
-    REQUIRE(system.surroundings() != nullptr);
+    REQUIRE(system.traits().has_surroundings);
     for (const unsigned seed : {1U, 2U}) {
         State state = make_turned_state(system, seed);
         for (std::size_t i = 0; numbers_of_bed_contact * i < state.memory.size(); i += 2)
@@ -139,7 +140,8 @@ TEST_CASE("A rod under water weighs less by what it displaces", "[assembly][surr
         const System system(model);
         const State state = system.initial_state();
         Vec3 force = Vec3::Zero();
-        for (const Vec6& of_node : system.compute_surrounding_forces(state, 0.0)) force += of_node.head<3>();
+        for (const Vec6& of_node : SystemMeasures(system).compute_surrounding_forces(state, 0.0))
+            force += of_node.head<3>();
         double length = 0.0;
         for (int e = 0; e < model.rods[0].element_count(); ++e) {
             for (const double of_node : compute_element_weights(model, model.rods[0], e).lengths)
@@ -159,10 +161,10 @@ TEST_CASE("Water and the ground act from outside", "[assembly][surroundings]") {
     const System system(model);
     const State state = make_turned_state(system, 3);
     const std::vector<Vec6> none(model.nodes.size(), Vec6::Zero());
-    const Resultant without = dry.compute_outer_resultant(state, now, none);
-    const Resultant with = system.compute_outer_resultant(state, now, none);
+    const Resultant without = SystemMeasures(dry).compute_outer_resultant(state, now, none);
+    const Resultant with = SystemMeasures(system).compute_outer_resultant(state, now, none);
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-    const std::vector<Vec6> forces = system.compute_surrounding_forces(state, now);
+    const std::vector<Vec6> forces = SystemMeasures(system).compute_surrounding_forces(state, now);
     for (std::size_t i = 0; i < forces.size(); ++i) {
         force += forces[i].head<3>();
         moment += forces[i].tail<3>() + state.trial[i].r.cross(forces[i].head<3>());
@@ -180,7 +182,8 @@ TEST_CASE("The number of threads changes no force of water and no tangent", "[as
     const System several(model, team);
     State state = make_turned_state(one, 4);
     update_trial_rates(one, NewmarkSimplified({0.25, 0.5}), stage, state);
-    CHECK(one.compute_surrounding_forces(state, now) == several.compute_surrounding_forces(state, now));
+    CHECK(SystemMeasures(one).compute_surrounding_forces(state, now) ==
+          SystemMeasures(several).compute_surrounding_forces(state, now));
     std::vector<NodeLinearization> linearizations(state.trial.size());
     NewmarkSimplified({0.25, 0.5}).linearize(state, stage, linearizations);
     std::vector<double> a, b;
@@ -195,10 +198,10 @@ TEST_CASE("What has been asked for before changes no force of water", "[assembly
     const System used(model);
     const State state = make_turned_state(used, 4);
     const State other = make_turned_state(used, 5);
-    used.compute_surrounding_forces(other, now);
-    used.compute_surrounding_forces(state, 0.3);
-    CHECK(used.compute_surrounding_forces(state, now) ==
-          System(model).compute_surrounding_forces(state, now));
+    SystemMeasures(used).compute_surrounding_forces(other, now);
+    SystemMeasures(used).compute_surrounding_forces(state, 0.3);
+    CHECK(SystemMeasures(used).compute_surrounding_forces(state, now) ==
+          SystemMeasures(System(model)).compute_surrounding_forces(state, now));
 }
 
 TEST_CASE("A commit alone moves where friction pulls to", "[assembly][surroundings]") {
@@ -236,7 +239,7 @@ TEST_CASE("Without inertia a current pushes by its speed alone", "[assembly][sur
         model.sections[0].fluid->area = area;
         const System system(model);
         Vec3 force = Vec3::Zero();
-        for (const Vec6& one : system.compute_surrounding_forces(system.initial_state(), 0.5))
+        for (const Vec6& one : SystemMeasures(system).compute_surrounding_forces(system.initial_state(), 0.5))
             force += one.head<3>();
         return force;
     };

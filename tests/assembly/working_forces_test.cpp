@@ -2,6 +2,7 @@
 
 #include "assembly/sample_model.hpp"
 #include "assembly/system.hpp"
+#include "assembly/system_measures.hpp"
 #include "loads/nodal_load.hpp"
 #include "solvers/equilibrium.hpp"
 #include "state/increment.hpp"
@@ -22,7 +23,7 @@ TEST_CASE("loads drive at their nodes, constant gravity does not", "[assembly]")
     for (const NodalLoad& load : model.loads) {
         expected[load.node] += compute_load(load, state.trial[load.node], 0.4);
     }
-    CHECK(system.compute_load_forces(state, 0.4) == expected);
+    CHECK(SystemMeasures(system).compute_load_forces(state, 0.4) == expected);
 }
 
 TEST_CASE("gravity that changes with time drives by the weight of every node", "[assembly]") {
@@ -32,13 +33,13 @@ TEST_CASE("gravity that changes with time drives by the weight of every node", "
     const System system(model);
     State state = make_sample_state(system, 6);
     const Vec3 gravity(0.0, 0.8, -3.0);
-    const auto nodal = system.compute_load_forces(state, 0.4);
+    const auto nodal = SystemMeasures(system).compute_load_forces(state, 0.4);
     // The weight and its moment about the origin, from the potentials of elements moved as one.
     Model still = model;
     still.gravity = TimeVector(gravity);
     const System same(still);
     const auto potential_of = [&](const State& moved) {
-        return same.compute_balance(moved, 0.4).gravity_potential;
+        return SystemMeasures(same).compute_balance(moved, 0.4).gravity_potential;
     };
     for (std::size_t node = 0; node < model.nodes.size(); ++node) {
         for (int i = 0; i < 3; ++i) {
@@ -56,7 +57,7 @@ TEST_CASE("gravity that changes with time drives by the weight of every node", "
             CHECK(nodal[node][i + 3] == Approx(-turn).margin(1e-11));
         }
     }
-    CHECK(system.compute_balance(state, 0.4).gravity_potential == 0.0);
+    CHECK(SystemMeasures(system).compute_balance(state, 0.4).gravity_potential == 0.0);
 }
 
 TEST_CASE("a moving support drives with the force that it exerts, one at rest does not", "[assembly]") {
@@ -71,8 +72,8 @@ TEST_CASE("a moving support drives with the force that it exerts, one at rest do
     const State state = make_sample_state(system, 6);
     Residual residual;
     system.compute_residual(state, 0.4, residual);
-    std::vector<Vec6> driving = system.compute_load_forces(state, 0.4);
-    system.add_support_forces(residual, driving);
+    std::vector<Vec6> driving = SystemMeasures(system).compute_load_forces(state, 0.4);
+    SystemMeasures(system).add_support_forces(residual, driving);
     // The ball joint leaves moments free.
     CHECK((driving[0].head<3>() - residual.nodal[0].head<3>()).norm() < 1e-14);
     CHECK(driving[0].tail<3>().norm() < 1e-14);
@@ -121,14 +122,15 @@ double compute_power_between(const Model& damped, const Model& undamped, double 
 TEST_CASE("the power of damping is that of the forces it adds to the residual", "[assembly]") {
     const Model damped = make_damped_model(0.2, 0.3);
     const System system(damped);
-    CHECK(system.is_damped());
+    CHECK(system.traits().is_damped);
     const double power = compute_power_between(damped, make_sample_model(), 0.4);
     CHECK(power > 0.1);
-    CHECK(system.compute_damping_power(make_moving_state(system)) == Approx(power).epsilon(1e-10));
+    CHECK(SystemMeasures(system).compute_damping_power(make_moving_state(system)) ==
+          Approx(power).epsilon(1e-10));
     const Model undamped = make_sample_model();
     const System free_of_damping(undamped);
-    CHECK_FALSE(free_of_damping.is_damped());
-    CHECK(free_of_damping.compute_damping_power(make_moving_state(free_of_damping)) == 0.0);
+    CHECK_FALSE(free_of_damping.traits().is_damped);
+    CHECK(SystemMeasures(free_of_damping).compute_damping_power(make_moving_state(free_of_damping)) == 0.0);
 }
 
 TEST_CASE("the damping action of a short step is its power times the square of the time", "[assembly]") {
@@ -137,13 +139,13 @@ TEST_CASE("the damping action of a short step is its power times the square of t
         const System system(model);
         State state = make_moving_state(system);
         system.commit(state, 0.0);
-        const double power = system.compute_damping_power(state);
+        const double power = SystemMeasures(system).compute_damping_power(state);
         constexpr double h = 1e-5;
         for (std::size_t i = 0; i < state.trial.size(); ++i) {
             const NodeMotion& previous = state.previous[i];
             place(previous, previous.r + h * previous.v, h * previous.omega, state.trial[i]);
         }
-        CHECK(system.compute_damping_action(state) / (h * h) == Approx(power).epsilon(1e-4));
+        CHECK(SystemMeasures(system).compute_damping_action(state) / (h * h) == Approx(power).epsilon(1e-4));
     }
 }
 
@@ -175,6 +177,6 @@ TEST_CASE("the kinetic energy of motions is that of the books", "[assembly]") {
     const Model model = make_sample_model();
     const System system(model);
     const State state = make_moving_state(system);
-    CHECK(system.compute_kinetic_energy(state.trial) ==
-          Approx(system.compute_balance(state, 0.0).kinetic_energy));
+    CHECK(SystemMeasures(system).compute_kinetic_energy(state.trial) ==
+          Approx(SystemMeasures(system).compute_balance(state, 0.0).kinetic_energy));
 }

@@ -1,6 +1,7 @@
 // Loads whose form changes within elements: totals, moments and shares of nodes against integrals known
 // exactly.
 #include "loads/load_integral.hpp"
+#include "assembly/system_measures.hpp"
 
 #include "assembly/system.hpp"
 #include "loads/distributed_load.hpp"
@@ -41,7 +42,7 @@ Model make_model(const Mesh& mesh, const DistributedLoad& load) {
 }
 
 std::vector<Vec6> compute_loads(const System& system, const State& state, double time) {
-    return system.compute_load_forces(state, time);
+    return SystemMeasures(system).compute_load_forces(state, time);
 }
 
 // Force along z, and minus its moment about y.

@@ -1,4 +1,5 @@
 #include "loads/pressure.hpp"
+#include "assembly/system_values.hpp"
 
 #include "assembly/sample_model.hpp"
 #include "assembly/system.hpp"
@@ -41,8 +42,8 @@ TEST_CASE("The axial force of a pressed rod lacks what pressures stretch", "[loa
         other.sections[0].fluid->poisson = 0.5;
         const System incompressible(other);
         const State state = make_turned_state(pressed, 3);
-        const auto with = pressed.compute_section_values(state);
-        const auto without = incompressible.compute_section_values(state);
+        const auto with = SystemValues(pressed).compute_section_values(state);
+        const auto without = SystemValues(incompressible).compute_section_values(state);
         for (std::size_t e = 0; e < with.size(); ++e) {
             const Rod& rod = model.rods[0];
             // In the middle: of a line that is curved in z the depth is that of the force point.

@@ -1,4 +1,6 @@
 // Derivatives that are carried along against differences of whole runs, extrapolated.
+#include "assembly/system_measures.hpp"
+#include "assembly/system_values.hpp"
 #include "sensitivity/sensitivities.hpp"
 
 #include <algorithm>
@@ -193,7 +195,7 @@ TEST_CASE("functions of a state are differentiated along it", "[sensitivity]") {
         sensitivities.advance();
     }
     const auto energy = [](const System& system, const State& state) {
-        return system.compute_balance(state, 1.0).strain_energy;
+        return SystemMeasures(system).compute_balance(state, 1.0).strain_energy;
     };
     const std::vector<double> derivative =
         sensitivities.by(0).differentiate([&](const System& system, const State& state, std::size_t) {
@@ -217,10 +219,11 @@ namespace {
 std::vector<double> list_sections(const System& system, const State& state) {
     Residual residual;
     system.compute_residual(state, state.trial_time, residual);
-    const Vec6 reaction = system.compute_reactions(residual)[0];
+    const Vec6 reaction = SystemMeasures(system).compute_reactions(residual)[0];
     std::vector<double> values(reaction.begin(), reaction.end());
     const std::vector<RodPlace> places{{0, 0, -0.4}, {0, 1, 0.6}, {0, 3, 1.0}};
-    for (const PointValues& point : system.compute_point_values(state, state.trial_time, places)) {
+    for (const PointValues& point :
+         SystemValues(system).compute_point_values(state, state.trial_time, places)) {
         for (const Vec3& value : {point.force, point.moment, point.strain, point.curvature})
             values.insert(values.end(), value.begin(), value.end());
     }

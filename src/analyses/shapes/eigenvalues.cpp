@@ -8,6 +8,7 @@
 #include "analyses/shapes/shape_measures.hpp"
 #include "analyses/shapes/shape_words.hpp"
 #include "assembly/small_motions.hpp"
+#include "assembly/system_values.hpp"
 #include "linear/eigen/pencil.hpp"
 #include "linear/eigen/quadratic_pairs.hpp"
 
@@ -128,8 +129,8 @@ class EigenvalueFinder {
     // Mean over a cycle.
     void add_energy(Eigenmode& mode) const {
         std::vector<Vec6>& shares = mode.shape.energy_shares;
-        shares = system_.compute_strain_work(state_, mode.shape.nodes);
-        const std::vector<Vec6> imaginary = system_.compute_strain_work(state_, mode.imaginary);
+        shares = SystemValues(system_).compute_strain_work(state_, mode.shape.nodes);
+        const std::vector<Vec6> imaginary = SystemValues(system_).compute_strain_work(state_, mode.imaginary);
         double energy = 0.0;
         for (std::size_t rod = 0; rod < shares.size(); ++rod) {
             shares[rod] += imaginary[rod];

@@ -5,6 +5,7 @@
 
 #include "analyses/shapes/shape_words.hpp"
 #include "assembly/scatter.hpp"
+#include "assembly/system_values.hpp"
 
 namespace gxrod {
 
@@ -80,7 +81,7 @@ Shape make_shape(const System& system, const State& state, const Eigen::VectorXd
     for (std::size_t i = 0; i < shape.nodes.size(); ++i)
         shape.nodes[i] = system.equations().increment_of(static_cast<int>(i), solution);
     scale(shape, find_sign(shape, find_largest(system, shape)));
-    shape.energy_shares = system.compute_strain_work(state, shape.nodes);
+    shape.energy_shares = SystemValues(system).compute_strain_work(state, shape.nodes);
     double energy = 0.0;
     for (const Vec6& shares : shape.energy_shares) energy += shares.sum();
     for (Vec6& shares : shape.energy_shares) {

@@ -20,7 +20,7 @@ struct PairBlock;
 class Contacts {
   public:
     // The system must outlive it.
-    explicit Contacts(const System& system) : contact_(system.contact()) {}
+    explicit Contacts(const System& system) : contact_(contact_assembly_of(system)) {}
 
     // Whether anything can touch in this model.
     bool are_possible() const { return contact_ != nullptr; }

@@ -14,7 +14,7 @@ namespace gxrod {
 class StepLimiter {
   public:
     // The system must outlive it.
-    explicit StepLimiter(const System& system) : system_(&system), contact_(system.contact()) {}
+    explicit StepLimiter(const System& system) : system_(&system), contact_(contact_assembly_of(system)) {}
 
     // Makes the prediction of a model with inertia the last accepted motions. Contact chatters between
     // impulses: if its accelerations go on, it touches where it should not, and half of the iterations are

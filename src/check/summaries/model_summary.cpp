@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "assembly/system.hpp"
+#include "assembly/system_measures.hpp"
 #include "check/mechanism/mechanism.hpp"
 #include "check/summaries/condition_summary.hpp"
 #include "check/summaries/joint_summary.hpp"
@@ -130,7 +131,7 @@ std::string describe_total(const Model& model) {
     return fmt::format("total: mass {:.6g}, {} nodes, {} elements, {} unknowns\n",
                        sum_mass(model),
                        model.nodes.size(),
-                       system.element_count(),
+                       SystemMeasures(system).count_elements(),
                        system.equations().count());
 }
 

@@ -171,7 +171,7 @@ class PathNewton {
 
     // False, and so reported, if a node whose step rotations are interpolated turned by π or more.
     bool check_step_rotations() {
-        if (!system_.uses_step_rotations()) return true;
+        if (!system_.traits().uses_step_rotations) return true;
         for (std::size_t node = 0; node < state_.trial.size(); ++node) {
             if (state_.trial[node].theta.norm() < std::numbers::pi) continue;
             report_.outcome = Outcome::rotation_too_large;

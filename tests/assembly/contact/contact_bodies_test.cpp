@@ -104,8 +104,8 @@ TEST_CASE("Tangents of bodies that touch are derivatives of the residual", "[ass
             model.has_inertia = model.has_time = is_dynamic;
             const System system(model);
             State state = make_state(system, 1);
-            REQUIRE(system.contact()->count(state, body_now).least_gap > 0.0);
-            REQUIRE(system.contact()->count(state, body_now).touching > 5);
+            REQUIRE(contact_assembly_of(system)->count(state, body_now).least_gap > 0.0);
+            REQUIRE(contact_assembly_of(system)->count(state, body_now).touching > 5);
             const auto check = [&](const Integrator& integrator) {
                 State own = state;
                 integrator.start(own);
@@ -134,7 +134,7 @@ TEST_CASE("Without friction forces and moments on bodies are derivatives of cont
     model.has_time = model.has_inertia = false;
     const System system(model);
     const State state = make_state(system, 2);
-    const std::vector<Vec6> forces = system.contact()->compute_forces(state, body_now);
+    const std::vector<Vec6> forces = contact_assembly_of(system)->compute_forces(state, body_now);
     for (std::size_t node = 0; node < forces.size(); ++node) {
         CHECK(forces[node].tail<3>().norm() > 1e-3);
         for (int i = 0; i < 6; ++i) {
@@ -142,7 +142,8 @@ TEST_CASE("Without friction forces and moments on bodies are derivatives of cont
                 [&](double amount) {
                     std::vector<Vec6> increments(forces.size(), Vec6::Zero());
                     increments[node][i] = amount;
-                    return system.contact()->compute_energy(move(state, increments, 1.0), body_now);
+                    return contact_assembly_of(system)->compute_energy(move(state, increments, 1.0),
+                                                                       body_now);
                 },
                 1e-4);
             CHECK(forces[node][i] == Approx(-slope).epsilon(1e-6).margin(1e-6));
@@ -155,7 +156,7 @@ TEST_CASE("What obstacles bear is what bodies are pushed by, and their rows say 
     const Model model = make_bodies();
     const System system(model);
     const State state = make_state(system, 3);
-    const ContactAssembly& contact = *system.contact();
+    const ContactAssembly& contact = *contact_assembly_of(system);
     const std::vector<Vec6> on_nodes = contact.compute_forces(state, body_now);
     Vec3 on_obstacles = Vec3::Zero();
     for (const ObstacleValues& of_one : contact.compute_obstacle_values(state, body_now))
@@ -188,14 +189,16 @@ TEST_CASE("A limited increment leaves bodies a gap all the way", "[assembly][tou
     for (int sample = 0; sample < 60; ++sample) {
         const std::vector<Vec6> increments = draw_increments(random, 2, sample % 2 == 0 ? 0.3 : 2.0, 2.5);
         State trial = state;
-        const ContactLimits limits = system.contact()->limit(increments, trial, body_now);
+        const ContactLimits limits = contact_assembly_of(system)->limit(increments, trial, body_now);
         shortened += limits.shorten() ? 1 : 0;
         for (int part = 1; part <= 50; ++part) {
             std::vector<Vec6> shorter = increments;
             for (std::size_t i = 0; i < 2; ++i)
                 shorter[i] *= limits.of_parts[static_cast<std::size_t>(
                     system.scale_groups().part_of_node(static_cast<int>(i)))];
-            REQUIRE(system.contact()->count(move(state, shorter, part / 50.0), body_now).least_gap > 0.0);
+            REQUIRE(
+                contact_assembly_of(system)->count(move(state, shorter, part / 50.0), body_now).least_gap >
+                0.0);
         }
         for (const double share : limits.of_parts) CHECK(share > 0.0);
     }
@@ -208,13 +211,13 @@ TEST_CASE("The number of threads changes nothing of bodies that touch", "[assemb
     const System one(model);
     const System several(model, team);
     const State state = make_state(one, 5);
-    CHECK(one.contact()->compute_forces(state, body_now) ==
-          several.contact()->compute_forces(state, body_now));
+    CHECK(contact_assembly_of(one)->compute_forces(state, body_now) ==
+          contact_assembly_of(several)->compute_forces(state, body_now));
     RandomValues random(8);
     const std::vector<Vec6> increments = draw_increments(random, 2, 1.0, 1.0);
     State a = state, b = state;
-    CHECK(one.contact()->limit(increments, a, body_now).of_parts ==
-          several.contact()->limit(increments, b, body_now).of_parts);
+    CHECK(contact_assembly_of(one)->limit(increments, a, body_now).of_parts ==
+          contact_assembly_of(several)->limit(increments, b, body_now).of_parts);
 }
 
 TEST_CASE("Rods and bodies share a capsule's law where they are long", "[assembly][touch][bodies]") {
@@ -233,7 +236,7 @@ TEST_CASE("Rods and bodies share a capsule's law where they are long", "[assembl
     const double half_gap = 0.5 * 0.1 * radius;
     for (Node& node : model.nodes) node.position.z() = radius + half_gap;
     const System system(model);
-    const std::vector<Vec6> forces = system.contact()->compute_forces(system.initial_state(), 0.0);
+    const std::vector<Vec6> forces = contact_assembly_of(system)->compute_forces(system.initial_state(), 0.0);
     CHECK(forces[1].isApprox((Vec6() << 0, 0, force, 0, 0, 0).finished(), 1e-12));
     CHECK(forces[0][2] == Approx(force * (1.0 + length / (2.0 * radius))).epsilon(1e-12));
     CHECK(forces[0][4] == Approx(-0.5 * forces[0][2]).epsilon(1e-12));

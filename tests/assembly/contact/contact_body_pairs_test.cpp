@@ -75,16 +75,16 @@ struct Crowd {
             const Vec3 displacement = random.vector(2e-3), turn = random.vector(0.02);
             place(start.previous[i], start.previous[i].r + displacement, turn, start.trial[i]);
         }
-        system.contact()->search(start);
+        contact_assembly_of(system)->search(start);
         return start;
     }
-    const ContactPairs& pairs() const { return system.contact()->pairs(); }
+    const ContactPairs& pairs() const { return contact_assembly_of(system)->pairs(); }
 };
 
 std::vector<Vec6> crowd_forces(const System& system, const State& state) {
     Residual residual;
     residual.nodal.assign(state.trial.size(), Vec6::Zero());
-    system.contact()->pairs().subtract_forces(state, -1.0, residual);
+    contact_assembly_of(system)->pairs().subtract_forces(state, -1.0, residual);
     return residual.nodal;
 }
 
@@ -153,7 +153,8 @@ TEST_CASE("Bodies and rods: forces are derivatives of their energy, and in balan
 
 TEST_CASE("Bodies and rods: all that is near touches, but where it is joined", "[assembly][touch][bodies]") {
     const Crowd scene("friction = 0.2\n");
-    const std::vector<ContactTouch> touches = scene.system.contact()->list_touches(scene.state, 0.0);
+    const std::vector<ContactTouch> touches =
+        contact_assembly_of(scene.system)->list_touches(scene.state, 0.0);
     const auto touch = [&](int a, int b) {
         return std::ranges::any_of(touches, [&](const ContactTouch& one) {
             return one.rods == std::array{std::min(a, b), std::max(a, b)};
@@ -168,8 +169,9 @@ TEST_CASE("Bodies and rods: all that is near touches, but where it is joined", "
     // What is listed is what acts.
     const std::vector<Vec6> forces = crowd_forces(scene.system, scene.state);
     for (int body = 1; body < 4; ++body) {
-        const ObstacleValues values = scene.system.contact()->compute_watched(
-            {.rod = body, .other = {}, .wants_gap = true}, touches, scene.state, 0.0);
+        const ObstacleValues values =
+            contact_assembly_of(scene.system)
+                ->compute_watched({.rod = body, .other = {}, .wants_gap = true}, touches, scene.state, 0.0);
         const int node = scene.problem.model.bodies[static_cast<std::size_t>(body - 1)].node;
         CHECK(values.force.isApprox(forces[static_cast<std::size_t>(node)].head<3>(), 1e-9));
         CHECK(values.least_gap > 0.0);
@@ -193,7 +195,7 @@ TEST_CASE("Bodies and rods: a limited increment leaves a gap all the way", "[ass
         for (Vec6& one : increments)
             one << random.vector(sample % 2 == 0 ? 0.05 : 1.0), random.vector(sample % 4 < 2 ? 0.3 : 2.5);
         State state = scene.state;
-        const ContactLimits limits = scene.system.contact()->limit(increments, state, 1.0);
+        const ContactLimits limits = contact_assembly_of(scene.system)->limit(increments, state, 1.0);
         shortened += limits.shorten() ? 1 : 0;
         for (int part = 1; part <= 20; ++part) {
             State moved = scene.state;
@@ -204,8 +206,8 @@ TEST_CASE("Bodies and rods: a limited increment leaves a gap all the way", "[ass
                                    increments[i];
                 apply_spin(scene.state.previous[i], delta.head<3>(), delta.tail<3>(), moved.trial[i]);
             }
-            scene.system.contact()->search(moved);
-            REQUIRE(scene.system.contact()->count(moved, 1.0).least_gap > 0.0);
+            contact_assembly_of(scene.system)->search(moved);
+            REQUIRE(contact_assembly_of(scene.system)->count(moved, 1.0).least_gap > 0.0);
         }
     }
     CHECK(shortened > 20);

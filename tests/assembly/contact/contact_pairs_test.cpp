@@ -72,16 +72,16 @@ struct Scene {
             motion.r += random.vector(2e-3);
             motion.theta = random.vector(0.02);
         }
-        system.contact()->search(start);
+        contact_assembly_of(system)->search(start);
         return start;
     }
-    const ContactPairs& pairs() const { return system.contact()->pairs(); }
+    const ContactPairs& pairs() const { return contact_assembly_of(system)->pairs(); }
 };
 
 std::vector<Vec6> forces_of(const System& system, const State& state) {
     Residual residual;
     residual.nodal.assign(state.trial.size(), Vec6::Zero());
-    system.contact()->pairs().subtract_forces(state, -1.0, residual);
+    contact_assembly_of(system)->pairs().subtract_forces(state, -1.0, residual);
     return residual.nodal;
 }
 
@@ -186,7 +186,7 @@ TEST_CASE("Pairs: the tangent is the derivative of the forces", "[assembly][touc
         const std::vector<PairBlock> blocks =
             scene.pairs().compute_tangents(scene.state, 1.0, linearizations);
         State state = scene.state;
-        scene.system.contact()->start(state, 1.0);
+        contact_assembly_of(scene.system)->start(state, 1.0);
         CHECK(state.contact.has_parameters);
         const std::vector<PairBlock> mixed = scene.pairs().compute_tangents(state, 1.0, linearizations);
         REQUIRE(mixed.size() == blocks.size());
@@ -211,7 +211,7 @@ TEST_CASE("Pairs: damping pushes where rods approach, and the tangent follows", 
 TEST_CASE("Pairs: friction is remembered as it was, of what touches", "[assembly][touch]") {
     const Scene scene("friction = 0.3");
     State state = scene.state;
-    scene.system.contact()->commit(state, 1.0);
+    contact_assembly_of(scene.system)->commit(state, 1.0);
     const std::vector<PairTraction>& pairs = state.pair_tractions;
     REQUIRE(pairs.size() > 10);
     CHECK(std::ranges::is_sorted(pairs, {}, &PairTraction::pieces));
@@ -231,7 +231,7 @@ TEST_CASE("Pairs: friction is remembered as it was, of what touches", "[assembly
         state.trial[i].theta.setZero();
     }
     const std::vector<PairTraction> before = pairs;
-    scene.system.contact()->commit(state, 1.0);
+    contact_assembly_of(scene.system)->commit(state, 1.0);
     REQUIRE(state.pair_tractions.size() == before.size());
     for (std::size_t i = 0; i < before.size(); ++i)
         CHECK((state.pair_tractions[i].traction - before[i].traction).norm() <
@@ -247,7 +247,7 @@ TEST_CASE("Pairs: a limited increment lets no rods pass", "[assembly][touch]") {
         std::vector<Vec6> increments;
         for (std::size_t i = 0; i < state.trial.size(); ++i)
             increments.emplace_back() << random.vector(sample % 2 == 0 ? 0.05 : 1.0), Vec3::Zero();
-        const ContactLimits limits = scene.system.contact()->limit(increments, state, 1.0);
+        const ContactLimits limits = contact_assembly_of(scene.system)->limit(increments, state, 1.0);
         shortened += limits.shorten() ? 1 : 0;
         for (int part = 1; part <= 20; ++part) {
             State moved = scene.state;
@@ -256,7 +256,7 @@ TEST_CASE("Pairs: a limited increment lets no rods pass", "[assembly][touch]") {
                 moved.trial[i].r += part / 20.0 * limits.of_parts[static_cast<std::size_t>(of_node)] *
                                     increments[i].head<3>();
             }
-            scene.system.contact()->search(moved);
+            contact_assembly_of(scene.system)->search(moved);
             ContactCount count{0, 1.0};
             scene.pairs().count(moved, count);
             CHECK(count.least_gap > 0.0);
@@ -285,7 +285,7 @@ end_time = 1
 time_step = 0.1
 )");
     const System system(problem.model);
-    const ContactPairs& pairs = system.contact()->pairs();
+    const ContactPairs& pairs = contact_assembly_of(system)->pairs();
     State state = system.initial_state();
     // b goes down by three times the gap, of 5 skins.
     const double gap = 1e-3, skin = 2e-4;
@@ -294,7 +294,7 @@ time_step = 0.1
         increments[2][2] = increments[3][2] = z;
         return increments;
     };
-    ContactLimits limits = system.contact()->limit(moved_by(-3.0 * gap), state, 1.0);
+    ContactLimits limits = contact_assembly_of(system)->limit(moved_by(-3.0 * gap), state, 1.0);
     CHECK(limits.least < 1.0 / 3.0);
     REQUIRE(state.contact.pieces.size() == 1);
     CHECK(state.contact.pieces_expected[0] == -0.8);
@@ -324,15 +324,15 @@ time_step = 0.1
     CHECK(after[0][2] - before[0][2] == Approx(0.1 * skin * (K(2, 14) + K(2, 20))).epsilon(1e-9));
     // Where solutions go on to lead into the other rod, a greater force is expected, up to a bound.
     State pushed = state;
-    system.contact()->limit(moved_by(-0.9 * gap), pushed, 1.0);
+    contact_assembly_of(system)->limit(moved_by(-0.9 * gap), pushed, 1.0);
     const double firmer = pushed.contact.pieces_expected[0];
     CHECK(firmer == Approx(advance_contact({skin, 2.0 * M_PI * 1e-4 * 1e9 / 1000.0}, -0.8, gap, -0.9 * gap)));
     CHECK(firmer > -0.8);
     CHECK(firmer < 0.5);
-    system.contact()->limit(moved_by(-3.0 * gap), pushed, 1.0);
+    contact_assembly_of(system)->limit(moved_by(-3.0 * gap), pushed, 1.0);
     CHECK(pushed.contact.pieces_expected[0] == 0.5);
     // Where the solution leads away it is forgotten.
-    limits = system.contact()->limit(moved_by(gap), state, 1.0);
+    limits = contact_assembly_of(system)->limit(moved_by(gap), state, 1.0);
     CHECK(limits.least == 1.0);
     CHECK(state.contact.pieces_expected[0] == no_contact);
 }
@@ -346,7 +346,7 @@ TEST_CASE("Pairs: the number of threads changes nothing", "[assembly][touch]") {
     LoadStepping().linearize(scene.state, stage, linearizations);
     const std::vector<PairBlock> one = scene.pairs().compute_tangents(scene.state, 1.0, linearizations);
     const std::vector<PairBlock> other =
-        several.contact()->pairs().compute_tangents(scene.state, 1.0, linearizations);
+        contact_assembly_of(several)->pairs().compute_tangents(scene.state, 1.0, linearizations);
     REQUIRE(one.size() == other.size());
     for (std::size_t i = 0; i < one.size(); ++i) CHECK(one[i].matrix == other[i].matrix);
 }
@@ -428,19 +428,19 @@ kind = "static"
 )");
     const System system(problem.model);
     State state = system.initial_state();
-    system.contact()->search(state);
+    contact_assembly_of(system)->search(state);
     ContactCount count{0, 1.0};
-    system.contact()->pairs().count(state, count);
+    contact_assembly_of(system)->pairs().count(state, count);
     CHECK(count.touching == 0);
-    CHECK(system.contact()->describe_overlap(state, 0.0).empty());
+    CHECK(contact_assembly_of(system)->describe_overlap(state, 0.0).empty());
 }
 
 TEST_CASE("Pairs: rods that overlap are named", "[assembly][touch]") {
     const Problem problem = test::read(test::replaced(tangle(), "0.4, -0.5, 0.12", "0.4, -0.5, 0.07"));
     const System system(problem.model);
     State state = system.initial_state();
-    system.contact()->search(state);
-    const std::string text = system.contact()->describe_overlap(state, 0.0);
+    contact_assembly_of(system)->search(state);
+    const std::string text = contact_assembly_of(system)->describe_overlap(state, 0.0);
     CHECK(text.starts_with("a@"));
     CHECK(text.find(" and b@") != std::string::npos);
     CHECK(text.find("their radii add up to 0.1") != std::string::npos);

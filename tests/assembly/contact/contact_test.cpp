@@ -3,6 +3,7 @@
 #include "assembly/contact/contact_assembly.hpp"
 #include "assembly/contact/tractions.hpp"
 #include "assembly/sample_model.hpp"
+#include "assembly/system_measures.hpp"
 #include "integrators/generalized_alpha.hpp"
 #include "integrators/load_stepping.hpp"
 #include "integrators/newmark_simplified.hpp"
@@ -56,7 +57,7 @@ void enclose(Model& model, const State& state) {
 State make_state(const Model& model, unsigned seed) {
     const System system(model);
     State state = make_turned_state(system, seed);
-    if (system.contact() == nullptr) return state;
+    if (contact_assembly_of(system) == nullptr) return state;
     set_tractions(system, state, [&](std::size_t i) {
         return RandomValues(static_cast<unsigned>(i) + seed).vector(0.5);
     });
@@ -107,9 +108,9 @@ TEST_CASE("Tangents of models that touch are derivatives of the residual", "[ass
                 Scene scene = make_scene(kind, order, 1);
                 scene.model.contact.dissipation = dissipation;
                 const System system(scene.model);
-                REQUIRE(system.contact() != nullptr);
-                REQUIRE(system.contact()->count(scene.state, now).least_gap > 0.0);
-                REQUIRE(system.contact()->count(scene.state, now).touching > 1);
+                REQUIRE(contact_assembly_of(system) != nullptr);
+                REQUIRE(contact_assembly_of(system)->count(scene.state, now).least_gap > 0.0);
+                REQUIRE(contact_assembly_of(system)->count(scene.state, now).touching > 1);
                 check_tangent(system, LoadStepping(), scene.state);
                 check_tangent(system, NewmarkSimplified({0.25, 0.5}), scene.state);
                 check_tangent(system, GeneralizedAlpha(0.5), scene.state);
@@ -129,8 +130,8 @@ TEST_CASE("Tangents of models whose contact is damped are derivatives of the res
         Model undamped_model = scene.model;
         undamped_model.contact.damping = 0.0;
         const System undamped(undamped_model);
-        const Vec3 force = sum_of(system.contact()->compute_forces(scene.state, now));
-        CHECK((force - sum_of(undamped.contact()->compute_forces(scene.state, now))).norm() >
+        const Vec3 force = sum_of(contact_assembly_of(system)->compute_forces(scene.state, now));
+        CHECK((force - sum_of(contact_assembly_of(undamped)->compute_forces(scene.state, now))).norm() >
               0.01 * force.norm());
         check_tangent(system, NewmarkSimplified({0.25, 0.5}), scene.state);
     }
@@ -142,14 +143,14 @@ TEST_CASE("Without friction forces of contact are derivatives of its energy", "[
     const System system(scene.model);
     scene.state.memory.clear();
     scene.state.previous = scene.state.trial;  // where impulses are along the normal
-    const std::vector<Vec6> forces = system.contact()->compute_forces(scene.state, now);
+    const std::vector<Vec6> forces = contact_assembly_of(system)->compute_forces(scene.state, now);
     for (std::size_t node = 0; node < forces.size(); ++node) {
         for (int i = 0; i < 3; ++i) {
             const double slope = differentiate(
                 [&](double amount) {
                     State moved = scene.state;
                     moved.trial[node].r[i] += amount;
-                    return system.contact()->compute_energy(moved, now);
+                    return contact_assembly_of(system)->compute_energy(moved, now);
                 },
                 1e-4);
             CHECK(forces[node][i] == Approx(-slope).epsilon(1e-6).margin(1e-6));
@@ -162,17 +163,19 @@ TEST_CASE("What obstacles bear is what rods are pushed by", "[assembly][touch]")
     const Scene scene = make_scene(ElementKind::objective, 2, 3);
     const System system(scene.model);
     Vec3 on_obstacles = Vec3::Zero();
-    for (const ObstacleValues& of_one : system.contact()->compute_obstacle_values(scene.state, now))
+    for (const ObstacleValues& of_one :
+         contact_assembly_of(system)->compute_obstacle_values(scene.state, now))
         on_obstacles += of_one.force;
-    const Vec3 on_rods = sum_of(system.contact()->compute_forces(scene.state, now));
+    const Vec3 on_rods = sum_of(contact_assembly_of(system)->compute_forces(scene.state, now));
     CHECK(on_rods.norm() > 1e-6);
     CHECK((on_rods + on_obstacles).norm() < 1e-12 * on_rods.norm());
     SECTION("and acts from outside") {
         const std::vector<Vec6> none(scene.model.nodes.size(), Vec6::Zero());
         Model alone = scene.model;
         alone.contact = {};
-        const Vec3 with = system.compute_outer_resultant(scene.state, now, none).force;
-        const Vec3 without = System(alone).compute_outer_resultant(scene.state, now, none).force;
+        const Vec3 with = SystemMeasures(system).compute_outer_resultant(scene.state, now, none).force;
+        const Vec3 without =
+            SystemMeasures(System(alone)).compute_outer_resultant(scene.state, now, none).force;
         CHECK((with - without - on_rods).norm() < 1e-10 * on_rods.norm());
     }
 }
@@ -182,15 +185,15 @@ TEST_CASE("The number of threads changes no force of contact and no limit", "[as
     const ThreadTeam team(3);
     const System one(scene.model);
     const System several(scene.model, team);
-    CHECK(one.contact()->compute_forces(scene.state, now) ==
-          several.contact()->compute_forces(scene.state, now));
+    CHECK(contact_assembly_of(one)->compute_forces(scene.state, now) ==
+          contact_assembly_of(several)->compute_forces(scene.state, now));
     std::vector<Vec6> increments;
     RandomValues random(8);
     for (std::size_t i = 0; i < scene.state.trial.size(); ++i)
         increments.emplace_back() << random.vector(3.0), Vec3::Zero();
     State state = scene.state;
-    const ContactLimits a = one.contact()->limit(increments, state, now);
-    const ContactLimits b = several.contact()->limit(increments, state, now);
+    const ContactLimits a = contact_assembly_of(one)->limit(increments, state, now);
+    const ContactLimits b = contact_assembly_of(several)->limit(increments, state, now);
     CHECK(a.shorten());
     CHECK(a.of_parts == b.of_parts);
     CHECK(a.least_gap == b.least_gap);
@@ -205,7 +208,7 @@ TEST_CASE("A limited increment leaves a gap everywhere", "[assembly][touch]") {
         for (std::size_t i = 0; i < scene.state.trial.size(); ++i)
             increments.emplace_back() << random.vector(5.0), Vec3::Zero();
         State state = scene.state;
-        const ContactLimits limits = system.contact()->limit(increments, state, now);
+        const ContactLimits limits = contact_assembly_of(system)->limit(increments, state, now);
         CHECK(limits.shorten());
         for (int part = 1; part <= 20; ++part) {
             State moved = scene.state;
@@ -214,7 +217,7 @@ TEST_CASE("A limited increment leaves a gap everywhere", "[assembly][touch]") {
                     static_cast<std::size_t>(system.scale_groups().part_of_node(static_cast<int>(i)));
                 moved.trial[i].r += part / 20.0 * limits.of_parts[group] * increments[i].head<3>();
             }
-            CHECK(system.contact()->count(moved, now).least_gap > 0.0);
+            CHECK(contact_assembly_of(system)->count(moved, now).least_gap > 0.0);
         }
     }
 }
@@ -223,11 +226,11 @@ TEST_CASE("Parameters on the law give the law's forces and tangent", "[assembly]
     const Scene scene = make_scene(ElementKind::objective, 2, 6);
     const System system(scene.model);
     State state = scene.state;
-    system.contact()->start(state, now);
+    contact_assembly_of(system)->start(state, now);
     Residual residual;
     system.compute_residual(state, now, residual);
     const std::vector<Vec6> before = residual.nodal;
-    system.contact()->replace_by_tangent_forces(state, now, 1.0, residual);
+    contact_assembly_of(system)->replace_by_tangent_forces(state, now, 1.0, residual);
     double largest = 0.0;
     for (std::size_t i = 0; i < before.size(); ++i)
         largest = std::max(largest, (residual.nodal[i] - before[i]).norm() / (1.0 + before[i].norm()));
@@ -249,10 +252,11 @@ TEST_CASE("Only a commit moves what friction remembers", "[assembly][touch]") {
     Residual residual;
     system.compute_residual(state, now, residual);
     CHECK(state.memory == before);
-    const std::vector<ObstacleValues> trial = system.contact()->compute_obstacle_values(state, now);
+    const std::vector<ObstacleValues> trial =
+        contact_assembly_of(system)->compute_obstacle_values(state, now);
     system.commit(state, now);
     CHECK(state.memory != before);
-    const std::vector<ObstacleValues> kept = system.contact()->compute_obstacle_values(state, now);
+    const std::vector<ObstacleValues> kept = contact_assembly_of(system)->compute_obstacle_values(state, now);
     for (std::size_t i = 0; i < kept.size(); ++i)
         CHECK((kept[i].friction - trial[i].friction).norm() < 1e-12);
 }

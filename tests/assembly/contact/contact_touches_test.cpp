@@ -58,7 +58,7 @@ struct Scene {
         set_tractions(system, state, [&](std::size_t) { return random.vector(2.0); });
         contact().search(state);
     }
-    const ContactAssembly& contact() const { return *system.contact(); }
+    const ContactAssembly& contact() const { return *contact_assembly_of(system); }
     std::vector<ContactTouch> touches() const { return contact().list_touches(state, 0.0); }
 
     Problem problem = test::read(heap);
@@ -161,11 +161,11 @@ TEST_CASE("Touches: two rods at a right angle push where they cross", "[assembly
         test::read(test::replaced(heap, "to = [0.6, 0.5, 0.17]", "to = [0.4, 0.5, 0.18]"));
     const System system(problem.model);
     State state = system.initial_state();
-    system.contact()->search(state);
+    contact_assembly_of(system)->search(state);
     // Two elements of c meet where it crosses a.
     Vec3 force = Vec3::Zero();
     double weight = 0.0, place = 0.0;
-    for (const ContactTouch& one : system.contact()->list_touches(state, 0.0)) {
+    for (const ContactTouch& one : contact_assembly_of(system)->list_touches(state, 0.0)) {
         if (one.rods != std::array{0, 2}) continue;
         CHECK(one.places[0] == Approx(0.4).margin(2e-3));
         CHECK(one.point.x() == Approx(0.4).margin(2e-3));
@@ -184,9 +184,9 @@ TEST_CASE("Touches: the least gap of rods that are far from each other", "[assem
         test::replaced(heap, "[0.4, -0.5, 0.18], to = [0.6, 0.5, 0.17]", "[0.4, 0, 3], to = [0.6, 0, 3]"));
     const System system(problem.model);
     State state = system.initial_state();
-    system.contact()->search(state);
+    contact_assembly_of(system)->search(state);
     const auto gap = [&](int rod, std::optional<int> other) {
-        return system.contact()
+        return contact_assembly_of(system)
             ->compute_watched({.rod = rod, .other = other, .wants_gap = true}, {}, state, 0.0)
             .least_gap;
     };
@@ -205,15 +205,15 @@ TEST_CASE("Touches: all that overlaps is listed, the deepest first", "[assembly]
                                   "from = [0, 0.09"));
     const System system(problem.model);
     State state = system.initial_state();
-    system.contact()->search(state);
-    const std::vector<ContactOverlap> overlaps = system.contact()->list_overlaps(state, 0.0);
+    contact_assembly_of(system)->search(state);
+    const std::vector<ContactOverlap> overlaps = contact_assembly_of(system)->list_overlaps(state, 0.0);
     REQUIRE(overlaps.size() == 2);
     CHECK(overlaps[0].rods == std::array{0, -1});
     CHECK(overlaps[0].gap == Approx(-0.02));
     CHECK(overlaps[1].rods == std::array{0, 1});
     CHECK(overlaps[1].gap < 0.0);
     CHECK(overlaps[1].gap > overlaps[0].gap);
-    const std::string text = system.contact()->describe_overlap(state, 0.0);
+    const std::string text = contact_assembly_of(system)->describe_overlap(state, 0.0);
     CHECK(text.starts_with("a@0 is 0.02 deep in obstacle \"floor\""));
     CHECK(text.find("; 1 more pair overlaps: a and b by ") != std::string::npos);
 }

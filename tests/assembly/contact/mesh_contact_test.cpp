@@ -30,7 +30,7 @@ struct MeshScene {
 State make_state_on(const Model& model, unsigned seed) {
     const System system(model);
     State state = make_turned_state(system, seed);
-    if (system.contact() == nullptr) return state;
+    if (contact_assembly_of(system) == nullptr) return state;
     set_tractions(system, state, [&](std::size_t i) {
         return RandomValues(static_cast<unsigned>(i) + seed).vector(0.5);
     });
@@ -60,7 +60,7 @@ MeshScene make_mesh_scene(int order, unsigned seed, double bumps, double feature
     obstacle.friction = 0.3;
     scene.model.contact.obstacles = {obstacle};
     const double gap =
-        System(scene.model).contact()->count(make_state_on(scene.model, seed), mesh_now).least_gap;
+        contact_assembly_of(System(scene.model))->count(make_state_on(scene.model, seed), mesh_now).least_gap;
     for (Vec3& position : ground.positions) position.z() += gap - 0.25 * wide_skin * ball;
     obstacle = make_obstacle(ground);
     obstacle.friction = 0.3;
@@ -99,8 +99,8 @@ TEST_CASE("Tangents of models on a mesh are derivatives of the residual", "[asse
             INFO("order " << order << ", feature angle " << angle);
             const MeshScene scene = make_mesh_scene(order, 1, 0.1, angle, false);
             const System system(scene.model);
-            REQUIRE(system.contact()->count(scene.state, mesh_now).least_gap > 0.0);
-            REQUIRE(system.contact()->count(scene.state, mesh_now).touching > 1);
+            REQUIRE(contact_assembly_of(system)->count(scene.state, mesh_now).least_gap > 0.0);
+            REQUIRE(contact_assembly_of(system)->count(scene.state, mesh_now).touching > 1);
             check_mesh_tangent(system, LoadStepping(), scene.state);
             check_mesh_tangent(system, NewmarkSimplified({0.25, 0.5}), scene.state);
         }
@@ -113,7 +113,7 @@ TEST_CASE("Without friction forces of a mesh are derivatives of its energy", "[a
     const System system(scene.model);
     scene.state.memory.clear();
     scene.state.previous = scene.state.trial;  // of no motion, whose impulses are forces
-    const std::vector<Vec6> forces = system.contact()->compute_forces(scene.state, mesh_now);
+    const std::vector<Vec6> forces = contact_assembly_of(system)->compute_forces(scene.state, mesh_now);
     Vec3 sum = Vec3::Zero();
     double largest = 0.0;
     for (const Vec6& force : forces) {
@@ -127,14 +127,14 @@ TEST_CASE("Without friction forces of a mesh are derivatives of its energy", "[a
                 [&](double amount) {
                     State moved = scene.state;
                     moved.trial[node].r[i] += amount;
-                    return system.contact()->compute_energy(moved, mesh_now);
+                    return contact_assembly_of(system)->compute_energy(moved, mesh_now);
                 },
                 1e-4);
             CHECK(forces[node][i] == Approx(-slope).epsilon(1e-6).margin(1e-6 * largest));
         }
     }
     const std::vector<ObstacleValues> values =
-        system.contact()->compute_obstacle_values(scene.state, mesh_now);
+        contact_assembly_of(system)->compute_obstacle_values(scene.state, mesh_now);
     REQUIRE(values.size() == 1);  // however many surfaces the mesh has
     CHECK((values[0].force + sum).norm() < 1e-12 * largest);
 }
@@ -143,7 +143,7 @@ TEST_CASE("A flat mesh pushes and rubs as a plane does", "[assembly][touch]") {
     for (const bool is_moved : {false, true}) {
         MeshScene scene = make_mesh_scene(2, 3, 0.0, 0.35, is_moved);
         const System on_mesh(scene.model);
-        const std::vector<Vec6> forces = on_mesh.contact()->compute_forces(scene.state, mesh_now);
+        const std::vector<Vec6> forces = contact_assembly_of(on_mesh)->compute_forces(scene.state, mesh_now);
         Model model = scene.model;
         Obstacle plane = model.contact.obstacles[0];
         plane.shape = PlaneShape{.point = plane.mesh()->positions[0]};
@@ -156,7 +156,7 @@ TEST_CASE("A flat mesh pushes and rubs as a plane does", "[assembly][touch]") {
         State state = scene.state;
         state.memory.resize(2 * state.memory.size());
         const System on_plane(model);
-        const std::vector<Vec6> expected = on_plane.contact()->compute_forces(state, mesh_now);
+        const std::vector<Vec6> expected = contact_assembly_of(on_plane)->compute_forces(state, mesh_now);
         double largest = 0.0, difference = 0.0;
         for (std::size_t i = 0; i < forces.size(); ++i) {
             largest = std::max(largest, expected[i].norm());
@@ -175,7 +175,7 @@ TEST_CASE("A limited increment leaves a gap to a mesh that moves and turns", "[a
                 TimeFunction([](double t) { return 3.0 * (t - 0.6); }), 0.0, 0.0});
         scene.state.contact.progress = 0.0;
         const System system(scene.model);
-        REQUIRE(system.contact()->count(scene.state, mesh_now).least_gap > 0.0);
+        REQUIRE(contact_assembly_of(system)->count(scene.state, mesh_now).least_gap > 0.0);
         RandomValues random(9);
         int shortened = 0;
         for (int sample = 0; sample < 20; ++sample) {
@@ -183,14 +183,14 @@ TEST_CASE("A limited increment leaves a gap to a mesh that moves and turns", "[a
             for (std::size_t i = 0; i < scene.state.trial.size(); ++i)
                 increments.emplace_back() << random.vector(2.0), Vec3::Zero();
             State state = scene.state;
-            const ContactLimits limits = system.contact()->limit(increments, state, mesh_now);
+            const ContactLimits limits = contact_assembly_of(system)->limit(increments, state, mesh_now);
             shortened += limits.shorten();
             for (int part = 1; part <= 20; ++part) {
                 State moved = scene.state;
                 moved.contact.progress = part / 20.0 * limits.least;
                 for (std::size_t i = 0; i < moved.trial.size(); ++i)
                     moved.trial[i].r += moved.contact.progress * increments[i].head<3>();
-                CHECK(system.contact()->count(moved, mesh_now).least_gap > 0.0);
+                CHECK(contact_assembly_of(system)->count(moved, mesh_now).least_gap > 0.0);
             }
         }
         CHECK(shortened > 10);
@@ -200,11 +200,11 @@ TEST_CASE("A limited increment leaves a gap to a mesh that moves and turns", "[a
 TEST_CASE("What starts in a mesh, or through it, is named", "[assembly][touch]") {
     MeshScene scene = make_mesh_scene(2, 6, 0.0, 0.35, false);
     const System system(scene.model);
-    CHECK(system.contact()->describe_overlap(scene.state, mesh_now).empty());
+    CHECK(contact_assembly_of(system)->describe_overlap(scene.state, mesh_now).empty());
     for (NodeMotion& motion : scene.state.trial) motion.r.z() -= 0.3 * wide_skin * ball;
-    CHECK_THAT(system.contact()->describe_overlap(scene.state, mesh_now),
+    CHECK_THAT(contact_assembly_of(system)->describe_overlap(scene.state, mesh_now),
                Catch::Contains("deep in triangle ") && Catch::Contains("of obstacle \"mesh\""));
     for (NodeMotion& motion : scene.state.trial) motion.r.z() -= 1.2 * ball;
-    CHECK_THAT(system.contact()->describe_overlap(scene.state, mesh_now),
+    CHECK_THAT(contact_assembly_of(system)->describe_overlap(scene.state, mesh_now),
                Catch::Contains("crosses triangle ") && Catch::Contains("of obstacle \"mesh\""));
 }
