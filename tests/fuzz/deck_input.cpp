@@ -2,6 +2,7 @@
 
 #include "deck/problem.hpp"
 #include "deck/reading/validation.hpp"
+#include "deck/rods/rod_table.hpp"
 #include "deck/text/overrides.hpp"
 #include "deck/text/toml_writing.hpp"
 #include "fuzz/expectation.hpp"
@@ -37,9 +38,7 @@ long count_elements(std::string_view text, const std::vector<std::string>& overr
         apply_overrides(overrides, tree, faults);
         const CheckedTable deck = check_deck(tree, faults);
         faults.throw_if_any();
-        for (const CheckedTable& rod : deck.tables("rod")) {
-            if (rod.gives("elements")) count += rod.get<long>("elements");
-        }
+        for (const RodTable& rod : rods_of(deck)) count += rod.elements.value_or(0);
     } catch (const DeckError&) {
         return 0;
     }
