@@ -52,7 +52,7 @@ class Contribution {
     virtual void subtract_element_forces(const State& /*state*/,
                                          double /*time*/,
                                          const RodPlace& /*place*/,
-                                         Eigen::Ref<Eigen::VectorXd> /*forces*/) const {}
+                                         Eigen::Ref<Eigen::VectorXd> /*forces*/) const {}  // NOLINT: a view
 };
 
 }  // namespace gxrod

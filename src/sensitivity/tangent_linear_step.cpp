@@ -164,10 +164,10 @@ void TangentLinearStep::place_next_to_base(double time, VariedSystem& varied) co
     for (const Support& support : all) {
         const auto node = static_cast<std::size_t>(support.node);
         const NodeMotion& from = state.previous[node];
-        const auto still = [&](const Vec3& change, int first) {
+        const auto still = [&](const Vec3& change, std::size_t first) {
             Vec3 own = supports.axes(support.node).transpose() * change;
-            for (int i = 0; i < 3; ++i) {
-                if (supports.held(support.node)[static_cast<std::size_t>(first + i)]) own[i] = 0.0;
+            for (std::size_t i = 0; i < 3; ++i) {
+                if (supports.held(support.node)[first + i]) own[static_cast<Eigen::Index>(i)] = 0.0;
             }
             return Vec3(supports.axes(support.node) * own);
         };

@@ -355,7 +355,7 @@ void JointAssembly::add_matrix(std::size_t index, Matrix& matrix, std::vector<do
     if (!places.slots.empty()) {
         turn_to_own_axes(nodes_of(model_->joints[index]), *equations_, matrix);
         auto slots = std::span(places.slots);
-        const auto size = static_cast<std::size_t>(12 + count);
+        const std::size_t size = 12 + static_cast<std::size_t>(count);
         for (int column = 0; column < 12 + count; ++column, slots = slots.subspan(size))
             add_to_values(&matrix.coeffRef(0, column), slots.first(size), values);
         return;
