@@ -10,12 +10,12 @@ namespace gxrod {
 
 namespace {
 
-Mat3 build_X(const HalfRotation<double>& turn) {
+Mat3 build_rate_map(const HalfRotation<double>& turn) {
     return turn.x * Mat3::Identity() + turn.y * turn.Phi * turn.Phi.transpose();
 }
 
 // Of X v by Φ at fixed v.
-Mat3 differentiate_X(const HalfRotation<double>& turn, const Vec3& v) {
+Mat3 differentiate_rate_map(const HalfRotation<double>& turn, const Vec3& v) {
     const Vec3& Phi = turn.Phi;
     const double along = Phi.dot(v);
     return turn.x1 * v * Phi.transpose() + turn.y1 * along * Phi * Phi.transpose() +
@@ -65,7 +65,7 @@ typename BushingElement<Nodes>::Variation BushingElement<Nodes>::vary(
     }
     const Vec3 tau = motion.axes * turn.tau;
     variation.middle = mean - 0.5 * spin(tau) * variation.turn;
-    variation.rotation = build_X(turn) * motion.axes.transpose() * variation.turn;
+    variation.rotation = build_rate_map(turn) * motion.axes.transpose() * variation.turn;
     const Mat3 of_tau = turn.t * Mat3::Identity() + turn.t1 * turn.Phi * turn.Phi.transpose();
     variation.tau = motion.axes * of_tau * variation.rotation - spin(tau) * variation.middle;
     return variation;
@@ -103,8 +103,8 @@ typename BushingElement<Nodes>::StrainColumns BushingElement<Nodes>::differentia
                             spin(motion.middle_spin) * variation.d;
     StrainColumns columns;
     columns << to_axes * (by_seen + spin(seen) * variation.middle),
-        build_X(motion.turn) * to_axes * (by_w + spin(w) * variation.middle) +
-            differentiate_X(motion.turn, to_axes * w) * variation.rotation;
+        build_rate_map(motion.turn) * to_axes * (by_w + spin(w) * variation.middle) +
+            differentiate_rate_map(motion.turn, to_axes * w) * variation.rotation;
     return columns;
 }
 
@@ -124,8 +124,8 @@ void BushingElement<Nodes>::add_tangent(const Motions<Nodes>& motions,
     const Vec3 tau = R * motion.turn.tau;
     const Vec3 moment_of_n = D.cross(n);
     const Columns by_n = R * derivative.template topRows<3>() - spin(n) * variation.middle;
-    const Columns by_m = R * (build_X(motion.turn) * derivative.template bottomRows<3>() +
-                              differentiate_X(motion.turn, own_moment) * variation.rotation) -
+    const Columns by_m = R * (build_rate_map(motion.turn) * derivative.template bottomRows<3>() +
+                              differentiate_rate_map(motion.turn, own_moment) * variation.rotation) -
                          spin(m) * variation.middle;
     const Columns by_moment_of_n = spin(D) * by_n - spin(n) * variation.d;
     const Columns by_couple = by_m + 0.5 * (spin(moment_of_n) * variation.tau - spin(tau) * by_moment_of_n);
