@@ -29,7 +29,7 @@ class ContactAssembly;
 class SurroundingsAssembly;
 class System;
 
-// What a system has anywhere.
+// Properties that a system has if any of its parts has them.
 struct SystemTraits {
     bool uses_step_rotations = false;  // elements that interpolate rotations of the step, which stay below π
     bool is_damped = false;

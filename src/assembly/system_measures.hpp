@@ -33,7 +33,7 @@ struct RelativeRotation {
     int node = -1;
 };
 
-// What is measured of a system's motion, once a step: energies, momenta, forces and their work.
+// Measures a system's motion, once a step: energies, momenta, forces and their work.
 class SystemMeasures {
   public:
     // The system must outlive it.

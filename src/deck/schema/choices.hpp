@@ -54,7 +54,7 @@ inline constexpr std::array<Choice<Stretching>, 4> stretching_choices{
      {"extrapolate", Stretching::extrapolate},
      {"none", Stretching::none}}};
 
-// Where rods are that touch an obstacle.
+// The side of an obstacle on which rods touch it.
 enum class ObstacleSide { outside, inside };
 inline constexpr std::array<Choice<ObstacleSide>, 2> obstacle_side_choices{
     {{"outside", ObstacleSide::outside}, {"inside", ObstacleSide::inside}}};

@@ -15,7 +15,7 @@
 // the same way (batch/plan/plan_schema.hpp).
 namespace gxrod {
 
-// What stands at a key.
+// The shape of what a deck has at a key.
 enum class KeyShape {
     value,  // as the kind of its field says (deck/table/kinds.hpp); or a table in its place, if it has one
     table,

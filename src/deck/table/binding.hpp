@@ -19,7 +19,7 @@ struct ValueSource {
     const ReadingContext& context;
 };
 
-// What those who do not know the type of a value have to know of it.
+// The nature of a value, for code that does not know its type.
 enum class ValueNature { other, number, integer, word };
 
 // How the values of a C++ type are described: a Kind<T> without its type.

@@ -491,7 +491,7 @@ struct Kind<NumberAlong> {
     static double default_value(const NumberAlong& value) { return std::get<double>(value); }
 };
 
-// Of a key that can have a table in their place.
+// Stations along a rod; the key can have a table in their place.
 template <>
 struct Kind<std::vector<CheckedStation>> {
     static std::string words(const KeySpec&) {
