@@ -72,7 +72,7 @@ void build_actions(const SurroundingsFiles& files, BuildContext& context) {
     for (std::size_t i = 0; i < context.stages.size(); ++i) {
         if (i > 0 && !has_steps(context.stages[i].analysis)) continue;
         context.stage = i;
-        Actions first;
+        StageActions first;
         if (i > 0) first = take_actions(context.model);
         const auto* timed = std::get_if<DynamicSettings>(&context.stages[i].analysis);
         context.model.has_inertia = timed == nullptr || timed->has_inertia;

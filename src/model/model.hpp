@@ -240,12 +240,23 @@ struct Plane {
     bool holds(int component) const { return component < 3 ? component == normal : component - 3 != normal; }
 };
 
-struct Model {
+// The actions on a model, and its supports. Each stage of an analysis can have others.
+struct Actions {
     bool has_inertia = true;               // otherwise masses have only weight and damping
     bool has_time = true;                  // otherwise equilibria are those after a long time
     std::optional<TurningFrame> rotation;  // frame of supports, in stages of steady rotation
-    std::optional<Plane> plane;
     TimeVector gravity{Vec3::Zero()};
+    std::vector<NodalLoad> loads;
+    std::vector<DistributedLoad> distributed_loads;
+    std::vector<Actuation> actuations;
+    std::vector<Tendon> tendons;  // the same in all stages; slack ones have a tension of zero
+    Surroundings surroundings;    // the same in all stages except currents, wind and waves
+    Contact contact;              // the same in all stages except the motions of obstacles
+    std::vector<Support> supports;
+};
+
+struct Model : Actions {
+    std::optional<Plane> plane;
     std::vector<Node> nodes;
     std::vector<Section> sections;
     std::vector<Rod> rods;
@@ -255,13 +266,6 @@ struct Model {
     std::vector<Joint> joints;
     std::vector<Gear> gears;
     std::vector<Sleeve> sleeves;
-    std::vector<NodalLoad> loads;
-    std::vector<DistributedLoad> distributed_loads;
-    std::vector<Actuation> actuations;
-    std::vector<Tendon> tendons;
-    Surroundings surroundings;
-    Contact contact;
-    std::vector<Support> supports;
     // Inputs of the expressions above; not const, since the driver of a run changes them.
     std::vector<std::shared_ptr<Input>> inputs;
 };

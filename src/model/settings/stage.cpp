@@ -8,36 +8,15 @@
 
 namespace gxrod {
 
-Actions take_actions(Model& model) {
-    return {std::exchange(model.gravity, TimeVector(Vec3::Zero())),
-            std::exchange(model.loads, {}),
-            std::exchange(model.distributed_loads, {}),
-            std::exchange(model.supports, {}),
-            std::exchange(model.rotation, {}),
-            std::exchange(model.has_inertia, true),
-            std::exchange(model.has_time, true),
-            model.joints,
-            model.sleeves,
-            std::exchange(model.actuations, {}),
-            std::exchange(model.tendons, {}),
-            std::exchange(model.surroundings, {}),
-            std::exchange(model.contact, {})};
+StageActions take_actions(Model& model) {
+    Actions& actions = model;
+    return {std::exchange(actions, {}), model.joints, model.sleeves};
 }
 
-void set_actions(Actions actions, Model& model) {
-    model.gravity = std::move(actions.gravity);
-    model.loads = std::move(actions.loads);
-    model.distributed_loads = std::move(actions.distributed_loads);
-    model.supports = std::move(actions.supports);
-    model.rotation = std::move(actions.rotation);
-    model.has_inertia = actions.has_inertia;
-    model.has_time = actions.has_time;
+void set_actions(StageActions actions, Model& model) {
     model.joints = std::move(actions.joints);
     model.sleeves = std::move(actions.sleeves);
-    model.actuations = std::move(actions.actuations);
-    model.tendons = std::move(actions.tendons);
-    model.surroundings = std::move(actions.surroundings);
-    model.contact = std::move(actions.contact);
+    static_cast<Actions&>(model) = std::move(actions);
 }
 
 bool follows_limits(std::span<const StagePlan> stages) {

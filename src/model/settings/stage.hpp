@@ -12,22 +12,10 @@
 // Stages: analyses one after the other, each from the state in which the last one leaves the model.
 namespace gxrod {
 
-// The actions on a model, and its supports, in one stage.
-struct Actions {
-    TimeVector gravity{Vec3::Zero()};
-    std::vector<NodalLoad> loads;
-    std::vector<DistributedLoad> distributed_loads;
-    std::vector<Support> supports;
-    std::optional<TurningFrame> rotation = {};
-    bool has_inertia = true;
-    bool has_time = true;            // as Model::has_time
-    std::vector<Joint> joints = {};  // the model's joints, with the actions on their coordinates
-    std::vector<Sleeve> sleeves = {};
-    std::vector<Actuation> actuations = {};
-    std::vector<Tendon> tendons = {};  // the same in all stages; slack ones have a tension of zero
-    // The same in all stages except currents, wind and waves.
-    Surroundings surroundings = {};
-    Contact contact = {};  // the same in all stages except the motions of obstacles
+// The actions in one stage, with the model's joints and sleeves as they act in it.
+struct StageActions : Actions {
+    std::vector<Joint> joints;
+    std::vector<Sleeve> sleeves;
 };
 
 struct Problem;
@@ -35,7 +23,8 @@ struct Problem;
 struct StagePlan {
     std::string name;  // "" for the only stage of a deck with [analysis]
     AnalysisSettings analysis;
-    Actions actions = {};  // by its own t, from 0; empty for the first stage, whose actions are in the model
+    // By the stage's own t, from 0; empty for the first stage, whose actions are in the model.
+    StageActions actions = {};
     long frame_interval = 1;  // as OutputSettings::every
     // The end of its t; for a path, set once it has ended. Shared with later stages that hold values from
     // there.
@@ -49,8 +38,8 @@ struct StagePlan {
 bool follows_limits(std::span<const StagePlan> stages);
 
 // Moves the actions out of the model, except joints, which it keeps.
-Actions take_actions(Model& model);
-void set_actions(Actions actions, Model& model);
+StageActions take_actions(Model& model);
+void set_actions(StageActions actions, Model& model);
 
 // The common axis of results: t of the stages added up. Stages without time before the first one with time
 // end at 0, each of length 1; with a path among them, whose arc length is not known beforehand, they begin at
