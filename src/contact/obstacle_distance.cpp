@@ -206,9 +206,7 @@ FreeMotion find_free_motion(
     const Obstacle& obstacle, double radius, const Vec3& from, const Vec3& to, double skin) {
     const Vec3 motion = to - from;
     const double length = motion.norm();
-    // The distance from what bulges out is never below its tangent plane's: nothing bulges in but hollows and
-    // the bends of tubes.
-    const bool is_convex = !obstacle.is_hollow() && !std::holds_alternative<TubeShape>(obstacle.shape);
+    const bool is_convex = std::visit([](const auto& shape) { return shape.is_convex(); }, obstacle.shape);
     const auto measure = [&](double t) {
         const ObstacleDistance at = find_obstacle_distance(obstacle, from + t * motion);
         return GapAndSpeed{at.distance - radius, is_convex ? -at.normal.dot(motion) : length};

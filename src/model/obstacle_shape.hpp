@@ -4,12 +4,15 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "rotation/types.hpp"
 
-// The shapes of obstacles, at t = 0.
+// The shapes of obstacles, at t = 0. Each has its word in decks, and says where it is by `points`, whether
+// its distance is never below that of a tangent plane by `is_convex`, and how it turns about the origin by
+// `turn`.
 namespace gxrod {
 
 // The triangles of a file; rods may be on either side. Coincident corners and triangles are merged.
@@ -31,6 +34,11 @@ struct PlaneShape {
     Vec3 normal = Vec3::UnitZ();  // towards the rods, of length 1
 
     std::vector<Vec3> points() const { return {point}; }
+    bool is_convex() const { return true; }
+    void turn(const Quat& rotation) {
+        point = rotation * point;
+        normal = rotation * normal;
+    }
 };
 
 // All points within a radius of a point or a line; rods are inside of a hollow one.
@@ -44,6 +52,8 @@ struct SphereShape : RoundShape {
     Vec3 centre = Vec3::Zero();
 
     std::vector<Vec3> points() const { return {centre}; }
+    bool is_convex() const { return !is_hollow; }
+    void turn(const Quat& rotation) { centre = rotation * centre; }
 };
 
 // Rounded ends close it; a hollow one has no ends.
@@ -52,6 +62,11 @@ struct CylinderShape : RoundShape {
     Vec3 from = Vec3::Zero(), to = Vec3::Zero();
 
     std::vector<Vec3> points() const { return {from, to}; }
+    bool is_convex() const { return !is_hollow; }
+    void turn(const Quat& rotation) {
+        from = rotation * from;
+        to = rotation * to;
+    }
 };
 
 // Its line is a spline; the ends of a hollow one continue straight.
@@ -61,6 +76,11 @@ struct TubeShape : RoundShape {
     std::vector<Vec3> tangents;  // by arc length, at each point of the line
 
     const std::vector<Vec3>& points() const { return line; }
+    bool is_convex() const { return false; }
+    void turn(const Quat& rotation) {
+        for (Vec3& point : line) point = rotation * point;
+        for (Vec3& tangent : tangents) tangent = rotation * tangent;
+    }
 };
 
 struct MeshShape {
@@ -68,6 +88,12 @@ struct MeshShape {
     std::shared_ptr<const TriangleMesh> mesh;
 
     const std::vector<Vec3>& points() const { return mesh->positions; }
+    bool is_convex() const { return true; }  // each triangle is
+    void turn(const Quat& rotation) {
+        auto turned = std::make_shared<TriangleMesh>(*mesh);
+        for (Vec3& position : turned->positions) position = rotation * position;
+        mesh = std::move(turned);
+    }
 };
 
 using ObstacleShape = std::variant<PlaneShape, SphereShape, CylinderShape, TubeShape, MeshShape>;

@@ -122,31 +122,8 @@ TimeVector turn(const Quat& rotation, const TimeVector& vector) {
     return TimeVector(turn(rotation, vector.components()));
 }
 
-void turn(const Quat& rotation, PlaneShape& plane) {
-    plane.point = rotation * plane.point;
-    plane.normal = rotation * plane.normal;
-}
-
-void turn(const Quat& rotation, SphereShape& sphere) { sphere.centre = rotation * sphere.centre; }
-
-void turn(const Quat& rotation, CylinderShape& cylinder) {
-    cylinder.from = rotation * cylinder.from;
-    cylinder.to = rotation * cylinder.to;
-}
-
-void turn(const Quat& rotation, TubeShape& tube) {
-    for (Vec3& point : tube.line) point = rotation * point;
-    for (Vec3& tangent : tube.tangents) tangent = rotation * tangent;
-}
-
-void turn(const Quat& rotation, MeshShape& shape) {
-    auto turned = std::make_shared<TriangleMesh>(*shape.mesh);
-    for (Vec3& position : turned->positions) position = rotation * position;
-    shape.mesh = std::move(turned);
-}
-
 void turn(const Quat& rotation, Obstacle& obstacle) {
-    std::visit([&](auto& shape) { turn(rotation, shape); }, obstacle.shape);
+    std::visit([&](auto& shape) { shape.turn(rotation); }, obstacle.shape);
     if (!obstacle.motion) return;
     ObstacleMotion& motion = *obstacle.motion;
     motion = {turn(rotation, motion.displacement), turn(rotation, motion.rotation), rotation * motion.about};

@@ -18,7 +18,7 @@ NAMED = {
     "JointKind": ("model/ties/joint_card.hpp", "constraints/joints/", "deck/joints/"),
 }
 COMPARED = re.compile(r"(?:case\s+|[!=]=\s*)(\w+)::\w+")
-SHAPE = re.compile(r"\b(?:holds_alternative|get_if|get)<(?:Plane|Sphere|Cylinder|Tube|Mesh)Shape>")
+SHAPE = re.compile(r"\b(?:holds_alternative|get_if|get)<\w+Shape>")
 SHAPES_NAMED = ("model/contact.hpp", "contact/")
 
 
