@@ -61,11 +61,10 @@ export class Obstacles {
       const turn = Math.abs(normal.z) > 0.999 ? new Quaternion().setFromUnitVectors(z, normal) : uprightTurn(normal);
       return new PlaneGeometry(side, side).applyQuaternion(turn).translate(...centre.addScaledVector(normal, -distance).toArray());
     }
-    if (mark.shape === "sphere") return new SphereGeometry(mark.radius, 48, 32).translate(...points[0].toArray());
-    if (mark.shape === "cylinder") return shapeCylinder(mark, points, centre, reach);
-    if (mark.shape === "tube") return shapeTube(mark, points);
     if (mark.shape === "mesh") return shapeMesh(mark);
-    return null;
+    // All others are round about a point, a straight line or a curve.
+    if (points.length === 1) return new SphereGeometry(mark.radius, 48, 32).translate(...points[0].toArray());
+    return points.length === 2 ? shapeCylinder(mark, points, centre, reach) : shapeTube(mark, points);
   }
 
   move() {
@@ -134,7 +133,7 @@ function shapeMesh(mark) {
 }
 
 // The border of a patch, the ends of what is hollow, the edges of a mesh.
-function outline({ shape, hollow }, geometry) {
-  const isOpen = shape === "plane" || shape === "mesh" || (hollow && shape !== "sphere");
+function outline({ shape, hollow, line }, geometry) {
+  const isOpen = shape === "plane" || shape === "mesh" || (hollow && line.length > 1);
   return isOpen ? new EdgesGeometry(geometry, 60) : new BufferGeometry();
 }
