@@ -240,8 +240,9 @@ JointCoordinate build_coordinate(const JointTable& given,
 }  // namespace
 
 std::string_view plain_coordinate(JointKind kind) {
-    if (kind == JointKind::cylinder || kind == JointKind::free) return "";
-    return kind == JointKind::slider || kind == JointKind::sleeve ? "slide" : "turn";
+    const JointCard& card = card_of(kind);
+    if (!card.has_slide || kind == JointKind::screw) return "turn";
+    return card.has_turn ? "" : "slide";
 }
 
 std::vector<const CheckedTimeFunction*> functions_of(const JointTable& joint) {

@@ -1,7 +1,10 @@
 #include "deck/joints/joint_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
+#include <string>
 
 #include "model/ties/joint_card.hpp"
 
@@ -129,6 +132,12 @@ std::vector<Condition> types_that(const Fits& fits) {
     return {condition};
 }
 
+std::string describe_types() {
+    std::string text = "What it leaves free.";
+    for (const JointCard& card : joint_cards) text += fmt::format(" {}: {}.", card.word, card.leaves_free);
+    return text + " A free joint is for what acts on its turn and its slide.";
+}
+
 }  // namespace
 
 const TableSpec& joint_table() {
@@ -137,11 +146,7 @@ const TableSpec& joint_table() {
     static const TableSpec table = Table<T>("[joint.NAME]",
             "What two points, A and B, of rods, bodies or the ground can still do against each other. Angles and "
             "lengths of its coordinates are 0 at t = 0, forces and moments are those that A exerts on B.")
-        .key("type", &T::type, "What it leaves free. ball: all turns. hinge: the turn about its axis. cylinder: turn "
-             "and slide. slider: the slide along its axis. universal: turns about `axis`, fixed in A, and `axis_b`, "
-             "fixed in B. screw: a turn, with a slide of `lead` a turn. plane: slides across its axis and the turn "
-             "about it. weld: nothing. distance: all but the distance of two points. free: everything; for what acts "
-             "on the turn and the slide. sleeve: a point's slide along a rod, and all turns.")
+        .key("type", &T::type, describe_types())
             .required().also("kind joint joint_type")
         .key("between", &T::between, "A and B: points of rods, bodies, or \"ground\" for what does not move. A point "
              "can be in several joints. Of a sleeve, A is a rod.")
