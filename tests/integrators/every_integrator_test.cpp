@@ -165,18 +165,23 @@ TEST_CASE("a node's rates follow from its own motion alone", "[integrators]") {
 }
 
 TEST_CASE("an explicit scheme is linearized as a mass matrix", "[integrators]") {
-    const auto integrator = make_integrator(all_schemes().back().settings);
-    REQUIRE(integrator->is_explicit());
-    std::vector<NodeLinearization> linearizations(2);
-    integrator->linearize(make_random_state(*integrator, 1), make_stage(0), linearizations);
-    REQUIRE(linearizations.size() == 2);
-    for (const NodeLinearization& linearization : linearizations) {
-        CHECK(linearization.placement == 0.0);
-        CHECK(linearization.rate == 0.0);
-        CHECK(linearization.acceleration == 1.0);
-        CHECK(linearization.d_omega.isZero(0.0));
-        CHECK(linearization.d_alpha == Mat3::Identity());
+    int count = 0;
+    for (const SchemeSample& scheme : all_schemes()) {
+        const auto integrator = make_integrator(scheme.settings);
+        if (!integrator->is_explicit()) continue;
+        ++count;
+        std::vector<NodeLinearization> linearizations(2);
+        integrator->linearize(make_random_state(*integrator, 1), make_stage(0), linearizations);
+        REQUIRE(linearizations.size() == 2);
+        for (const NodeLinearization& linearization : linearizations) {
+            CHECK(linearization.placement == 0.0);
+            CHECK(linearization.rate == 0.0);
+            CHECK(linearization.acceleration == 1.0);
+            CHECK(linearization.d_omega.isZero(0.0));
+            CHECK(linearization.d_alpha == Mat3::Identity());
+        }
     }
+    CHECK(count > 0);
 }
 
 TEST_CASE("the last stage of a step lies at its end to the last bit", "[integrators]") {
