@@ -51,28 +51,6 @@ void add_rod(const Model& model, int index, int group, int first_element, Elemen
     }
 }
 
-template <template <int> class TieElement>
-void add_tie(const auto& spring_or_bushing, int group, ElementBlocks& blocks) {
-    const auto add = [&](auto& block) {
-        block.elements.emplace_back(spring_or_bushing);
-        block.groups.push_back(group);
-    };
-    if (spring_or_bushing.has_ground()) {
-        add(std::get<ElementBlock<TieElement<1>>>(blocks));
-    } else {
-        add(std::get<ElementBlock<TieElement<2>>>(blocks));
-    }
-}
-
-void add_tie_element(const Model& model, const Tie& tie, int group, ElementBlocks& blocks) {
-    if (tie.kind == TieKind::spring) return add_tie<SpringElement>(model.springs[tie.index], group, blocks);
-    const Bushing& bushing = model.bushings[tie.index];
-    if (bushing.has_axes_between())
-        add_tie<BushingElement>(bushing, group, blocks);
-    else
-        add_tie<CarriedBushingElement>(bushing, group, blocks);
-}
-
 }  // namespace
 
 System::System(const Model& model, const ThreadTeam& team)
@@ -132,9 +110,15 @@ void System::build_blocks() {
         bodies.elements.emplace_back(model_->bodies[body], model_->has_inertia);
         bodies.groups.push_back(scale_groups_.of_body(body));
     }
-    const std::vector<Tie> ties = list_element_ties(*model_);
-    for (std::size_t tie = 0; tie < ties.size(); ++tie)
-        add_tie_element(*model_, ties[tie], scale_groups_.of_tie(tie), blocks_);
+    std::size_t tie_number = 0;
+    for_each_element_tie(*model_, [&](TieKind, const auto& tie) {
+        visit_element(tie, [&]<class E>(const E& element) {
+            auto& block = std::get<ElementBlock<E>>(blocks_);
+            block.elements.push_back(element);
+            block.groups.push_back(scale_groups_.of_tie(tie_number));
+        });
+        ++tie_number;
+    });
     for (int index = 0; index < static_cast<int>(model_->rods.size()); ++index) {
         const Rod& rod = model_->rods[index];
         const int group = scale_groups_.of_rod(index);
@@ -260,9 +244,9 @@ void System::build_batches() {
 void System::measure() {
     Eigen::AlignedBox3d box;
     for (const Node& node : model_->nodes) box.extend(node.position);
-    for (const Tie& tie : list_element_ties(*model_)) {
+    for_each_element_tie(*model_, [&](TieKind, const auto& tie) {
         for (const Anchor& end : tie.ends) box.extend(find_place(*model_, end));
-    }
+    });
     double length = box.isEmpty() ? 0.0 : box.diagonal().norm();
     for (const Body& body : model_->bodies) {
         length = std::max(length, body.centre_of_mass.norm());

@@ -5,12 +5,10 @@
 
 #include "assembly/residual.hpp"
 #include "assembly/scatter.hpp"
-#include "elements/bushing_element.hpp"
-#include "elements/carried_bushing_element.hpp"
 #include "elements/element.hpp"
 #include "elements/rigid_body.hpp"
 #include "elements/rod/rod_element.hpp"
-#include "elements/spring_element.hpp"
+#include "elements/tie_elements.hpp"
 #include "loads/drive_values.hpp"
 #include "parallel/work_phases.hpp"
 
@@ -95,23 +93,24 @@ struct ElementBlock {
     }
 };
 
-// Every kind of element. A new kind needs one entry here and, unless it is a rod's, a builder in
+// The elements of bodies and rods. A new kind needs one entry here and, unless it is a rod's, a builder in
 // build_system.cpp.
-using ElementBlocks = std::tuple<ElementBlock<RigidBody>,
-                                 ElementBlock<ObjectiveElement<2>>,
-                                 ElementBlock<ObjectiveElement<3>>,
-                                 ElementBlock<ObjectiveElement<4>>,
-                                 ElementBlock<ObjectiveElement<5>>,
-                                 ElementBlock<SimoElement<2>>,
-                                 ElementBlock<SimoElement<3>>,
-                                 ElementBlock<SimoElement<4>>,
-                                 ElementBlock<SimoElement<5>>,
-                                 ElementBlock<SpringElement<1>>,
-                                 ElementBlock<SpringElement<2>>,
-                                 ElementBlock<BushingElement<1>>,
-                                 ElementBlock<BushingElement<2>>,
-                                 ElementBlock<CarriedBushingElement<1>>,
-                                 ElementBlock<CarriedBushingElement<2>>>;
+using BodyAndRodElements = std::tuple<RigidBody,
+                                      ObjectiveElement<2>,
+                                      ObjectiveElement<3>,
+                                      ObjectiveElement<4>,
+                                      ObjectiveElement<5>,
+                                      SimoElement<2>,
+                                      SimoElement<3>,
+                                      SimoElement<4>,
+                                      SimoElement<5>>;
+
+template <class... Bodies, class... Ties>
+std::tuple<ElementBlock<Bodies>..., ElementBlock<Ties>...> join_blocks(std::tuple<Bodies...>*,
+                                                                       std::tuple<Ties...>*);
+// A block for every kind of element.
+using ElementBlocks =
+    decltype(join_blocks(static_cast<BodyAndRodElements*>(nullptr), static_cast<TieElements*>(nullptr)));
 
 // Calls visit(block) for each kind.
 template <class Blocks, class Visitor>

@@ -128,18 +128,18 @@ void ScaleGroups::find_round_off(const Model& model) {
         round_off_[of_rod(index)] = {units * stretching * size / element,
                                      units * (stretching * size + bending / element)};
     }
-    const std::vector<Tie> ties = list_element_ties(model);
-    for (std::size_t tie = 0; tie < ties.size(); ++tie) {
+    std::size_t number = 0;
+    for_each_element_tie(model, [&](TieKind, const auto& tie) {
         double size = 0.0;
         double arm = 0.0;
-        for (const Anchor& end : ties[tie].ends) {
+        for (const Anchor& end : tie.ends) {
             size = std::max(size, find_place(model, end).lpNorm<Eigen::Infinity>());
             if (!end.is_ground()) arm = std::max(arm, end.arm.norm());
         }
-        const TieStiffness stiffness = stiffness_of(model, ties[tie]);
+        const TieStiffness stiffness = stiffness_of(tie);
         const double force = units * stiffness.displacement * size;
-        round_off_[of_tie(tie)] = {force, std::max(force * arm, units * stiffness.turn)};
-    }
+        round_off_[of_tie(number++)] = {force, std::max(force * arm, units * stiffness.turn)};
+    });
     for (std::size_t group = 0; group < count(); ++group) {
         for (const int other : neighbours_[group])
             round_off_[group] = larger(round_off_[group], round_off_[other]);

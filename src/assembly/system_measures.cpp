@@ -29,18 +29,15 @@ NodalVector<E::node_count> compute_gravity_force(const E& element,
 // Whether the element's internal forces act on the model from outside.
 template <class E>
 bool leans_on_ground(const E& element) {
-    if constexpr (std::is_same_v<E, CarriedBushingElement<2>>) return element.leans_on_ground();
-    return std::is_same_v<E, SpringElement<1>> || std::is_same_v<E, BushingElement<1>> ||
-           std::is_same_v<E, CarriedBushingElement<1>>;
+    if constexpr (requires { element.leans_on_ground(); }) return element.leans_on_ground();
+    return false;
 }
 
 // Whether the element takes the logarithm of how its nodes are turned against each other, or against the
 // ground.
 template <class E>
 inline constexpr bool sees_relative_rotation =
-    (E::has_section && E::history_count == 0) || std::is_same_v<E, BushingElement<1>> ||
-    std::is_same_v<E, BushingElement<2>> || std::is_same_v<E, CarriedBushingElement<1>> ||
-    std::is_same_v<E, CarriedBushingElement<2>>;
+    (E::has_section && E::history_count == 0) || requires { requires E::sees_relative_rotation; };
 
 // Adds to `total` what add(e, sum) adds for each element of a block, in an order that no number of threads
 // changes.

@@ -2,22 +2,20 @@
 
 #include <Eigen/Core>
 
-#include "elements/plain_element.hpp"
-#include "elements/point_pair.hpp"
+#include "elements/two_point_element.hpp"
 #include "model/model.hpp"
 
 namespace gxrod {
 
 // What bushings have in common, whatever carries their axes: linear stiffness and damping of six components.
 // `Own` computes the motion, with its strain and rate in the axes, their derivatives by the nodes, and the
-// nodal forces of a force and a moment. With one node a bushing lies between the ground and its node.
+// nodal forces of a force and a moment.
 template <int Nodes, class Own, class Motion>
-class BushingBase : public PlainElement<Nodes> {
+class BushingBase : public TwoPointElement<Nodes> {
   public:
-    // One of the bushing's ends is the ground if this has one node.
-    explicit BushingBase(const Bushing& bushing) : bushing_(bushing), points_(bushing.ends) {
-        this->nodes = points_.nodes();
-    }
+    static constexpr bool sees_relative_rotation = true;
+
+    explicit BushingBase(const Bushing& bushing) : TwoPointElement<Nodes>(bushing.ends), bushing_(bushing) {}
 
     void add_internal_force(const Motions<Nodes>& motions, Histories, NodalVector<Nodes>& force) const {
         const Motion motion = own().compute_motion(motions);
@@ -69,7 +67,6 @@ class BushingBase : public PlainElement<Nodes> {
     using StrainColumns = Eigen::Matrix<double, 6, 6 * Nodes>;
 
     Bushing bushing_;
-    PointPair<Nodes> points_;
 
   private:
     const Own& own() const { return static_cast<const Own&>(*this); }

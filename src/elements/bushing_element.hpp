@@ -5,11 +5,10 @@
 
 namespace gxrod {
 
-// A bushing between two points, each carried by a node or fixed, without inertia.
+// A bushing whose axes lie half way between those that its ends carry.
 template <int Nodes>
 class BushingElement : public BushingBase<Nodes, BushingElement<Nodes>, BushingMotion> {
   public:
-    // One of the bushing's ends is the ground if this has one node.
     explicit BushingElement(const Bushing& bushing);
 
     double damping_action(const Motions<Nodes>& before, const Motions<Nodes>& after, Histories) const;

@@ -5,7 +5,7 @@
 
 namespace gxrod {
 
-// A bushing whose axes one end, or the ground, carries, without inertia.
+// A bushing whose axes one end, or the ground, carries.
 template <int Nodes>
 class CarriedBushingElement : public BushingBase<Nodes, CarriedBushingElement<Nodes>, CarriedBushingMotion> {
   public:
@@ -15,8 +15,8 @@ class CarriedBushingElement : public BushingBase<Nodes, CarriedBushingElement<No
     // Returns the angle that the stiffness resists: if rotations about one axis are free, the angle of the
     // swing.
     double largest_relative_rotation(const Motions<Nodes>& motions) const;
-    // Whether the ground takes part of the moments, although neither end is the ground.
-    bool leans_on_ground() const { return bushing_.carrier == BushingAxes::ground; }
+    // The ground also takes part of the moments if it carries the axes.
+    bool leans_on_ground() const { return Nodes == 1 || bushing_.carrier == BushingAxes::ground; }
 
   private:
     using Base = BushingBase<Nodes, CarriedBushingElement, CarriedBushingMotion>;

@@ -1,5 +1,6 @@
 #include "elements/carried_bushing_motion.hpp"
 
+#include "elements/bushing_motion.hpp"
 #include "rotation/rotation_map.hpp"
 #include "rotation/tangent_map.hpp"
 
@@ -130,6 +131,32 @@ std::array<std::array<Mat3, 2>, 2> differentiate_moments(const Bushing& bushing,
         for (std::size_t j = 0; j < 2; ++j) by[i][j] += sign_of(i) * own[turn.axis] * motion.twist.by[j];
     }
     return by;
+}
+
+namespace {
+
+BushingValues measure_between(const Bushing& bushing, const NodeMotion* a, const NodeMotion* b) {
+    const BushingMotion motion = compute_bushing_motion(bushing, a, b);
+    const Vec6 own = compute_bushing_force(bushing, motion);
+    return {.axes = motion.axes,
+            .displacement = motion.strain.head<3>(),
+            .turn = motion.strain.tail<3>(),
+            .force = own.head<3>(),
+            .moment = take_to_rotation_vector(motion.turn, own.tail<3>())};
+}
+
+}  // namespace
+
+BushingValues measure(const Bushing& bushing, const NodeMotion* a, const NodeMotion* b) {
+    if (bushing.has_axes_between()) return measure_between(bushing, a, b);
+    const CarriedBushingMotion motion = compute_carried_motion(bushing, a, b);
+    const Vec6 own = bushing.stiffness * motion.strain + bushing.damping * motion.rate;
+    const Vec3 on_B = distribute_moment(bushing, motion, own.tail<3>())[1];
+    return {.axes = motion.axes,
+            .displacement = motion.strain.head<3>(),
+            .turn = motion.strain.tail<3>(),
+            .force = own.head<3>(),
+            .moment = motion.axes.transpose() * on_B};
 }
 
 }  // namespace gxrod

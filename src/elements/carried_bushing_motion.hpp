@@ -4,6 +4,7 @@
 
 #include "elements/spring_line.hpp"
 #include "rotation/swing.hpp"
+#include "state/values/bushing_values.hpp"
 
 namespace gxrod {
 
@@ -51,5 +52,8 @@ std::array<std::array<Mat3, 2>, 2> differentiate_moments(const Bushing& bushing,
                                                          const NodeMotion* a,
                                                          const NodeMotion* b,
                                                          const Vec3& own);
+
+// Computes what histories record of a bushing, whatever carries its axes, likewise.
+BushingValues measure(const Bushing& bushing, const NodeMotion* a, const NodeMotion* b);
 
 }  // namespace gxrod

@@ -11,9 +11,8 @@ namespace gxrod {
 // force; F force on point B that the spring asks for, −F on A (docs/theory/springs.md).
 
 template <int Nodes>
-SpringElement<Nodes>::SpringElement(const Spring& spring) : spring_(spring), points_(spring.ends) {
-    this->nodes = points_.nodes();
-}
+SpringElement<Nodes>::SpringElement(const Spring& spring)
+    : TwoPointElement<Nodes>(spring.ends), spring_(spring) {}
 
 template <int Nodes>
 SpringLine SpringElement<Nodes>::compute_line(const Motions<Nodes>& motions) const {

@@ -1,20 +1,15 @@
 #pragma once
 
-#include "elements/plain_element.hpp"
-#include "elements/point_pair.hpp"
 #include "elements/spring_line.hpp"
+#include "elements/two_point_element.hpp"
 #include "model/spring_law.hpp"
 
 namespace gxrod {
 
-// A spring and damper along the line between two points, each carried by a node or fixed, without inertia.
-// With one node it lies between the ground and its node.
+// A spring and damper along the line between two points.
 template <int Nodes>
-class SpringElement : public PlainElement<Nodes> {
-    static_assert(Nodes == 1 || Nodes == 2);
-
+class SpringElement : public TwoPointElement<Nodes> {
   public:
-    // One of the spring's ends is the ground if this has one node.
     explicit SpringElement(const Spring& spring);
 
     void add_internal_force(const Motions<Nodes>& motions, Histories, NodalVector<Nodes>& force) const;
@@ -41,6 +36,7 @@ class SpringElement : public PlainElement<Nodes> {
 
   private:
     using Columns = typename PointPair<Nodes>::Columns;
+    using TwoPointElement<Nodes>::points_;
 
     // Derivatives of the damper's tension.
     struct DamperSlopes {
@@ -63,7 +59,6 @@ class SpringElement : public PlainElement<Nodes> {
                      NodalMatrix<Nodes>& tangent) const;
 
     Spring spring_;
-    PointPair<Nodes> points_;
 };
 
 extern template class SpringElement<1>;

@@ -33,11 +33,6 @@ SpringLine compute_spring_line(const Spring& spring, const std::vector<NodeMotio
     return compute_spring_line(spring, find(spring.ends[0]), find(spring.ends[1]));
 }
 
-double compute_elastic_tension(const Spring& spring, double length) {
-    const double linear = spring.stiffness * (length - spring.length);
-    return spring.law ? linear + (*spring.law)(length, 0.0) : linear;
-}
-
 double compute_damper_tension(const Spring& spring, double length, double length_rate) {
     const double linear = spring.damping * length_rate;
     if (!spring.law || !spring.law->has_rate()) return linear;
@@ -47,6 +42,11 @@ double compute_damper_tension(const Spring& spring, double length, double length
 double compute_axial_force(const Spring& spring, const SpringLine& line) {
     return compute_elastic_tension(spring, line.length) +
            compute_damper_tension(spring, line.length, line.length_rate);
+}
+
+SpringValues measure(const Spring& spring, const NodeMotion* a, const NodeMotion* b) {
+    const SpringLine line = compute_spring_line(spring, a, b);
+    return {line.length - spring.length, compute_axial_force(spring, line)};
 }
 
 }  // namespace gxrod

@@ -5,6 +5,7 @@
 
 #include "model/model.hpp"
 #include "state/motion.hpp"
+#include "state/values/spring_values.hpp"
 
 namespace gxrod {
 
@@ -29,11 +30,12 @@ SpringLine compute_spring_line(const Spring& spring, const NodeMotion* a, const 
 // Computes it from the motions of all nodes.
 SpringLine compute_spring_line(const Spring& spring, const std::vector<NodeMotion>& nodes);
 
-// Computes the tension at this length at rest: k (ℓ − ℓ₀) + f(ℓ, 0), f the spring's law.
-double compute_elastic_tension(const Spring& spring, double length);
 // Computes the tension in addition while the length changes: c ℓ̇ + f(ℓ, ℓ̇) − f(ℓ, 0).
 double compute_damper_tension(const Spring& spring, double length, double length_rate);
 // Computes N, the sum of both.
 double compute_axial_force(const Spring& spring, const SpringLine& line);
+
+// Computes what histories record, from the motions of the nodes that carry A and B; nullptr for the ground.
+SpringValues measure(const Spring& spring, const NodeMotion* a, const NodeMotion* b);
 
 }  // namespace gxrod

@@ -26,21 +26,17 @@ std::vector<int> list_nodes(const Problem& problem, std::size_t history) {
         const std::ptrdiff_t first = std::ptrdiff_t{point->place.element} * (rod.order + 1);
         for (int i = 0; i <= rod.order; ++i) add(rod.element_nodes[static_cast<std::size_t>(first + i)]);
     }
-    const auto add_ends = [&](const std::array<Anchor, 2>& ends) {
-        for (const Anchor& end : ends) add(end.node);
-    };
-    if (const auto* spring = std::get_if<WatchedSpring>(&request.target))
-        add_ends(problem.model.springs[static_cast<std::size_t>(spring->index)].ends);
-    if (const auto* bushing = std::get_if<WatchedBushing>(&request.target))
-        add_ends(problem.model.bushings[static_cast<std::size_t>(bushing->index)].ends);
+    if (const auto* tie = std::get_if<WatchedTie>(&request.target)) {
+        const std::vector<Tie> ties = list_ties(problem.model, tie->kind);
+        for (const Anchor& end : ties[static_cast<std::size_t>(tie->index)].ends) add(end.node);
+    }
     return nodes;
 }
 
 // Throws std::invalid_argument if a quantity has no gradient.
 void check_has_gradient(const HistoryRequest& request, std::size_t quantity) {
-    if (std::holds_alternative<WatchedJoint>(request.target) ||
-        std::holds_alternative<WatchedSleeve>(request.target) ||
-        std::holds_alternative<WatchedGear>(request.target))
+    const auto* tie = std::get_if<WatchedTie>(&request.target);
+    if (tie != nullptr && !is_element(tie->kind))
         throw std::invalid_argument("history " + request.name +
                                     " is of a joint; there are gradients of points, springs and bushings");
     if (part_of(*quantities_of(request).at(quantity)) == SnapshotPart::reactions)

@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <limits>
 
+#include "model/ties/ties.hpp"
+
 namespace gxrod {
 namespace {
 
 // Relative, of a position or rotation that many operations have made.
 constexpr double round_off = 16.0 * std::numeric_limits<double>::epsilon();
 
-double compute_element_energy(const Mat6& stiffness, double size, double length) {
+double compute_element_energy(const TieStiffness& stiffness, double size) {
     const double displacement = round_off * size;
-    const double stretching = stiffness.diagonal().head<3>().maxCoeff() * displacement * displacement;
-    const double bending = stiffness.diagonal().tail<3>().maxCoeff() * round_off * round_off;
-    return 0.5 * (stretching + bending) / length;
+    const double stretching = stiffness.displacement * displacement * displacement;
+    const double bending = stiffness.turn * round_off * round_off;
+    return 0.5 * (stretching + bending);
 }
 
 bool moves_supports(const Model& model) {
@@ -40,26 +42,21 @@ double compute_energy_round_off(const Model& model) {
     double work = 0.0;
     const bool has_moves = moves_supports(model);
     for (const Rod& rod : model.rods) {
-        const Mat6& stiffness = model.sections[static_cast<std::size_t>(rod.section)].stiffness;
-        if (has_moves)
-            work = std::max(work, compute_reaction_work(stiffness.diagonal().head<3>().maxCoeff(), size));
+        const auto diagonal = model.sections[static_cast<std::size_t>(rod.section)].stiffness.diagonal();
+        const TieStiffness stiffness{.displacement = diagonal.head<3>().maxCoeff(),
+                                     .turn = diagonal.tail<3>().maxCoeff()};
+        if (has_moves) work = std::max(work, compute_reaction_work(stiffness.displacement, size));
         const auto per_element = static_cast<std::size_t>(rod.order) + 1;
         for (std::size_t first = 0; first < rod.arc_length.size(); first += per_element) {
             const double length = rod.arc_length[first + per_element - 1] - rod.arc_length[first];
-            energy += compute_element_energy(stiffness, size, length);
+            energy += compute_element_energy(stiffness, size) / length;
         }
     }
-    for (const Spring& spring : model.springs) {
-        const double stiffness = find_stiffness(spring);
-        const double displacement = round_off * std::max(size, spring.length);
-        energy += 0.5 * stiffness * displacement * displacement;
-        if (has_moves) work = std::max(work, compute_reaction_work(stiffness * size, size));
-    }
-    for (const Bushing& bushing : model.bushings) {
-        energy += compute_element_energy(bushing.stiffness, size, 1.0);
-        const double stiffness = bushing.stiffness.diagonal().head<3>().maxCoeff();
-        if (has_moves) work = std::max(work, compute_reaction_work(stiffness * size, size));
-    }
+    for_each_element_tie(model, [&](TieKind, const auto& tie) {
+        const TieStiffness stiffness = stiffness_of(tie);
+        energy += compute_element_energy(stiffness, std::max(size, stiffness.length));
+        if (has_moves) work = std::max(work, compute_reaction_work(stiffness.displacement * size, size));
+    });
     return energy + work;
 }
 

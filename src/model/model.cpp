@@ -58,6 +58,11 @@ double find_stiffness(const Spring& spring) {
     return std::abs(spring.stiffness + spring.law->differentiate_by_length(spring.law->start(), 0.0));
 }
 
+double compute_elastic_tension(const Spring& spring, double length) {
+    const double linear = spring.stiffness * (length - spring.length);
+    return spring.law ? linear + (*spring.law)(length, 0.0) : linear;
+}
+
 Vec3 find_place(const Model& model, const Anchor& anchor) {
     return anchor.is_ground() ? anchor.arm : Vec3(model.nodes[anchor.node].position + anchor.arm);
 }

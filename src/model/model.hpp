@@ -137,6 +137,7 @@ struct Spring {
     std::shared_ptr<const SpringLaw> law{};  // nullptr without a law
 
     bool has_ground() const { return ends[0].is_ground() || ends[1].is_ground(); }
+    bool has_damping() const { return damping > 0.0; }
 };
 
 // The part that the axes of a bushing turn with.
@@ -159,6 +160,7 @@ struct Bushing {
     Mat6 damping = Mat6::Zero();                 // symmetric
 
     bool has_ground() const { return ends[0].is_ground() || ends[1].is_ground(); }
+    bool has_damping() const { return !damping.isZero(0.0); }
     bool has_axes_between() const { return carrier == BushingAxes::between; }
     // Whether rotations about this axis, 0 to 2, are free of moment and change no force.
     bool leaves_turn_free(int axis) const { return stiffness.col(3 + axis).isZero(0.0); }
@@ -272,6 +274,9 @@ struct Model : Actions {
 
 // Returns the force per length of a spring, including its law's at t = 0; not negative.
 double find_stiffness(const Spring& spring);
+
+// Computes the tension of a spring at this length at rest: k (ℓ − ℓ₀) + f(ℓ, 0), f the spring's law.
+double compute_elastic_tension(const Spring& spring, double length);
 
 // Returns the place of a point of a spring, a bushing or a joint at t = 0.
 Vec3 find_place(const Model& model, const Anchor& anchor);

@@ -42,9 +42,17 @@ constexpr Quantity lines_of_touching_bodies[]{
 
 }  // namespace
 
-constinit const QuantityTable quantities_of_obstacles{obstacle_lines, SnapshotPart::contact, "obstacles"};
+constinit const QuantityTable quantities_of_obstacles{
+    obstacle_lines,
+    SnapshotPart::contact,
+    "obstacles",
+    "an obstacle has contact_force, contact_friction and least_gap only"};
 constinit const QuantityTable quantities_of_touching_rods{
-    lines_of_touching_rods, SnapshotPart::contact, "rods"};
+    lines_of_touching_rods,
+    SnapshotPart::contact,
+    "rods",
+    "a rod as a whole has contact_force, contact_friction and least_gap only; expected a point of it, as in "
+    "\"ROD@0.5\""};
 constinit const QuantityTable quantities_of_touching_bodies{
     lines_of_touching_bodies, SnapshotPart::contact, "bodies"};
 

@@ -5,11 +5,12 @@ namespace {
 
 // The joint itself, or a sleeve as a joint.
 Joint joint_of(const Watched& target, const Model& model) {
-    if (const auto* joint = std::get_if<WatchedJoint>(&target))
-        return model.joints[static_cast<std::size_t>(joint->index)];
+    const WatchedTie& tie = std::get<WatchedTie>(target);
+    const auto index = static_cast<std::size_t>(tie.index);
+    if (tie.kind == TieKind::joint) return model.joints[index];
     Joint joint;
     joint.kind = JointKind::sleeve;
-    joint.slide = model.sleeves[static_cast<std::size_t>(std::get<WatchedSleeve>(target).index)].slide;
+    joint.slide = model.sleeves[index].slide;
     return joint;
 }
 
@@ -55,7 +56,7 @@ const char* dimension_of_friction(const Watched& target, const Model& model) {
 }
 
 const char* dimension_of_gear(const Watched& target, const Model& model) {
-    const Gear& gear = model.gears[static_cast<std::size_t>(std::get<WatchedGear>(target).index)];
+    const Gear& gear = model.gears[static_cast<std::size_t>(std::get<WatchedTie>(target).index)];
     return dimension_of_slide(!gear.sides[1].is_turn);
 }
 
@@ -100,6 +101,7 @@ constexpr Quantity gear_lines[]{
 }  // namespace
 
 constinit const QuantityTable quantities_of_joints{joint_lines, SnapshotPart::ties, "joints"};
-constinit const QuantityTable quantities_of_gears{gear_lines, SnapshotPart::ties, "gears"};
+constinit const QuantityTable quantities_of_gears{
+    gear_lines, SnapshotPart::ties, "gears", "a gear has drive and gap only; its joints have the rest"};
 
 }  // namespace gxrod

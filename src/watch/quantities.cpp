@@ -12,39 +12,41 @@ using Tables = std::vector<const QuantityTable*>;
 
 namespace {
 
-// A kind of thing, in the order of Watched.
 struct WatchedKind {
-    const char* table;  // of the deck
-    const char* noun;
+    std::string_view table;  // of the deck
+    std::string_view noun;
     Tables tables;
-    const char* own = "";  // the reason why it does not have any other quantity
 };
 
-// clang-format off
-const WatchedKind& kind_at(std::size_t index) {
-    static const std::vector<WatchedKind> kinds{
-        {"rod", "point", {&quantities_of_places, &quantities_of_rod_turns, &quantities_of_rates, &quantities_of_sections,
-                          &quantities_of_reactions, &quantities_of_rods_around}},
-        {"body", "point", {&quantities_of_places, &quantities_of_body_turns, &quantities_of_rates, &quantities_of_bodies,
-                           &quantities_of_reactions, &quantities_of_bodies_around, &quantities_of_touching_bodies}},
-        {"spring", "spring", {&quantities_of_springs}},
-        {"bushing", "bushing", {&quantities_of_bushings}, "a bushing does not have it"},
-        {"joint", "joint", {&quantities_of_joints}},
-        {"gear", "gear", {&quantities_of_gears}, "a gear has drive and gap only; its joints have the rest"},
-        {"sleeve", "joint", {&quantities_of_joints}},
-        {"tendon", "tendon", {&quantities_of_tendons},
-         "a tendon has tendon_length, tendon_tension and tendon_end_tension only"},
-        {"obstacle", "obstacle", {&quantities_of_obstacles},
-         "an obstacle has contact_force, contact_friction and least_gap only"},
-        {"contact", "rod", {&quantities_of_touching_rods},
-         "a rod as a whole has contact_force, contact_friction and least_gap only; expected a point of it, as in "
-         "\"ROD@0.5\""}};
-    assert(kinds.size() == std::variant_size_v<Watched>);
-    return kinds[index];
+// Lists the kinds of things: ties in the order of their kinds, then the others in the order of Watched.
+const std::vector<WatchedKind>& list_kinds() {
+    static const std::vector<WatchedKind> kinds = [] {
+        std::vector<WatchedKind> all;
+        for (std::size_t kind = 0; kind < tie_kind_count; ++kind)
+            all.push_back({tie_cards[kind].table, tie_cards[kind].table, {quantities_of_ties[kind]}});
+        // clang-format off
+        const std::vector<WatchedKind> others{
+            {"rod", "point", {&quantities_of_places, &quantities_of_rod_turns, &quantities_of_rates, &quantities_of_sections,
+                              &quantities_of_reactions, &quantities_of_rods_around}},
+            {"body", "point", {&quantities_of_places, &quantities_of_body_turns, &quantities_of_rates, &quantities_of_bodies,
+                               &quantities_of_reactions, &quantities_of_bodies_around, &quantities_of_touching_bodies}},
+            {},  // a tie
+            {"tendon", "tendon", {&quantities_of_tendons}},
+            {"obstacle", "obstacle", {&quantities_of_obstacles}},
+            {"contact", "rod", {&quantities_of_touching_rods}}};
+        // clang-format on
+        assert(others.size() == std::variant_size_v<Watched>);
+        all.insert(all.end(), others.begin(), others.end());
+        return all;
+    }();
+    return kinds;
 }
-// clang-format on
 
-const WatchedKind& kind_of(const Watched& target) { return kind_at(target.index()); }
+const WatchedKind& kind_of(const Watched& target) {
+    const auto* tie = std::get_if<WatchedTie>(&target);
+    return list_kinds()[tie != nullptr ? static_cast<std::size_t>(tie->kind)
+                                       : tie_kind_count + target.index()];
+}
 
 const Quantity* find_line(const Tables& tables, std::string_view word) {
     for (const QuantityTable* table : tables) {
@@ -75,12 +77,16 @@ std::vector<std::string> words_of(const Tables& tables) {
 
 // clang-format off
 const Tables& list_quantity_tables() {
-    static const Tables tables{
-        &quantities_of_places, &quantities_of_rod_turns, &quantities_of_body_turns, &quantities_of_rates,
-        &quantities_of_bodies, &quantities_of_sections, &quantities_of_reactions, &quantities_of_springs,
-        &quantities_of_bushings, &quantities_of_joints, &quantities_of_gears, &quantities_of_rods_around,
-        &quantities_of_bodies_around, &quantities_of_tendons, &quantities_of_obstacles, &quantities_of_touching_rods,
-        &quantities_of_touching_bodies};
+    static const Tables tables = [] {
+        Tables all{&quantities_of_places, &quantities_of_rod_turns, &quantities_of_body_turns, &quantities_of_rates,
+                   &quantities_of_bodies, &quantities_of_sections, &quantities_of_reactions};
+        for (const QuantityTable* table : quantities_of_ties) {
+            if (std::ranges::find(all, table) == all.end()) all.push_back(table);
+        }
+        all.insert(all.end(), {&quantities_of_rods_around, &quantities_of_bodies_around, &quantities_of_tendons,
+                               &quantities_of_obstacles, &quantities_of_touching_rods, &quantities_of_touching_bodies});
+        return all;
+    }();
     return tables;
 }
 // clang-format on
@@ -106,11 +112,9 @@ std::vector<const Quantity*> quantities_of(const HistoryRequest& request) {
 std::vector<std::string> list_quantity_words() { return words_of(list_quantity_tables()); }
 
 std::vector<std::string> list_quantity_words(std::string_view table) {
-    for (std::size_t i = 0; i < std::variant_size_v<Watched>; ++i) {
-        if (kind_at(i).table == table) return words_of(kind_at(i).tables);
-    }
-    assert(false);
-    return {};
+    const auto found = std::ranges::find(list_kinds(), table, &WatchedKind::table);
+    assert(found != list_kinds().end());
+    return words_of(found->tables);
 }
 
 std::string explain_missing(std::string_view word, const Watched& target, const Model& model) {
@@ -121,7 +125,7 @@ std::string explain_missing(std::string_view word, const Watched& target, const 
     if (&other == &quantities_of_tendons) return "only tendons have it";
     if (&other == &quantities_of_obstacles && !std::holds_alternative<WatchedTendon>(target))
         return "only obstacles have it, and rods as a whole, and bodies that touch";
-    if (*kind.own != '\0') return kind.own;
+    if (const char* own = kind.tables.front()->own; *own != '\0') return own;
     const bool is_of_rods = &other == &quantities_of_sections || &other == &quantities_of_rods_around;
     if (is_of_rods && std::holds_alternative<WatchedBody>(target))
         return "only points of rods have it; this one is a body";
@@ -132,7 +136,7 @@ std::string explain_missing(std::string_view word, const Watched& target, const 
 
 bool can_be_relative(std::string_view word, const Watched& target) {
     const bool has_own_axes =
-        std::holds_alternative<WatchedBushing>(target) || std::holds_alternative<WatchedTendon>(target) ||
+        is_tie(target, TieKind::bushing) || std::holds_alternative<WatchedTendon>(target) ||
         std::holds_alternative<WatchedObstacle>(target) || std::holds_alternative<WatchedContacts>(target);
     return !has_own_axes && find_quantity(word)->axes == Axes::observer;
 }

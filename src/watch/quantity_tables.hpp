@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "watch/sight.hpp"
@@ -15,13 +16,16 @@ struct QuantityTable {
     std::span<const Quantity> lines;
     SnapshotPart part;
     const char* owners;  // "springs", for other things that are asked for these quantities
+    // Why a thing whose first table this is does not have a quantity of others; "" where that depends.
+    const char* own = "";
 };
 
 extern const QuantityTable quantities_of_places, quantities_of_rod_turns, quantities_of_body_turns;
 extern const QuantityTable quantities_of_rates, quantities_of_bodies, quantities_of_reactions;
 extern const QuantityTable quantities_of_sections;
-extern const QuantityTable quantities_of_springs, quantities_of_bushings, quantities_of_tendons;
-extern const QuantityTable quantities_of_joints, quantities_of_gears;
+extern const QuantityTable quantities_of_tendons, quantities_of_joints, quantities_of_gears;
+// The quantities of ties, kind by kind.
+extern const std::array<const QuantityTable*, tie_kind_count> quantities_of_ties;
 extern const QuantityTable quantities_of_rods_around, quantities_of_bodies_around;
 extern const QuantityTable quantities_of_obstacles;
 extern const QuantityTable quantities_of_touching_rods, quantities_of_touching_bodies;

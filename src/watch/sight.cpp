@@ -96,12 +96,7 @@ Vec3 Sight::reaction_moment() const {
 }
 
 const JointValues& Sight::joint() const {
-    const auto of_tie = [&](TieKind kind, std::size_t at) -> const JointValues& {
-        return now.joints[number_of(*of.model, kind, at)];
-    };
-    if (std::holds_alternative<WatchedJoint>(of.target)) return of_tie(TieKind::joint, index<WatchedJoint>());
-    if (std::holds_alternative<WatchedGear>(of.target)) return of_tie(TieKind::gear, index<WatchedGear>());
-    return of_tie(TieKind::sleeve, index<WatchedSleeve>());
+    return now.joints[number_of(*of.model, std::get<WatchedTie>(of.target).kind, index<WatchedTie>())];
 }
 
 }  // namespace gxrod

@@ -45,8 +45,11 @@ struct Sight {
     const PointSurroundings& around() const;  // of a point or a body
     Vec3 reaction_force() const;
     Vec3 reaction_moment() const;
-    const SpringValues& spring() const { return now.ties->springs[index<WatchedSpring>()]; }
-    const BushingValues& bushing() const { return now.ties->bushings[index<WatchedBushing>()]; }
+    // The values of a tie that is an element: SpringValues of a spring.
+    template <class Values>
+    const Values& tie() const {
+        return now.ties->of<Values>()[index<WatchedTie>()];
+    }
     const JointValues& joint() const;  // also for a gear or a sleeve
     const TendonValues& tendon() const { return now.tendons[index<WatchedTendon>()]; }
     const ObstacleValues& obstacle() const { return now.obstacles[index<WatchedObstacle>()]; }

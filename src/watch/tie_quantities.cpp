@@ -6,23 +6,23 @@ namespace {
 // clang-format off
 constexpr Quantity spring_lines[]{
     Quantity("elongation", "length less that at which the spring is free", "length", Axes::none,
-             [](const Sight& see) { return see.spring().elongation; }).sized(Size::change),
+             [](const Sight& see) { return see.tie<SpringValues>().elongation; }).sized(Size::change),
     Quantity("axial_force", "tension of spring and damper", "force", Axes::none,
-             [](const Sight& see) { return see.spring().axial_force; })};
+             [](const Sight& see) { return see.tie<SpringValues>().axial_force; })};
 
 constexpr Quantity bushing_lines[]{
     Quantity("displacement", "displacement of B against A", "length", Axes::bushing,
-             [](const Sight& see) { return see.bushing().displacement; }).sized(Size::change),
+             [](const Sight& see) { return see.tie<BushingValues>().displacement; }).sized(Size::change),
     Quantity("rotation_vector", "rotation vector of B against A", "angle", Axes::bushing,
-             [](const Sight& see) { return see.bushing().turn; }).sized(Size::unknown),
+             [](const Sight& see) { return see.tie<BushingValues>().turn; }).sized(Size::unknown),
     Quantity("force", "force of the bushing", "force", Axes::bushing,
-             [](const Sight& see) { return see.bushing().force; }).with_strain_order(),
+             [](const Sight& see) { return see.tie<BushingValues>().force; }).with_strain_order(),
     Quantity("moment", "moment of the bushing", "force·length", Axes::bushing,
-             [](const Sight& see) { return see.bushing().moment; }).with_strain_order(),
+             [](const Sight& see) { return see.tie<BushingValues>().moment; }).with_strain_order(),
     Quantity("force_spatial", "force of the bushing", "force", Axes::global,
-             [](const Sight& see) { return Vec3(see.bushing().axes * see.bushing().force); }).with_strain_order(),
+             [](const Sight& see) { return Vec3(see.tie<BushingValues>().axes * see.tie<BushingValues>().force); }).with_strain_order(),
     Quantity("moment_spatial", "moment of the bushing", "force·length", Axes::global,
-             [](const Sight& see) { return Vec3(see.bushing().axes * see.bushing().moment); }).with_strain_order()};
+             [](const Sight& see) { return Vec3(see.tie<BushingValues>().axes * see.tie<BushingValues>().moment); }).with_strain_order()};
 
 constexpr Quantity tendon_lines[]{
     Quantity("tendon_length", "length of the tendon's part within the rod", "length", Axes::none,
@@ -34,10 +34,22 @@ constexpr Quantity tendon_lines[]{
              [](const Sight& see) { return see.tendon().end_tension; }).sized(Size::unknown)};
 // clang-format on
 
+constexpr QuantityTable quantities_of_springs{spring_lines, SnapshotPart::ties, "springs"};
+constexpr QuantityTable quantities_of_bushings{
+    bushing_lines, SnapshotPart::ties, "bushings", "a bushing does not have it"};
+
 }  // namespace
 
-constinit const QuantityTable quantities_of_springs{spring_lines, SnapshotPart::ties, "springs"};
-constinit const QuantityTable quantities_of_bushings{bushing_lines, SnapshotPart::ties, "bushings"};
-constinit const QuantityTable quantities_of_tendons{tendon_lines, SnapshotPart::ties, "tendons"};
+constinit const QuantityTable quantities_of_tendons{
+    tendon_lines,
+    SnapshotPart::ties,
+    "tendons",
+    "a tendon has tendon_length, tendon_tension and tendon_end_tension only"};
+
+constinit const std::array<const QuantityTable*, tie_kind_count> quantities_of_ties{&quantities_of_springs,
+                                                                                    &quantities_of_bushings,
+                                                                                    &quantities_of_joints,
+                                                                                    &quantities_of_gears,
+                                                                                    &quantities_of_joints};
 
 }  // namespace gxrod

@@ -300,7 +300,7 @@ TEST_CASE("A spring's history is its elongation and its tension", "[watch]") {
     spring.length = 1.5;
     model.springs.push_back(spring);
     HistoryRequest request;
-    request.target = WatchedSpring{0};
+    request.target = WatchedTie{TieKind::spring, 0};
     HistoryWatch point(model, {request}, 0);
     const NodeMotion& node = motion.nodes[3];
     const Vec3 u = node.Lambda * spring.ends[1].arm;
@@ -318,7 +318,7 @@ TEST_CASE("A joint's history is what the snapshot has of it", "[watch][joint]") 
     Model model = sample::make_model();
     model.joints.resize(2);
     HistoryRequest request;
-    request.target = WatchedJoint{1};
+    request.target = WatchedTie{TieKind::joint, 1};
     HistoryWatch point(model, {request}, 0);
     const Motion motion(0.7);
     const JointValues values{.turn = 1,
@@ -359,7 +359,7 @@ TEST_CASE("Motors and frictions of slides have forces, those of turns moments", 
     model.joints[2].turn.motion = TimeFunction(2.0);
     model.joints[2].turn.friction.force = 3.0;
     const auto is_force = [&](int joint, const char* quantity) {
-        const Watched target = WatchedJoint{joint};
+        const Watched target = WatchedTie{TieKind::joint, joint};
         return dimension_of(quantity_of(target, quantity), target, model) == std::string("force");
     };
     CHECK(is_force(0, "drive"));

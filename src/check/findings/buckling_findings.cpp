@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "elements/spring_line.hpp"
 #include "model/ties/ties.hpp"
 
 namespace gxrod {

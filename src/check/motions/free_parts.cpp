@@ -5,8 +5,7 @@
 
 #include "check/mechanism/joint_gradient.hpp"
 #include "constraints/joints/list_wide_rows.hpp"
-#include "elements/bushing_element.hpp"
-#include "elements/spring_element.hpp"
+#include "elements/tie_elements.hpp"
 #include "model/ties/ties.hpp"
 #include "numerics/singular_values.hpp"
 #include "rotation/rotation_map.hpp"
@@ -44,17 +43,10 @@ class TiedParts {
             rows.middleCols(6 * static_cast<Eigen::Index>(i), 6) = own;
             add(std::move(rows));
         }
-        for (const int index : whole.ties(TieKind::spring)) {
-            const Spring& spring = model_.springs[index];
-            if (spring.stiffness == 0.0 && !spring.law) continue;
-            add(spring.has_ground() ? build_rows<SpringElement<1>>(spring)
-                                    : build_rows<SpringElement<2>>(spring));
-        }
-        for (const int index : whole.ties(TieKind::bushing)) {
-            const Bushing& bushing = model_.bushings[index];
-            add(bushing.has_ground() ? build_rows<BushingElement<1>>(bushing)
-                                     : build_rows<BushingElement<2>>(bushing));
-        }
+        for_each_element_list(model_, [&](TieKind kind, const auto& ties) {
+            const auto build = [&](const auto& element) { return build_rows(element); };
+            for (const int index : whole.ties(kind)) add(visit_element(ties[index], build));
+        });
         for (const int index : whole.ties(TieKind::joint)) {
             const Joint& joint = model_.joints[index];
             add(carry(joint, compute_start_gradient(model_, joint)));
@@ -158,11 +150,10 @@ class TiedParts {
         return rows;
     }
 
-    // The tangent at t = 0 of a spring or a bushing, of these motions, with entries up to 1.
-    template <class E, class Tie>
-    Eigen::MatrixXd build_rows(const Tie& tie) const {
+    // The tangent at t = 0 of a tie's element, of these motions, with entries up to 1; no rows if it is zero.
+    template <class E>
+    Eigen::MatrixXd build_rows(const E& element) const {
         constexpr int Nodes = E::node_count;
-        const E element(tie);
         std::array<NodeMotion, Nodes> at_start;
         Motions<Nodes> motions;
         Eigen::MatrixXd carried = Eigen::MatrixXd::Zero(6 * Nodes, unknowns());
@@ -180,7 +171,7 @@ class TiedParts {
         element.add_internal_tangent(motions, {}, linearizations, tangent);
         const Eigen::MatrixXd rows = carried.transpose() * tangent * carried;
         const double largest = rows.cwiseAbs().maxCoeff();
-        return largest > 0.0 ? Eigen::MatrixXd(rows / largest) : rows;
+        return largest > 0.0 ? Eigen::MatrixXd(rows / largest) : Eigen::MatrixXd(0, unknowns());
     }
 
     const Model& model_;

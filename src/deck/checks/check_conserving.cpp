@@ -7,6 +7,7 @@
 #include "deck/analyses/analysis_table.hpp"
 #include "model/parts.hpp"
 #include "model/settings/scheme_card.hpp"
+#include "model/ties/ties.hpp"
 
 namespace gxrod {
 namespace {
@@ -22,9 +23,7 @@ bool has_damping(const Model& model) {
                                    return std::ranges::any_of(rod.varying.at_forces, is_damped) ||
                                           std::ranges::any_of(rod.varying.at_nodes, is_damped);
                                }) ||
-           std::ranges::any_of(model.springs, [](const Spring& spring) { return spring.damping > 0.0; }) ||
-           std::ranges::any_of(model.bushings,
-                               [](const Bushing& bushing) { return !bushing.damping.isZero(0.0); });
+           any_element_tie(model, [](const auto& tie) { return tie.has_damping(); });
 }
 
 bool has_laws(const Model& model) {

@@ -57,9 +57,9 @@ RodPlace place_between_nodes(const RodPoint& point, const Rod& rod) {
 }
 
 // The thing of that name as the model is built; nullopt without it.
-template <class Thing, class Tie>
-std::optional<Watched> find_thing(const std::vector<Tie>& ties, const std::string& name) {
-    const std::optional<int> index = find_tie(ties, name);
+template <class Thing>
+std::optional<Watched> find_thing(const auto& things, const std::string& name) {
+    const std::optional<int> index = find_named(things, name);
     if (!index) return std::nullopt;
     return Thing{*index};
 }
@@ -68,19 +68,20 @@ std::optional<Watched> find_thing(const std::vector<Tie>& ties, const std::strin
 
 std::optional<Watched> find_watched(const std::string& text, const BuildContext& context) {
     const Model& model = context.model;
-    const auto names = [&](const char* table) {
+    const auto names = [&](std::string_view table) {
         return find_index(context.deck.tables(table), text).has_value();
     };
-    if (names("spring")) return find_thing<WatchedSpring>(model.springs, text);
-    if (names("bushing")) return find_thing<WatchedBushing>(model.bushings, text);
-    if (names("joint")) {
-        const std::optional<Watched> joint = find_thing<WatchedJoint>(model.joints, text);
-        return joint ? joint : find_thing<WatchedSleeve>(model.sleeves, text);
-    }
-    if (names("gear")) return find_thing<WatchedGear>(model.gears, text);
+    bool is_tie = false;
+    std::optional<Watched> tie;
+    for_each_tie_list(model, [&](TieKind kind, const auto& list) {
+        if (!names(card_of(kind).table)) return;
+        is_tie = true;
+        if (const std::optional<int> index = find_named(list, text)) tie = WatchedTie{kind, *index};
+    });
+    if (is_tie) return tie;
     if (names("tendon")) return find_thing<WatchedTendon>(model.tendons, text);
     if (names("obstacle")) return find_thing<WatchedObstacle>(model.contact.obstacles, text);
-    const std::optional<int> whole = find_tie(model.rods, text);
+    const std::optional<int> whole = find_named(model.rods, text);
     if (whole && !model.contact.is_empty()) return WatchedContacts{{.rod = *whole}};
     const std::optional<PlacedPoint> placed = context.place(text);
     if (!placed) return std::nullopt;

@@ -10,11 +10,11 @@
 namespace gxrod {
 
 // The index of what has the name, as the model is built; nullopt without it.
-template <class Tie>
-std::optional<int> find_tie(const std::vector<Tie>& ties, const std::string& name) {
-    const auto found = std::ranges::find(ties, name, &Tie::name);
-    if (found == ties.end()) return std::nullopt;
-    return static_cast<int>(found - ties.begin());
+template <class Thing>
+std::optional<int> find_named(const std::vector<Thing>& things, const std::string& name) {
+    const auto found = std::ranges::find(things, name, &Thing::name);
+    if (found == things.end()) return std::nullopt;
+    return static_cast<int>(found - things.begin());
 }
 
 // The thing that `at` of a history names; nullopt, without a fault, if it could not be built.

@@ -124,8 +124,8 @@ void set_about(const HistoryKeys& table, HistoryRequest& request, const BuildCon
 
 // A rod, or a body that touches, as ContactTouch has them.
 std::optional<int> find_touching(const std::string& name, const Model& model) {
-    if (const std::optional<int> rod = find_tie(model.rods, name)) return rod;
-    const std::optional<int> body = find_tie(model.bodies, name);
+    if (const std::optional<int> rod = find_named(model.rods, name)) return rod;
+    const std::optional<int> body = find_named(model.bodies, name);
     const auto& shapes = model.contact.bodies;
     if (!body || std::ranges::find(shapes, *body, &ContactBody::body) == shapes.end()) return std::nullopt;
     return static_cast<int>(model.rods.size()) + *body;
@@ -139,7 +139,7 @@ void set_other(const HistoryKeys& table,
                const BuildContext& context) {
     const Model& model = context.model;
     const std::string& with = *table.with;
-    if (const std::optional<int> obstacle = find_tie(model.contact.obstacles, with)) {
+    if (const std::optional<int> obstacle = find_named(model.contact.obstacles, with)) {
         contact.other = -1 - *obstacle;
         if (is_left_out(model.contact, contact.rod, -1 - *obstacle))
             context.add_fault(

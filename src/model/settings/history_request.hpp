@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/model.hpp"
+#include "model/ties/ties.hpp"
 
 namespace gxrod {
 
@@ -23,23 +24,9 @@ struct WatchedBody {
     std::optional<ContactWatch> contact = {};  // with quantities of contact
 };
 
-struct WatchedSpring {
-    int index = 0;
-};
-
-struct WatchedBushing {
-    int index = 0;
-};
-
-struct WatchedJoint {
-    int index = 0;
-};
-
-struct WatchedGear {
-    int index = 0;
-};
-
-struct WatchedSleeve {
+// A spring, a bushing, a joint, a gear or a sleeve.
+struct WatchedTie {
+    TieKind kind;
     int index = 0;
 };
 
@@ -56,22 +43,20 @@ struct WatchedContacts {
     ContactWatch contact;
 };
 
-using Watched = std::variant<WatchedPoint,
-                             WatchedBody,
-                             WatchedSpring,
-                             WatchedBushing,
-                             WatchedJoint,
-                             WatchedGear,
-                             WatchedSleeve,
-                             WatchedTendon,
-                             WatchedObstacle,
-                             WatchedContacts>;
+using Watched =
+    std::variant<WatchedPoint, WatchedBody, WatchedTie, WatchedTendon, WatchedObstacle, WatchedContacts>;
 
 // The node of a point or a body; -1 between nodes and where there is none.
 inline int node_of(const Watched& target) {
     if (const auto* point = std::get_if<WatchedPoint>(&target)) return point->node;
     if (const auto* body = std::get_if<WatchedBody>(&target)) return body->node;
     return -1;
+}
+
+// Whether it is a tie of this kind.
+inline bool is_tie(const Watched& target, TieKind kind) {
+    const auto* tie = std::get_if<WatchedTie>(&target);
+    return tie != nullptr && tie->kind == kind;
 }
 
 // The contacts that are recorded for it; nullptr without any.

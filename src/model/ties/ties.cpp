@@ -1,73 +1,92 @@
 #include "model/ties/ties.hpp"
 
+#include <fmt/format.h>
+
 #include <cassert>
+#include <cmath>
+#include <iterator>
 
 namespace gxrod {
 
+namespace {
+
+std::array<Anchor, 2> ends_of(const Model&, const auto& element) { return element.ends; }
+
+std::array<Anchor, 2> ends_of(const Model&, const Joint& joint) { return {joint.a.anchor, joint.b.anchor}; }
+
+std::array<Anchor, 2> ends_of(const Model& model, const Gear& gear) {
+    const auto moved = [&](const GearSide& side) {
+        return model.joints[static_cast<std::size_t>(side.joint)].moving_anchor();
+    };
+    return {moved(gear.sides[0]), moved(gear.sides[1])};
+}
+
+std::array<Anchor, 2> ends_of(const Model& model, const Sleeve& sleeve) {
+    const Rod& rod = model.rods[static_cast<std::size_t>(sleeve.rod)];
+    return {Anchor{.node = rod.nodes.front()}, sleeve.point};
+}
+
+}  // namespace
+
 std::vector<Tie> list_ties(const Model& model, TieKind kind) {
     std::vector<Tie> ties;
-    const auto add = [&](const auto& things, const auto& ends_of) {
-        for (std::size_t i = 0; i < things.size(); ++i)
-            ties.push_back({kind, i, &things[i].name, ends_of(things[i])});
-    };
-    switch (kind) {
-        case TieKind::spring:
-            add(model.springs, [](const Spring& spring) { return spring.ends; });
-            break;
-        case TieKind::bushing:
-            add(model.bushings, [](const Bushing& bushing) { return bushing.ends; });
-            break;
-        case TieKind::joint:
-            add(model.joints, [](const Joint& joint) { return std::array{joint.a.anchor, joint.b.anchor}; });
-            break;
-        case TieKind::gear:
-            add(model.gears, [&](const Gear& gear) {
-                const auto moved = [&](const GearSide& side) {
-                    return model.joints[static_cast<std::size_t>(side.joint)].moving_anchor();
-                };
-                return std::array{moved(gear.sides[0]), moved(gear.sides[1])};
-            });
-            break;
-        case TieKind::sleeve:
-            add(model.sleeves, [&](const Sleeve& sleeve) {
-                const Rod& rod = model.rods[static_cast<std::size_t>(sleeve.rod)];
-                return std::array{Anchor{.node = rod.nodes.front()}, sleeve.point};
-            });
-            break;
-    }
+    for_each_tie_list(model, [&](TieKind of_list, const auto& list) {
+        if (of_list != kind) return;
+        for (std::size_t i = 0; i < list.size(); ++i)
+            ties.push_back({kind, i, &list[i].name, ends_of(model, list[i])});
+    });
     return ties;
 }
 
 std::vector<Tie> list_ties(const Model& model) {
     std::vector<Tie> all;
-    for (std::size_t kind = 0; kind < tie_kind_count; ++kind) {
-        const std::vector<Tie> ties = list_ties(model, static_cast<TieKind>(kind));
-        all.insert(all.end(), ties.begin(), ties.end());
-    }
+    for (std::size_t kind = 0; kind < tie_kind_count; ++kind)
+        std::ranges::copy(list_ties(model, static_cast<TieKind>(kind)), std::back_inserter(all));
     return all;
 }
 
 std::vector<Tie> list_element_ties(const Model& model) {
-    std::vector<Tie> ties = list_ties(model, TieKind::spring);
-    const std::vector<Tie> bushings = list_ties(model, TieKind::bushing);
-    ties.insert(ties.end(), bushings.begin(), bushings.end());
-    return ties;
+    std::vector<Tie> all;
+    for_each_element_list(model, [&](TieKind kind, const auto&) {
+        std::ranges::copy(list_ties(model, kind), std::back_inserter(all));
+    });
+    return all;
 }
 
-std::size_t count_element_ties(const Model& model) { return model.springs.size() + model.bushings.size(); }
-
-TieStiffness stiffness_of(const Model& model, const Tie& tie) {
-    if (tie.kind == TieKind::spring) return {.displacement = find_stiffness(model.springs[tie.index])};
-    assert(tie.kind == TieKind::bushing);
-    const auto diagonal = model.bushings[tie.index].stiffness.diagonal();
-    return {diagonal.head<3>().maxCoeff(), diagonal.tail<3>().maxCoeff()};
+std::size_t count_element_ties(const Model& model) {
+    std::size_t count = 0;
+    for_each_element_list(model, [&](TieKind, const auto& list) { count += list.size(); });
+    return count;
 }
 
-std::string key_of(const Tie& tie) {
-    constexpr std::array<const char*, tie_kind_count> tables{
-        "spring.", "bushing.", "joint.", "gear.", "joint."};
-    return tables[static_cast<std::size_t>(tie.kind)] + *tie.name;
+TieStiffness stiffness_of(const Spring& spring) {
+    return {.displacement = find_stiffness(spring), .length = spring.length};
 }
+
+TieStiffness stiffness_of(const Bushing& bushing) {
+    const auto diagonal = bushing.stiffness.diagonal();
+    return {.displacement = diagonal.head<3>().maxCoeff(), .turn = diagonal.tail<3>().maxCoeff()};
+}
+
+TieNumbers list_numbers(const Spring& spring) {
+    return {{"stiffness", spring.stiffness}, {"damping", spring.damping}, {"free length", spring.length}};
+}
+
+TieNumbers list_numbers(const Bushing& bushing) {
+    const auto k = [&](int i) { return bushing.stiffness(i, i); };
+    return {{"k x", k(0)}, {"k y", k(1)}, {"k z", k(2)}, {"k rx", k(3)}, {"k ry", k(4)}, {"k rz", k(5)}};
+}
+
+bool is_strained(const Model& model, const Spring& spring) {
+    constexpr double round_off = 1e-12;
+    const Vec3 a = find_place(model, spring.ends[0]);
+    const Vec3 b = find_place(model, spring.ends[1]);
+    const double size = std::max({a.norm(), b.norm(), spring.length});
+    const double force = compute_elastic_tension(spring, (b - a).norm());
+    return std::abs(force) > round_off * find_stiffness(spring) * size;
+}
+
+std::string key_of(const Tie& tie) { return fmt::format("{}.{}", card_of(tie.kind).table, *tie.name); }
 
 std::size_t number_of(const Model& model, TieKind kind, std::size_t index) {
     assert(kind >= TieKind::joint);

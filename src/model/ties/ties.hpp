@@ -4,6 +4,9 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "model/anchor.hpp"
@@ -14,8 +17,30 @@
 // them asks this list, so that it forgets no kind.
 namespace gxrod {
 
+// The kinds that are elements come first; `joint` is the first kind that has equations instead.
 enum class TieKind { spring, bushing, joint, gear, sleeve };
-inline constexpr std::size_t tie_kind_count = 5;
+
+struct TieCard {
+    std::string_view table;  // of the deck
+    const char* names;       // in the plural
+};
+
+inline constexpr std::array tie_cards{TieCard{"spring", "springs"},
+                                      TieCard{"bushing", "bushings"},
+                                      TieCard{"joint", "joints"},
+                                      TieCard{"gear", "gears"},
+                                      TieCard{"joint", "sleeves"}};
+inline constexpr std::size_t tie_kind_count = tie_cards.size();
+
+constexpr const TieCard& card_of(TieKind kind) { return tie_cards[static_cast<std::size_t>(kind)]; }
+
+// Returns the model's lists of ties, in the order of the kinds, of a model that is const or not.
+template <class AnyModel>
+auto tie_lists_of(AnyModel& model) {
+    return std::tie(model.springs, model.bushings, model.joints, model.gears, model.sleeves);
+}
+
+constexpr bool is_element(TieKind kind) { return kind < TieKind::joint; }
 
 struct Tie {
     TieKind kind;
@@ -34,16 +59,63 @@ std::vector<Tie> list_ties(const Model& model, TieKind kind);
 // Names a tie as its table of the deck: "spring.strut"; a sleeve is a joint there.
 std::string key_of(const Tie& tie);
 
-// Springs and bushings are elements. Lists them, in the order in which blocks and groups of scales count
-// them.
+// Calls visit(kind, list) for each of the model's lists of ties, of a model that is const or not.
+template <class AnyModel, class Visit>
+void for_each_tie_list(AnyModel& model, Visit&& visit) {
+    const auto visit_all = [&](auto&... lists) {
+        std::size_t kind = 0;
+        (visit(static_cast<TieKind>(kind++), lists), ...);
+    };
+    std::apply(visit_all, tie_lists_of(model));
+}
+
+// Does so for the ties that are elements, in the order in which blocks and groups of scales count them.
+template <class AnyModel, class Visit>
+void for_each_element_list(AnyModel& model, Visit&& visit) {
+    const auto visit_elements = [&]<std::size_t... kind>(std::index_sequence<kind...>) {
+        (visit(static_cast<TieKind>(kind), std::get<kind>(tie_lists_of(model))), ...);
+    };
+    visit_elements(std::make_index_sequence<static_cast<std::size_t>(TieKind::joint)>());
+}
+
+// Calls visit(kind, tie) for each tie that is an element, in the same order.
+template <class AnyModel, class Visit>
+void for_each_element_tie(AnyModel& model, Visit&& visit) {
+    for_each_element_list(model, [&](TieKind kind, auto& list) {
+        for (auto& tie : list) visit(kind, tie);
+    });
+}
+
+// Returns whether the condition applies to a tie that is an element.
+template <class Condition>
+bool any_element_tie(const Model& model, Condition&& condition) {
+    bool any = false;
+    for_each_element_tie(model, [&](TieKind, const auto& tie) { any = any || condition(tie); });
+    return any;
+}
+
+// Lists the ties that are elements, in the same order.
 std::vector<Tie> list_element_ties(const Model& model);
 std::size_t count_element_ties(const Model& model);
-// Returns the largest stiffness of such a tie against displacements and against turns.
+
+// The largest stiffness of such a tie against displacements and against turns, and a length of its own, as
+// good as places of nodes are.
 struct TieStiffness {
     double displacement = 0.0;
     double turn = 0.0;
+    double length = 0.0;
 };
-TieStiffness stiffness_of(const Model& model, const Tie& tie);
+TieStiffness stiffness_of(const Spring& spring);
+TieStiffness stiffness_of(const Bushing& bushing);
+
+// Lists the numbers of a tie, each with its heading in tables for people.
+using TieNumbers = std::vector<std::pair<const char*, double>>;
+TieNumbers list_numbers(const Spring& spring);
+TieNumbers list_numbers(const Bushing& bushing);
+
+// Returns whether such a tie pulls or pushes at t = 0.
+bool is_strained(const Model& model, const Spring& spring);
+inline bool is_strained(const Model&, const Bushing&) { return false; }
 
 // Joints, gears and sleeves are numbered together, in this order: states, their equations and what snapshots
 // have of them. Returns the number of one, by its index in the list of its kind.
@@ -55,11 +127,7 @@ std::size_t count_numbered_ties(const Model& model);
 // not.
 template <class AnyModel, class Visit>
 void for_each_anchor(AnyModel& model, Visit&& visit) {
-    const auto visit_ends = [&](auto& ties) {
-        for (auto& tie : ties) std::ranges::for_each(tie.ends, visit);
-    };
-    visit_ends(model.springs);
-    visit_ends(model.bushings);
+    for_each_element_tie(model, [&](TieKind, auto& tie) { std::ranges::for_each(tie.ends, visit); });
     for (auto& joint : model.joints) {
         visit(joint.a.anchor);
         visit(joint.b.anchor);

@@ -105,8 +105,9 @@ void write_sleeves(const Hdf5Handle& root, const Model& model) {
 void write_link_tables(const Hdf5Handle& root, const Model& model) {
     const std::optional<Hdf5Handle> joints = write_table(root, "joints", list_ties(model, TieKind::joint));
     if (joints) write_joint_columns(*joints, model);
-    write_table(root, "springs", list_ties(model, TieKind::spring));
-    write_table(root, "bushings", list_ties(model, TieKind::bushing));
+    for_each_element_list(model, [&](TieKind kind, const auto&) {
+        write_table(root, card_of(kind).names, list_ties(model, kind));
+    });
     write_sleeves(root, model);
 }
 

@@ -353,7 +353,8 @@ TEST_CASE("Histories of joints have their quantities", "[deck][joint]") {
     };
     const Problem problem =
         read(deck + history("j", "[\"angle\", \"angle_rate\", \"force\", \"moment_a\", \"gap\"]"));
-    CHECK(std::get<WatchedJoint>(problem.output.histories[0].target).index == 0);
+    CHECK(is_tie(problem.output.histories[0].target, TieKind::joint));
+    CHECK(std::get<WatchedTie>(problem.output.histories[0].target).index == 0);
     const auto message = [&](const std::string& at, const std::string& quantity) {
         const std::string text = faults_of(deck + history(at, "\"" + quantity + "\""));
         return text.substr(text.find("\": ") + 3);

@@ -106,7 +106,8 @@ TEST_CASE("A history of a gear has its moment and its gap", "[deck][gear]") {
                "[[history]]\nname = \"h\"\nat = \"g\"\nquantities = " + quantities + "\n";
     };
     const HistoryRequest request = read(history("[\"drive\", \"gap\"]")).output.histories.at(0);
-    CHECK(std::get<WatchedGear>(request.target).index == 0);
+    CHECK(is_tie(request.target, TieKind::gear));
+    CHECK(std::get<WatchedTie>(request.target).index == 0);
     CHECK(
         faults_of(history("\"moment\"")) ==
         "x.toml:45:14: history[0].quantities: \"moment\": a gear has drive and gap only; its joints have the "

@@ -108,7 +108,8 @@ TEST_CASE("Histories of bushings have their quantities", "[deck]") {
         return "[[history]]\nname = \"h\"\nat = \"m\"\n" + lines;
     };
     const Problem problem = read(deck + history("quantities = [\"displacement\", \"moment_spatial\"]\n"));
-    CHECK(std::get<WatchedBushing>(problem.output.histories[0].target).index == 0);
+    CHECK(is_tie(problem.output.histories[0].target, TieKind::bushing));
+    CHECK(std::get<WatchedTie>(problem.output.histories[0].target).index == 0);
     CHECK(faults_of(deck + history("quantities = \"velocity\"\n")) ==
           "x.toml:23:14: history[0].quantities: \"velocity\": a bushing does not have it");
     CHECK(

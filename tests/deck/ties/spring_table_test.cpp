@@ -80,7 +80,8 @@ TEST_CASE("Histories of springs have their quantities, and points theirs", "[dec
         return "[[history]]\nname = \"h\"\nat = \"" + at + "\"\nquantities = \"" + quantity + "\"\n";
     };
     const Problem problem = read(deck + history("s", "axial_force"));
-    CHECK(std::get<WatchedSpring>(problem.output.histories[0].target).index == 0);
+    CHECK(is_tie(problem.output.histories[0].target, TieKind::spring));
+    CHECK(std::get<WatchedTie>(problem.output.histories[0].target).index == 0);
     CHECK(faults_of(deck + history("s", "position")) ==
           "x.toml:23:14: history[0].quantities: \"position\": only points have it; this is a spring");
     CHECK(faults_of(deck + history("b", "elongation")) ==

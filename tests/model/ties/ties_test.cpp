@@ -59,6 +59,52 @@ TEST_CASE("ties of all kinds are listed with their ends", "[model]") {
     CHECK(list_ties(model, TieKind::joint).at(2).index == 2);
 }
 
+TEST_CASE("ties that are elements are listed and visited in one order", "[model]") {
+    Model model = make_tied_model();
+    model.springs.push_back(model.springs[0]);
+    model.springs[1].name = "stay";
+    const std::vector<Tie> listed = list_element_ties(model);
+    CHECK(count_element_ties(model) == listed.size());
+    std::size_t count = 0;
+    for_each_element_tie(model, [&](TieKind kind, const auto& tie) {
+        REQUIRE(count < listed.size());
+        CHECK(is_element(kind));
+        CHECK(listed[count].kind == kind);
+        CHECK(listed[count].name == &tie.name);
+        ++count;
+    });
+    CHECK(count == 3);
+    for_each_tie_list(
+        model, [&](TieKind kind, const auto& list) { CHECK(list.size() == list_ties(model, kind).size()); });
+}
+
+TEST_CASE("each kind of tie that is an element answers what is asked of all", "[model]") {
+    Model model = make_tied_model();
+    Spring& spring = model.springs[0];
+    Bushing& bushing = model.bushings[0];
+    spring.ends[1].arm = Vec3(3, 0, 0);
+    spring.stiffness = 5.0;
+    spring.length = 3.0;
+    bushing.stiffness.diagonal() << 1, 2, 3, 6, 5, 4;
+    CHECK(stiffness_of(spring).displacement == 5.0);
+    CHECK(stiffness_of(spring).turn == 0.0);
+    CHECK(stiffness_of(spring).length == 3.0);
+    CHECK(stiffness_of(bushing).displacement == 3.0);
+    CHECK(stiffness_of(bushing).turn == 6.0);
+    CHECK(list_numbers(spring).at(2).first == std::string("free length"));
+    CHECK(list_numbers(spring).at(2).second == 3.0);
+    CHECK(list_numbers(bushing).at(3).first == std::string("k rx"));
+    CHECK(list_numbers(bushing).at(3).second == 6.0);
+    const auto strains = [&](const auto& tie) { return is_strained(model, tie); };
+    const auto is_damped = [](const auto& tie) { return tie.has_damping(); };
+    CHECK_FALSE(any_element_tie(model, strains));
+    spring.length = 2.0;
+    CHECK(any_element_tie(model, strains));
+    CHECK_FALSE(any_element_tie(model, is_damped));
+    bushing.damping(3, 3) = 1.0;
+    CHECK(any_element_tie(model, is_damped));
+}
+
 TEST_CASE("joints, gears and sleeves are numbered one after the other", "[model]") {
     const Model model = make_tied_model();
     CHECK(number_of(model, TieKind::joint, 2) == 2);
