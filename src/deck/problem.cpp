@@ -54,7 +54,9 @@ namespace {
 // Points, springs, bushings, joints, gears and tendons go by their names.
 void check_names(const CheckedTable& deck, FaultList& faults) {
     std::vector<const CheckedTable*> tables;
-    for (const char* kind : {"rod", "body", "spring", "bushing", "joint", "gear", "tendon", "obstacle"}) {
+    std::vector<std::string> kinds = list_tie_words();
+    kinds.insert(kinds.end(), {"rod", "body", "tendon", "obstacle"});
+    for (const std::string& kind : kinds) {
         for (const CheckedTable& table : deck.tables(kind)) tables.push_back(&table);
     }
     std::ranges::sort(tables, {}, &CheckedTable::place);
@@ -151,8 +153,7 @@ Problem build_problem(const CheckedTable& deck, const DeckFiles& files, FaultLis
     build_rods(points, nets, section_files, context);
     build_connections(context);
     build_bodies(context);
-    build_springs(context);
-    build_bushings(context);
+    for (const ElementTieTable& tie : element_tie_tables) tie.build(context);
     build_joints(context);
     build_gears(context);
     build_sleeves(context);

@@ -11,6 +11,7 @@
 #include "deck/places/part.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
+#include "deck/ties/ties.hpp"
 
 namespace gxrod {
 namespace {
@@ -107,7 +108,8 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
                 points.check_names(table);
         }
     };
-    check_names({&body_table(), &connect_table(), &spring_table(), &bushing_table()});
+    check_names({&body_table(), &connect_table()});
+    for (const ElementTieTable& tie : element_tie_tables) check_names({&tie.spec()});
     for (const JointTable& joint : tables_of<JointTable>(context.deck, joint_table())) {
         if (joint.is_sleeve()) {
             check_rod(joint.between[0], context);
@@ -121,11 +123,11 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
         !context.deck.tables("contact").empty() || !context.deck.tables("obstacle").empty();
     for (const HistoryKeys& table : tables_of<HistoryKeys>(context.deck, history_table())) {
         const std::string& at = table.at.word;
-        const auto is_tie = [&](const char* key) {
+        const auto is_one = [&](std::string_view key) {
             return find_index(context.deck.tables(key), at).has_value();
         };
-        if (!is_tie("spring") && !is_tie("bushing") && !is_tie("joint") && !is_tie("gear") &&
-            !is_tie("tendon") && !is_tie("obstacle") && !(has_contact && is_tie("rod")))
+        if (!std::ranges::any_of(list_tie_words(), is_one) && !is_one("tendon") && !is_one("obstacle") &&
+            !(has_contact && is_one("rod")))
             points.check_place(table.at);
         if (const auto& other = table.relative_to) points.check(other->word, other->place, other->path);
     }

@@ -14,6 +14,7 @@
 #include "deck/schema/suggestion.hpp"
 #include "deck/schema/synonyms.hpp"
 #include "deck/table/binding.hpp"
+#include "deck/ties/ties.hpp"
 #include "model/joint.hpp"
 #include "watch/quantities.hpp"
 
@@ -121,15 +122,16 @@ class Validator {
         const DeckEntry* at = history.find("at");
         if (at == nullptr || at->node.text() == nullptr) return {};
         const std::string& text = *at->node.text();
-        const auto names = [&](const char* kind, std::string_view name) {
+        const auto names = [&](std::string_view kind, std::string_view name) {
             const DeckEntry* tables = deck_->find(kind);
             return tables != nullptr && tables->node.table() != nullptr && tables->node.find(name) != nullptr;
         };
-        for (const char* kind : {"spring", "bushing", "joint", "gear", "tendon", "obstacle", "body"}) {
+        std::vector<std::string> kinds = list_tie_words();
+        kinds.insert(kinds.end(), {"tendon", "obstacle", "body"});
+        for (const std::string& kind : kinds) {
             if (!names(kind, text)) continue;
             std::vector<std::string> words = list_quantity_words(kind);
-            if (kind == std::string_view("joint"))
-                leave_out_coordinates(deck_->find(kind)->node.find(text)->node, words);
+            if (kind == "joint") leave_out_coordinates(deck_->find(kind)->node.find(text)->node, words);
             return words;
         }
         if (names("rod", text) && deck_->find("contact") != nullptr) return list_quantity_words("contact");

@@ -3,6 +3,8 @@
 #include "deck/schema/schema.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/table/table.hpp"
+#include "deck/ties/ties.hpp"
+#include "model/ties/ties.hpp"
 
 namespace gxrod {
 namespace {
@@ -20,6 +22,15 @@ const TableSpec& parameters_table() {
             "EI = 500.0\n"
             "GJ = \"0.8*EI\"\n"};
     return table;
+}
+
+void add_element_ties(Table<TopLevelTable>& table) {
+    for (std::size_t kind = 0; kind < element_tie_tables.size(); ++kind) {
+        table
+            .tables(
+                std::string(tie_cards[kind].table), KeyShape::named_tables, element_tie_tables[kind].spec())
+            .also(element_tie_tables[kind].other_names);
+    }
 }
 
 }  // namespace
@@ -51,10 +62,7 @@ const TableSpec& deck_schema() {
             .also("beam beams cable cables rope string element elements")
         .tables("body", KeyShape::named_tables, body_table())
             .also("rigid_body rigid_bodies mass point_mass")
-        .tables("spring", KeyShape::named_tables, spring_table())
-            .also("springs damper dampers dashpot strut bungee")
-        .tables("bushing", KeyShape::named_tables, bushing_table())
-            .also("bushings torsion_spring rotational_spring mount elastic_joint")
+        .with(add_element_ties)
         .tables("joint", KeyShape::named_tables, joint_table())
             .also("joints hinge hinges pin pins revolute ball "
                   "spherical universal cardan prismatic cylindrical screw mechanism motor")

@@ -143,6 +143,12 @@ class Table {
         return *this;
     }
 
+    // Adds what a function adds.
+    Table& with(void (*add_to)(Table& table)) {
+        add_to(*this);
+        return *this;
+    }
+
     Table& unit(const std::string& dimension) {
         last().dimension = dimension;
         return *this;

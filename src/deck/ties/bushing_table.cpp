@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include "deck/places/axes.hpp"
-#include "deck/schema/schema_tables.hpp"
 #include "deck/sections/section_matrices.hpp"
 #include "deck/ties/ties.hpp"
 

@@ -1,11 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "deck/schema/schema_tables.hpp"
 #include "deck/ties/ties.hpp"
 #include "model/spring_law.hpp"
+#include "model/ties/ties.hpp"
 
 namespace gxrod {
 namespace {
@@ -137,6 +138,14 @@ bool are_apart(const TableHead& table,
                       ends[0].is_ground() ? "both ends are on the ground; expected a point that moves, too"
                                           : both + " are one node, whose points keep their distance");
     return false;
+}
+
+std::vector<std::string> list_tie_words() {
+    std::vector<std::string> words;
+    for (const TieCard& card : tie_cards) {
+        if (std::ranges::find(words, card.table) == words.end()) words.emplace_back(card.table);
+    }
+    return words;
 }
 
 void build_springs(BuildContext& context) {
