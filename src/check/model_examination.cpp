@@ -18,7 +18,6 @@
 #include "check/motions/unconnected_points.hpp"
 #include "check/summaries/rod_lines.hpp"
 #include "check/surroundings/surroundings_findings.hpp"
-#include "elements/spring_line.hpp"
 #include "model/body_moments.hpp"
 #include "model/parts.hpp"
 #include "model/settings/analysis_traits.hpp"
@@ -46,16 +45,6 @@ std::string list_motions(const Model& model,
     return text;
 }
 
-// Whether it pulls or pushes at t = 0.
-bool is_strained(const Model& model, const Spring& spring) {
-    constexpr double round_off = 1e-12;
-    const Vec3 a = find_place(model, spring.ends[0]);
-    const Vec3 b = find_place(model, spring.ends[1]);
-    const double size = std::max({a.norm(), b.norm(), spring.length});
-    const double force = compute_elastic_tension(spring, (b - a).norm());
-    return std::abs(force) > round_off * find_stiffness(spring) * size;
-}
-
 // Whether something acts on this part.
 bool is_loaded(const Model& model, const ModelPart& part) {
     const auto has_node = [&](int node) { return std::ranges::binary_search(part.nodes, node); };
@@ -73,15 +62,21 @@ bool is_loaded(const Model& model, const ModelPart& part) {
         return has_node(support.node) && support.moved != std::array<bool, 6>{};
     };
     const auto acts_within = [&](const auto& drive) { return has_rod(drive.rod); };
-    const auto strains = [&](int spring) {
-        return is_strained(model, model.springs[static_cast<std::size_t>(spring)]);
+    const auto has_strained_tie = [&] {
+        bool has = false;
+        for_each_element_list(model, [&](TieKind kind, const auto& ties) {
+            const auto strains = [&](int tie) {
+                return is_strained(model, ties[static_cast<std::size_t>(tie)]);
+            };
+            has = has || std::ranges::any_of(part.ties(kind), strains);
+        });
+        return has;
     };
     return model.rotation || !model.gravity.is_zero() || std::ranges::any_of(model.loads, pushes) ||
            std::ranges::any_of(model.distributed_loads, pushes_along) ||
            std::ranges::any_of(part.rods, is_bent) || std::ranges::any_of(model.supports, moves) ||
            std::ranges::any_of(model.actuations, acts_within) ||
-           std::ranges::any_of(model.tendons, acts_within) ||
-           std::ranges::any_of(part.ties(TieKind::spring), strains);
+           std::ranges::any_of(model.tendons, acts_within) || has_strained_tie();
 }
 
 // Whether what acts on a part can hold it in spite of these motions, as gravity, tension and rotation hold
@@ -97,8 +92,7 @@ bool can_be_held(const Model& model, const ModelPart& part, const std::vector<Un
 // it: as a current does a towed cable, and the surface what floats. Of what contact can hold at the start of
 // a run examine_contact says more.
 void find_drifting_parts(const Model& model, bool begins_at_rest, std::vector<Finding>& findings) {
-    const bool has_springs = !model.springs.empty() || !model.bushings.empty();
-    const char* holds = has_springs ? "supports or springs" : "supports";
+    const char* holds = count_element_ties(model) > 0 ? "supports or springs" : "supports";
     for (const auto& [part, motions] : find_free_parts(model)) {
         const bool is_surrounded = !model.surroundings.is_empty();
         const bool can_touch = can_contact_hold(part, model);
@@ -261,7 +255,7 @@ bool is_pushed_by_fluids(const Surroundings& surroundings) {
 }
 
 bool any_load(const Model& model) {
-    const auto strains = [&](const Spring& spring) { return is_strained(model, spring); };
+    const auto strains = [&](const auto& tie) { return is_strained(model, tie); };
     const auto pushes = [](const auto& load) { return !is_zero(load.force) || !is_zero(load.moment); };
     const auto acts = [](const NodalLoad& load) { return load.has_force() || !is_zero(load.moment); };
     const auto is_bent = [](const Rod& rod) { return !rod.starts_free_of_stress(); };
@@ -270,9 +264,8 @@ bool any_load(const Model& model) {
     return model.rotation || !model.gravity.is_zero() || is_pushed_by_fluids(model.surroundings) ||
            !model.actuations.empty() || !model.tendons.empty() ||
            std::ranges::any_of(model.contact.obstacles, is_moved_obstacle) ||
-           std::any_of(model.springs.begin(), model.springs.end(), strains) ||
-           std::ranges::any_of(model.rods, is_bent) || has_joint_drive(model) ||
-           std::any_of(model.loads.begin(), model.loads.end(), acts) ||
+           any_element_tie(model, strains) || std::ranges::any_of(model.rods, is_bent) ||
+           has_joint_drive(model) || std::any_of(model.loads.begin(), model.loads.end(), acts) ||
            std::any_of(model.distributed_loads.begin(), model.distributed_loads.end(), pushes) ||
            std::any_of(model.supports.begin(), model.supports.end(), moves);
 }

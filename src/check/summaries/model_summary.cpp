@@ -12,12 +12,11 @@
 #include "check/summaries/condition_summary.hpp"
 #include "check/summaries/joint_summary.hpp"
 #include "check/summaries/rod_summary.hpp"
+#include "check/summaries/tie_summary.hpp"
 #include "check/surroundings/fluid_summary.hpp"
-#include "elements/spring_line.hpp"
 #include "model/settings/analysis_traits.hpp"
 #include "model/settings/frame_interval.hpp"
 #include "model/settings/scheme_card.hpp"
-#include "model/spring_law.hpp"
 #include "numerics/eigenvalues.hpp"
 #include "rotation/vector_text.hpp"
 
@@ -35,50 +34,6 @@ std::string describe_body(const Model& model, const Body& body) {
                     in_parentheses(model.nodes[body.node].position),
                     in_parentheses(body.attitude * body.centre_of_mass));
     return text + describe_fluid(model, body);
-}
-
-std::string describe_spring(const Model& model, const Spring& spring) {
-    const Vec3 d = find_place(model, spring.ends[1]) - find_place(model, spring.ends[0]);
-    const double force = compute_elastic_tension(spring, d.norm());
-    constexpr double round_off = 1e-12;
-    const bool is_free = std::abs(force) <= round_off * find_stiffness(spring) * d.norm();
-    std::string text =
-        fmt::format("spring {}: between {} and {}, stiffness {:.6g}, damping {:.6g}, length {:.6g}",
-                    spring.name,
-                    describe_anchor(model, spring.ends[0]),
-                    describe_anchor(model, spring.ends[1]),
-                    spring.stiffness,
-                    spring.damping,
-                    spring.length);
-    if (spring.law) text += spring.law->has_rate() ? ", a force by length and rate" : ", a force by length";
-    if (!is_free)
-        text += fmt::format("; at t = 0 {:.6g} long, {} by {:.6g}",
-                            d.norm(),
-                            force < 0.0 ? "it pushes" : "it pulls",
-                            std::abs(force));
-    return text + "\n";
-}
-
-// The components that a bushing's matrix resists, with their diagonal entries: "x 100, rz 2".
-std::string describe_diagonal(const Mat6& matrix) {
-    std::string text;
-    for (int i = 0; i < 6; ++i) {
-        if (matrix(i, i) == 0.0) continue;
-        text += fmt::format("{}{} {:.6g}", text.empty() ? "" : ", ", component_names[i], matrix(i, i));
-    }
-    return text.empty() ? "none" : text;
-}
-
-std::string describe_bushing(const Model& model, const Bushing& bushing) {
-    static constexpr std::array<const char*, 4> carriers{
-        "", ", axes that turn with A", ", axes that turn with B", ", axes fixed in space"};
-    return fmt::format("bushing {}: between {} and {}{}, stiffness {}, damping {}\n",
-                       bushing.name,
-                       describe_anchor(model, bushing.ends[0]),
-                       describe_anchor(model, bushing.ends[1]),
-                       carriers[static_cast<std::size_t>(bushing.carrier)],
-                       describe_diagonal(bushing.stiffness),
-                       describe_diagonal(bushing.damping));
 }
 
 ItemList list_rods(const Model& model) {
@@ -110,18 +65,11 @@ std::vector<ItemList> list_model(const Model& model) {
     for (const Section& section : model.sections) sections.items.push_back(describe_section(section));
     ItemList bodies{"bodies", {}};
     for (const Body& body : model.bodies) bodies.items.push_back(describe_body(model, body));
-    ItemList springs{"springs", {}};
-    for (const Spring& spring : model.springs) springs.items.push_back(describe_spring(model, spring));
-    ItemList bushings{"bushings", {}};
-    for (const Bushing& bushing : model.bushings) bushings.items.push_back(describe_bushing(model, bushing));
-    std::vector<ItemList> lists{sections,
-                                list_rods(model),
-                                bodies,
-                                springs,
-                                bushings,
-                                list_joints(model),
-                                list_gears(model),
-                                list_mechanisms(model)};
+    std::vector<ItemList> lists{sections, list_rods(model), bodies};
+    for (ItemList& list : list_element_summaries(model)) lists.push_back(std::move(list));
+    lists.push_back(list_joints(model));
+    lists.push_back(list_gears(model));
+    lists.push_back(list_mechanisms(model));
     for (ItemList& list : list_conditions(model)) lists.push_back(std::move(list));
     return lists;
 }
