@@ -27,7 +27,7 @@ constexpr std::size_t most_bodies = 300;
 constexpr std::size_t most_supports = 500;
 constexpr std::size_t most_arrows = 300;
 constexpr std::size_t most_joints = 500;
-constexpr std::size_t most_springs = 500;  // and as many bushings
+constexpr std::size_t most_springs = 500;  // and as many of each other kind of tie that is an element
 
 std::string text_of(const Hdf5Reader& file, const std::string& name) {
     return file.has_attribute("/", name) ? file.text_attribute("/", name) : "";
@@ -75,8 +75,9 @@ void add_drawing(RunStory& story) {
     std::vector<Tie> joints = list_ties(model, TieKind::joint);
     std::ranges::copy(list_ties(model, TieKind::sleeve), std::back_inserter(joints));
     mark_ends(joints, most_joints, "joints", story);
-    mark_ends(list_ties(model, TieKind::spring), most_springs, "springs", story);
-    mark_ends(list_ties(model, TieKind::bushing), most_springs, "bushings", story);
+    for_each_element_list(model, [&](TieKind kind, const auto&) {
+        mark_ends(list_ties(model, kind), most_springs, card_of(kind).names, story);
+    });
 }
 
 // Bodies whose places alone are known.
@@ -171,10 +172,9 @@ Json describe_run(const Hdf5Reader& file, const RunStory& story, const NodeNumbe
     json["arrows"] = describe_arrows(story, number);
     if (!story.problem) {
         json["bodies"] = bare_bodies(story, number);
-        for (const char* parts :
-             {"supports", "joints", "springs", "bushings", "tables", "rods", "centres", "obstacles"}) {
-            json[parts] = Json::array();
-        }
+        for (const char* parts : {"supports", "joints"}) json[parts] = Json::array();
+        describe_element_ties({}, number, most_springs, json);
+        for (const char* parts : {"tables", "rods", "centres", "obstacles"}) json[parts] = Json::array();
         return json;
     }
     const Model& model = story.problem->model;
@@ -186,8 +186,7 @@ Json describe_run(const Hdf5Reader& file, const RunStory& story, const NodeNumbe
     json["bodies"] = describe_bodies(model, number, most_bodies);
     json["supports"] = describe_supports(model, number, most_supports);
     json["joints"] = describe_joints(model, number, most_joints);
-    json["springs"] = describe_springs(model, number, most_springs);
-    json["bushings"] = describe_bushings(model, number, most_springs);
+    describe_element_ties(model, number, most_springs, json);
     json["tables"] = describe_tables(*story.problem);
     json["centres"] = describe_centres_along(model);
     json["rods"] = Json::array();

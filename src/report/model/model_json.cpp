@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/ties/joint_card.hpp"
+#include "model/ties/ties.hpp"
 #include "numerics/eigenvalues.hpp"
 #include "report/model/wet_rods_json.hpp"
 
@@ -170,19 +171,14 @@ Json describe_joints(const Model& model, const NodeNumbers& number, std::size_t 
     return joints;
 }
 
-Json describe_springs(const Model& model, const NodeNumbers& number, std::size_t most) {
-    return describe_first(model.springs, most, [&](const Spring& spring) -> Json {
-        return {{"name", spring.name},
-                {"ends", describe_ends(spring.ends[0], spring.ends[1], number)},
-                {"pulls", spring.stiffness != 0.0 || spring.law != nullptr}};
-    });
-}
-
-Json describe_bushings(const Model& model, const NodeNumbers& number, std::size_t most) {
-    return describe_first(model.bushings, most, [&](const Bushing& bushing) -> Json {
-        return {{"name", bushing.name},
-                {"ends", describe_ends(bushing.ends[0], bushing.ends[1], number)},
-                {"axes", to_json(bushing.axes)}};
+void describe_element_ties(const Model& model, const NodeNumbers& number, std::size_t most, Json& json) {
+    for_each_element_list(model, [&](TieKind kind, const auto& ties) {
+        json[card_of(kind).names] = describe_first(ties, most, [&](const auto& tie) {
+            Json one{{"name", tie.name}, {"ends", describe_ends(tie.ends[0], tie.ends[1], number)}};
+            if constexpr (requires { tie.law; }) one["pulls"] = tie.stiffness != 0.0 || tie.law != nullptr;
+            if constexpr (requires { tie.axes; }) one["axes"] = to_json(tie.axes);
+            return one;
+        });
     });
 }
 

@@ -32,11 +32,13 @@ nlohmann::ordered_json describe_supports(const Model& model, const NodeNumbers& 
 // itself.
 nlohmann::ordered_json describe_joints(const Model& model, const NodeNumbers& number, std::size_t most);
 
-// Describes at most `most` springs: name, ends as for joints; `pulls` unless it is only a damper.
-nlohmann::ordered_json describe_springs(const Model& model, const NodeNumbers& number, std::size_t most);
-
-// Describes at most `most` bushings: name, ends as for joints, axes at t = 0 (quaternion w x y z).
-nlohmann::ordered_json describe_bushings(const Model& model, const NodeNumbers& number, std::size_t most);
+// Adds a list for each kind of tie that is an element, "springs" and so on, of at most `most` each: name,
+// ends as for joints; `pulls` of a spring unless it is only a damper; axes of a bushing at t = 0 (quaternion
+// w x y z).
+void describe_element_ties(const Model& model,
+                           const NodeNumbers& number,
+                           std::size_t most,
+                           nlohmann::ordered_json& json);
 
 // Returns tables of the model and of the analysis for a reader: [{title, columns, rows}], cells are texts and
 // numbers.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -9,6 +10,7 @@
 #include "model/settings/newton_choice.hpp"
 #include "model/settings/scheme_card.hpp"
 #include "model/ties/joint_card.hpp"
+#include "model/ties/ties.hpp"
 #include "numerics/eigenvalues.hpp"
 #include "report/model/centres_json.hpp"
 #include "report/model/model_json.hpp"
@@ -90,33 +92,19 @@ std::string name_end(const Model& model, const Anchor& end) {
     return end.is_ground() ? std::string("ground") : model.nodes[end.node].name;
 }
 
-Json describe_spring_table(const Model& model) {
+// The table of ties of a kind that are elements; `names` is its title in lower case.
+template <class Element>
+Json describe_tie_table(const Model& model, std::string names, const std::vector<Element>& ties) {
+    Json columns{"", "from", "to"};
+    for (const auto& [heading, number] : list_numbers(ties.front())) columns.push_back(heading);
     Json rows = Json::array();
-    for (const Spring& spring : first_of(model.springs)) {
-        rows.push_back({spring.name,
-                        name_end(model, spring.ends[0]),
-                        name_end(model, spring.ends[1]),
-                        spring.stiffness,
-                        spring.damping,
-                        spring.length});
-    }
-    return {{"title", "Springs"},
-            {"columns", {"", "from", "to", "stiffness", "damping", "free length"}},
-            {"rows", rows},
-            {"note", tell_rest(model.springs)}};
-}
-
-Json describe_bushing_table(const Model& model) {
-    Json rows = Json::array();
-    for (const Bushing& bushing : first_of(model.bushings)) {
-        Json row{bushing.name, name_end(model, bushing.ends[0]), name_end(model, bushing.ends[1])};
-        for (int i = 0; i < 6; ++i) row.push_back(bushing.stiffness(i, i));
+    for (const Element& tie : first_of(ties)) {
+        Json row{tie.name, name_end(model, tie.ends[0]), name_end(model, tie.ends[1])};
+        for (const auto& [heading, number] : list_numbers(tie)) row.push_back(number);
         rows.push_back(row);
     }
-    return {{"title", "Bushings"},
-            {"columns", {"", "from", "to", "k x", "k y", "k z", "k rx", "k ry", "k rz"}},
-            {"rows", rows},
-            {"note", tell_rest(model.bushings)}};
+    names[0] = static_cast<char>(std::toupper(names[0]));
+    return {{"title", names}, {"columns", columns}, {"rows", rows}, {"note", tell_rest(ties)}};
 }
 
 Json describe_joint_table(const Model& model) {
@@ -210,8 +198,9 @@ Json describe_tables(const Problem& problem) {
     if (Json centres = describe_centre_table(model); !centres["rows"].empty()) tables.push_back(centres);
     if (!model.rods.empty()) tables.push_back(describe_rods(model));
     if (!model.bodies.empty()) tables.push_back(describe_body_table(model));
-    if (!model.springs.empty()) tables.push_back(describe_spring_table(model));
-    if (!model.bushings.empty()) tables.push_back(describe_bushing_table(model));
+    for_each_element_list(model, [&](TieKind kind, const auto& ties) {
+        if (!ties.empty()) tables.push_back(describe_tie_table(model, card_of(kind).names, ties));
+    });
     if (!model.joints.empty()) tables.push_back(describe_joint_table(model));
     if (!model.gears.empty()) tables.push_back(describe_gear_table(model));
     if (!model.supports.empty()) tables.push_back(describe_support_table(model));
