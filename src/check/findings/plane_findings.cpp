@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "model/ties/ties.hpp"
+
 namespace gxrod {
 namespace {
 
@@ -180,11 +182,11 @@ bool lies_in_plane(const Model& model, int normal) {
         }
     }
     if (!model.bushings.empty()) return false;  // they may push out
-    for (const Spring& spring : model.springs) {
-        for (const Anchor& end : spring.ends) {
-            if (std::abs(find_place(model, end)[normal] - height) > in_plane * size) return false;
-        }
-    }
+    const auto is_out = [&](const Anchor& end) {
+        return std::abs(find_place(model, end)[normal] - height) > in_plane * size;
+    };
+    if (any_element_tie(model, [&](const auto& tie) { return std::ranges::any_of(tie.ends, is_out); }))
+        return false;
     if (!model.joints.empty() || !model.sleeves.empty()) return false;
     return std::all_of(model.supports.begin(), model.supports.end(), [&](const Support& support) {
         const int across = find_normal(support.axes, normal);
