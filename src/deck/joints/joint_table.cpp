@@ -23,16 +23,14 @@ std::string choose(KeysOf which, const std::string& turn, const std::string& sli
 }
 
 // Declares a table of either coordinate, with tables of each in it. `declare` adds the keys that the three
-// have, and returns those of which a table needs one. The outer table alone understands names of other
-// programs.
+// have, and returns those of which a table needs one.
 template <class One, class Declare>
 const TableSpec& make_table(const std::string& key, Declare declare) {
     using Either = CoordinateTable<One>;
     const std::string path = "joint.NAME." + key;
     const auto make_one = [&](const std::string& name, KeysOf which) {
         Table<One> table(path + "." + name, "");
-        TableSpec spec = table.at_least_one_of(declare(table, which));
-        spec.other_names.clear();
+        const TableSpec spec = table.at_least_one_of(declare(table, which));
         return spec;
     };
     static const TableSpec turn = make_one("turn", KeysOf::turn);
