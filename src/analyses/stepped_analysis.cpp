@@ -175,9 +175,7 @@ EquilibriumReport SteppedAnalysis::settle() {
     NewtonSettings newton = newton_;  // what comes at once is as large as a load step
     if (newton.tangent == TangentKind::automatic) newton.tangent = TangentKind::mixed;
     report = gxrod::settle(
-        system_,
-        settling_integrator(),
-        newton,
+        {system_, settling_integrator(), newton},
         stage,
         workspace_,
         state_,
@@ -223,7 +221,7 @@ void SteppedAnalysis::aim() {
 EquilibriumReport SteppedAnalysis::settle_after(const SteppedAnalysis& before, double time) {
     take_over(before.state_, state_);
     const EquilibriumReport report =
-        solve_step(system_, *integrator_, newton_, {0, time, 0.0, time}, workspace_, state_);
+        solve_step({system_, *integrator_, newton_}, {0, time, 0.0, time}, workspace_, state_);
     if (report.converged()) accept_start(time, true);
     return report;
 }
@@ -341,7 +339,7 @@ Stage SteppedAnalysis::next_stage() const {
 }
 
 EquilibriumReport SteppedAnalysis::solve_trial() {
-    return solve_step(system_, *integrator_, newton_, next_stage(), workspace_, state_);
+    return solve_step({system_, *integrator_, newton_}, next_stage(), workspace_, state_);
 }
 
 bool SteppedAnalysis::take_step(EquilibriumReport& report) {
@@ -452,7 +450,7 @@ std::optional<PathPoint> SteppedAnalysis::find_equilibrium(const PathPoint& from
     PathPoint point{load_factor, 0.0, {}, from.turned, {}, from.state, from.dissipated};
     const Stage stage{0, from.load_factor, length, load_factor};
     const EquilibriumReport report =
-        solve_step(system_, *integrator_, newton_, stage, workspace_, point.state);
+        solve_step({system_, *integrator_, newton_}, stage, workspace_, point.state);
     if (!report.converged()) return std::nullopt;
     point.iterations = report.iterations;
     for (std::size_t i = 0; i < point.turned.size(); ++i) point.turned[i] += point.state.trial[i].theta;

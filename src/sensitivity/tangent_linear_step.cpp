@@ -68,7 +68,7 @@ void TangentLinearStep::advance(const Stage& first_stage,
                     base_.trial[i].theta = log(base_.trial[i].Lambda * base_.previous[i].Lambda.conjugate());
                 if (is_settling_) update_trial_rates(base_system_, integrator_, stage, base_);
             } else {
-                check(solve_equilibrium(base_system_, integrator_, newton_, stage, workspace_, base_),
+                check(solve_equilibrium({base_system_, integrator_, newton_}, stage, workspace_, base_),
                       "its equilibrium");
             }
             hold(integrator_.stage_time(stage), varied);

@@ -207,22 +207,21 @@ EquilibriumReport solve_together(const System& system,
     return report;
 }
 
-EquilibriumReport solve_stages(const System& system,
-                               const Integrator& integrator,
-                               const NewtonSettings& settings,
+EquilibriumReport solve_stages(const SolverSetup& setup,
                                const Stage& first_stage,
                                std::optional<ConstraintLevel> level,
                                SolverWorkspace& workspace,
                                State& state) {
+    const System& system = setup.system;
+    const Integrator& integrator = setup.integrator;
     EquilibriumReport total;
     Stage stage = first_stage;
     const bool weighs_power = !integrator.power_weights().empty();
     workspace.stage_powers.clear();
     for (stage.index = 0; stage.index < integrator.stage_count(); ++stage.index) {
-        EquilibriumReport report =
-            integrator.is_explicit()
-                ? solve_stage_explicitly(system, integrator, stage, workspace, state)
-                : solve_equilibrium(system, integrator, settings, stage, workspace, state, level);
+        EquilibriumReport report = integrator.is_explicit()
+                                       ? solve_stage_explicitly(system, integrator, stage, workspace, state)
+                                       : solve_equilibrium(setup, stage, workspace, state, level);
         report.iterations += total.iterations;
         total = report;
         if (!report.converged()) break;
@@ -251,36 +250,30 @@ bool asks_for_accelerations(const System& system, const Integrator& integrator) 
 }
 
 // Where bars come into line the accelerations of joints have a pole within the step; positions have none.
-EquilibriumReport solve_in_turn(const System& system,
-                                const Integrator& integrator,
-                                const NewtonSettings& settings,
+EquilibriumReport solve_in_turn(const SolverSetup& setup,
                                 const Stage& first_stage,
                                 SolverWorkspace& workspace,
                                 State& state) {
-    EquilibriumReport report =
-        solve_stages(system, integrator, settings, first_stage, std::nullopt, workspace, state);
-    if (report.converged() || !asks_for_accelerations(system, integrator)) return report;
+    EquilibriumReport report = solve_stages(setup, first_stage, std::nullopt, workspace, state);
+    if (report.converged() || !asks_for_accelerations(setup.system, setup.integrator)) return report;
     const int before = report.iterations;
-    report =
-        solve_stages(system, integrator, settings, first_stage, ConstraintLevel::position, workspace, state);
+    report = solve_stages(setup, first_stage, ConstraintLevel::position, workspace, state);
     report.iterations += before;
     return report;
 }
 
 }  // namespace
 
-EquilibriumReport solve_step(const System& system,
-                             const Integrator& integrator,
-                             const NewtonSettings& settings,
+EquilibriumReport solve_step(const SolverSetup& setup,
                              const Stage& first_stage,
                              SolverWorkspace& workspace,
                              State& state) {
-    if (const CoupledStages* coupled = integrator.coupled())
-        return solve_together(system, *coupled, settings, first_stage, workspace, state);
-    if (!integrator.conserves())
-        return solve_in_turn(system, integrator, settings, first_stage, workspace, state);
+    const System& system = setup.system;
+    if (const CoupledStages* coupled = setup.integrator.coupled())
+        return solve_together(system, *coupled, setup.settings, first_stage, workspace, state);
+    if (!setup.integrator.conserves()) return solve_in_turn(setup, first_stage, workspace, state);
     const StepStart start = note_step_start(system, state, first_stage.step_time);
-    EquilibriumReport report = solve_in_turn(system, integrator, settings, first_stage, workspace, state);
+    EquilibriumReport report = solve_in_turn(setup, first_stage, workspace, state);
     if (report.converged()) conserve(system, start, first_stage, state, report);
     return report;
 }

@@ -90,6 +90,13 @@ struct SolverWorkspace {
     SolverWorkspace(SolverWorkspace&&) noexcept;
 };
 
+// What all equilibria of an analysis share.
+struct SolverSetup {
+    const System& system;
+    const Integrator& integrator;
+    const NewtonSettings& settings;
+};
+
 // Finds the equilibrium of one stage of an implicit scheme by Newton's method, from the integrator's
 // prediction. If the mixed tangent fails, tries the consistent one from the same prediction; with `automatic`
 // the other way round.
@@ -101,9 +108,7 @@ struct SolverWorkspace {
 // as all forces, no longer falls; or the last one was below 1e-10 and no longer shrinking (δr relative to the
 // model's length or the node's distance from the origin, δφ in rad). `level`: level at which joints are met,
 // in place of the integrator's.
-EquilibriumReport solve_equilibrium(const System& system,
-                                    const Integrator& integrator,
-                                    const NewtonSettings& settings,
+EquilibriumReport solve_equilibrium(const SolverSetup& setup,
                                     const Stage& stage,
                                     SolverWorkspace& workspace,
                                     State& state,
@@ -118,9 +123,7 @@ EquilibriumReport solve_accelerations(
 
 // Solves one whole step of any scheme: each stage in turn, until one fails. The trial motions hold the
 // result.
-EquilibriumReport solve_step(const System& system,
-                             const Integrator& integrator,
-                             const NewtonSettings& settings,
+EquilibriumReport solve_step(const SolverSetup& setup,
                              const Stage& first_stage,
                              SolverWorkspace& workspace,
                              State& state);

@@ -25,33 +25,31 @@ constexpr int most_drags = 8;
 // Newton's method on one stage; the members are what its steps share.
 class Newton {
   public:
-    Newton(const System& system,
-           const Integrator& integrator,
-           const NewtonSettings& settings,
+    Newton(const SolverSetup& setup,
            const Stage& stage,
            const ConstraintRequest& request,
            SolverWorkspace& workspace,
            State& state,
            const PseudoStep* pseudo_step = nullptr)
-        : system_(system),
-          team_(system.team()),
-          integrator_(integrator),
-          settings_(settings),
+        : system_(setup.system),
+          team_(system_.team()),
+          integrator_(setup.integrator),
+          settings_(setup.settings),
           stage_(stage),
-          time_(integrator.stage_time(stage)),
+          time_(integrator_.stage_time(stage)),
           request_(request),
-          moves_supports_(integrator.is_static() && system.supports().move()),
-          contacts_(system),
-          limiter_(system),
-          limits_rotation_(!integrator.is_static() || system.traits().uses_step_rotations),
+          moves_supports_(integrator_.is_static() && system_.supports().move()),
+          contacts_(system_),
+          limiter_(system_),
+          limits_rotation_(!integrator_.is_static() || system_.traits().uses_step_rotations),
           workspace_(workspace),
           state_(state),
           pseudo_step_(pseudo_step),
-          may_overshoot_(!contacts_.are_possible() && !integrator.is_static() &&
-                         !system.model().has_inertia && pseudo_step == nullptr &&
-                         (system.model().surroundings.water || system.model().surroundings.air)),
-          convergence_(system, settings, request_.level),
-          guard_(system) {
+          may_overshoot_(!contacts_.are_possible() && !integrator_.is_static() &&
+                         !system_.model().has_inertia && pseudo_step == nullptr &&
+                         (system_.model().surroundings.water || system_.model().surroundings.air)),
+          convergence_(system_, settings_, request_.level),
+          guard_(system_) {
         if (pseudo_step == nullptr) return;
         drag_ = pseudo_step->make_tangent();
         request_.added = &drag_;
@@ -326,39 +324,36 @@ class Newton {
 
 }  // namespace
 
-EquilibriumReport solve_equilibrium(const System& system,
-                                    const Integrator& integrator,
-                                    const NewtonSettings& settings,
+EquilibriumReport solve_equilibrium(const SolverSetup& setup,
                                     const Stage& stage,
                                     SolverWorkspace& workspace,
                                     State& state,
                                     std::optional<ConstraintLevel> level) {
-    ConstraintRequest request = find_request(system, integrator, stage);
+    ConstraintRequest request = find_request(setup.system, setup.integrator, stage);
     if (level) request.level = *level;
-    const EquilibriumReport first =
-        Newton(system, integrator, settings, stage, request, workspace, state).solve();
-    const bool is_mixed = settings.tangent == TangentKind::mixed;
-    if (first.converged() || (!is_mixed && settings.tangent != TangentKind::automatic)) return first;
+    const EquilibriumReport first = Newton(setup, stage, request, workspace, state).solve();
+    const TangentKind tangent = setup.settings.tangent;
+    const bool is_mixed = tangent == TangentKind::mixed;
+    if (first.converged() || (!is_mixed && tangent != TangentKind::automatic)) return first;
     // Past a limit point the consistent tangent's wilder increments may find a way; where a rod hardly
     // stretches, the mixed one does. The prediction does not depend on where the first attempt has left the
     // trial motions.
-    NewtonSettings other = settings;
+    NewtonSettings other = setup.settings;
     other.tangent = is_mixed ? TangentKind::consistent : TangentKind::mixed;
-    EquilibriumReport report = Newton(system, integrator, other, stage, request, workspace, state).solve();
+    EquilibriumReport report =
+        Newton({setup.system, setup.integrator, other}, stage, request, workspace, state).solve();
     if (report.converged()) report.iterations += first.iterations;
     return report;
 }
 
-EquilibriumReport solve_pseudo_step(const System& system,
-                                    const Integrator& integrator,
-                                    const NewtonSettings& settings,
+EquilibriumReport solve_pseudo_step(const SolverSetup& setup,
                                     const Stage& stage,
                                     const PseudoStep& step,
                                     SolverWorkspace& workspace,
                                     State& state) {
-    assert(integrator.is_static() && !Contacts(system).are_possible());
-    const ConstraintRequest request = find_request(system, integrator, stage);
-    return Newton(system, integrator, settings, stage, request, workspace, state, &step).solve();
+    assert(setup.integrator.is_static() && !Contacts(setup.system).are_possible());
+    const ConstraintRequest request = find_request(setup.system, setup.integrator, stage);
+    return Newton(setup, stage, request, workspace, state, &step).solve();
 }
 
 }  // namespace gxrod

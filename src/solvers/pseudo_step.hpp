@@ -57,9 +57,7 @@ class PseudoStep {
 
 // Solves such a step in statics by Newton's method, from the trial motions instead of a prediction. Not for
 // models with contact.
-EquilibriumReport solve_pseudo_step(const System& system,
-                                    const Integrator& integrator,
-                                    const NewtonSettings& settings,
+EquilibriumReport solve_pseudo_step(const SolverSetup& setup,
                                     const Stage& stage,
                                     const PseudoStep& step,
                                     SolverWorkspace& workspace,

@@ -74,7 +74,7 @@ class Fall {
         const std::vector<JointState> joints_before = state_.joints_trial;
         const PseudoStep step(drag_, stiffness_, kicked_.empty() ? before : kicked_);
         const EquilibriumReport found =
-            solve_pseudo_step(system_, integrator_, pseudo_settings_, stage_, step, workspace_, state_);
+            solve_pseudo_step({system_, integrator_, pseudo_settings_}, stage_, step, workspace_, state_);
         report_.equilibrium.iterations += found.iterations;
         measure_move(before);
         // Where the matrix has negative pivots, the step could end on the far side of what it should leave.
@@ -127,7 +127,7 @@ class Fall {
         for (const TangentKind tangent : {settings_.tangent, TangentKind::consistent}) {
             NewtonSettings newton = settings_;
             newton.tangent = tangent;
-            end = solve_pseudo_step(system_, integrator_, newton, stage_, free, workspace_, state_);
+            end = solve_pseudo_step({system_, integrator_, newton}, stage_, free, workspace_, state_);
             report_.equilibrium.iterations += end.iterations;
             if (end.converged() || tangent == TangentKind::consistent) break;
             state_.trial = before;

@@ -268,7 +268,7 @@ TEST_CASE("the error estimate of radau-5 falls with the fourth power of the step
         REQUIRE(solve_accelerations(system, 0.0, {0.0, step}, workspace, state).converged());
         scheme.start(state);
         system.commit(state, 0.0);
-        REQUIRE(solve_step(system, scheme, newton, {0, 0.0, step, step}, workspace, state).converged());
+        REQUIRE(solve_step({system, scheme, newton}, {0, 0.0, step, step}, workspace, state).converged());
         const StepError error = measure_step_error(workspace.coupled->placement_errors,
                                                    workspace.coupled->rate_errors,
                                                    [&](int) { return system.length_scale(); });

@@ -262,7 +262,7 @@ TEST_CASE("Newmark's schemes estimate the error of a step as it is", "[integrato
         REQUIRE(solve_accelerations(system, 0.0, {0.0, step}, workspace, state).converged());
         integrator.start(state);
         system.commit(state, 0.0);
-        REQUIRE(solve_step(system, integrator, newton, {0, 0.0, step, step}, workspace, state).converged());
+        REQUIRE(solve_step({system, integrator, newton}, {0, 0.0, step, step}, workspace, state).converged());
         return state;
     };
     DynamicSettings exact;

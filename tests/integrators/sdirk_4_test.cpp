@@ -77,7 +77,7 @@ TEST_CASE("the error estimate of sdirk-4 falls with the fourth power of the step
         State state = system.initial_state();
         REQUIRE(solve_accelerations(system, 0.0, {0.0, step}, workspace, state).converged());
         system.commit(state, 0.0);
-        REQUIRE(solve_step(system, scheme, newton, {0, 0.0, step, step}, workspace, state).converged());
+        REQUIRE(solve_step({system, scheme, newton}, {0, 0.0, step, step}, workspace, state).converged());
         const StepError error =
             scheme.estimate_error(state, step, [&](int) { return system.length_scale(); });
         CHECK(error.node == 0);

@@ -27,7 +27,7 @@ struct Step {
         const auto integrator = make_integrator(settings);
         integrator->start(state);
         system.commit(state, 0.0);
-        return solve_step(system, *integrator, newton, {0, 0.0, 0.1, 0.1}, workspace, state);
+        return solve_step({system, *integrator, newton}, {0, 0.0, 0.1, 0.1}, workspace, state);
     }
 };
 

@@ -59,7 +59,8 @@ std::vector<double> measure_residuals(const Start& start,
         newton.max_iterations = iterations;
         newton.tangent = tangent;
         const Stage stage{0, time, start.time_step, time + start.time_step};
-        residuals.push_back(solve_equilibrium(system, *integrator, newton, stage, workspace, state).residual);
+        residuals.push_back(
+            solve_equilibrium({system, *integrator, newton}, stage, workspace, state).residual);
         if (residuals.back() < 1e-11) break;
     }
     return residuals;

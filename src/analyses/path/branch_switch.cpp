@@ -30,8 +30,12 @@ class ReducedEquation {
     // ε / amplitude, or NaN if no equilibrium was found.
     double evaluate(double distance) {
         problem_.prediction = distance * direction_ + amplitude_ * shape_;
-        const EquilibriumReport report = solve_path_equilibrium(
-            work_.system, work_.integrator, work_.newton, problem_, work_.workspace, work_.state, solution_);
+        const EquilibriumReport report =
+            solve_path_equilibrium({work_.system, work_.integrator, work_.newton},
+                                   problem_,
+                                   work_.workspace,
+                                   work_.state,
+                                   solution_);
         work_.iterations += report.iterations;
         if (!report.converged()) return std::numeric_limits<double>::quiet_NaN();
         return solution_.amplitudes[0] / amplitude_;

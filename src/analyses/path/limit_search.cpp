@@ -135,7 +135,7 @@ class LimitSearch {
         if (has_solution_) problem.prediction = found_ + (amplitude - amplitude_) * shape_;
         PathSolution solution;
         report_ = solve_path_equilibrium(
-            work_.system, work_.integrator, work_.newton, problem, work_.workspace, work_.state, solution);
+            {work_.system, work_.integrator, work_.newton}, problem, work_.workspace, work_.state, solution);
         work_.iterations += report_.iterations;
         if (!report_.converged()) return not_found;
         found_ = {compute_step(work_.system, work_.state), solution.load_factor - work_.state.time};

@@ -12,9 +12,7 @@ EquilibriumReport solve_path_step(PathContext& work,
                                   PathTrial& trial) {
     if (work.limit_load_factor != nullptr) return solve_limit_step(work, prediction, row, trial);
     PathSolution solution;
-    const EquilibriumReport report = solve_path_equilibrium(work.system,
-                                                            work.integrator,
-                                                            work.newton,
+    const EquilibriumReport report = solve_path_equilibrium({work.system, work.integrator, work.newton},
                                                             {prediction, {row}, {}, nullptr},
                                                             work.workspace,
                                                             work.state,

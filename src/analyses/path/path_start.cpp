@@ -28,7 +28,7 @@ EquilibriumReport PathAnalysis::start() {
     if (settings_.limit_load_factor) return start_at_limit();
     // What acts at t = 0 already acts before the path begins.
     EquilibriumReport report =
-        solve_equilibrium(system_, *integrator_, newton_, {0, 0.0, 0.0, 0.0}, workspace_, state_);
+        solve_equilibrium({system_, *integrator_, newton_}, {0, 0.0, 0.0, 0.0}, workspace_, state_);
     if (!report.converged()) return report;
     const bool is_loaded = report.iterations > 0;
     accept_start(0.0, is_loaded);

@@ -16,22 +16,20 @@ namespace {
 // The members are what the iterations share.
 class PathNewton {
   public:
-    PathNewton(const System& system,
-               const Integrator& integrator,
-               const NewtonSettings& settings,
+    PathNewton(const SolverSetup& setup,
                const PathProblem& problem,
                SolverWorkspace& workspace,
                State& state,
                PathSolution& solution)
-        : system_(system),
-          integrator_(integrator),
-          settings_(settings),
+        : system_(setup.system),
+          integrator_(setup.integrator),
+          settings_(setup.settings),
           problem_(problem),
           workspace_(workspace),
           state_(state),
           solution_(solution),
-          convergence_(system, settings),
-          guard_(system) {}
+          convergence_(system_, settings_),
+          guard_(system_) {}
 
     EquilibriumReport solve() {
         start();
@@ -269,22 +267,19 @@ Eigen::VectorXd compute_other_gradient(const System& system,
     return result;
 }
 
-EquilibriumReport solve_path_equilibrium(const System& system,
-                                         const Integrator& integrator,
-                                         const NewtonSettings& settings,
+EquilibriumReport solve_path_equilibrium(const SolverSetup& setup,
                                          const PathProblem& problem,
                                          SolverWorkspace& workspace,
                                          State& state,
                                          PathSolution& solution) {
     const double other_factor = problem.other_factor != nullptr ? *problem.other_factor : 0.0;
-    const EquilibriumReport first =
-        PathNewton(system, integrator, settings, problem, workspace, state, solution).solve();
-    if (first.converged() || settings.tangent != TangentKind::mixed) return first;
+    const EquilibriumReport first = PathNewton(setup, problem, workspace, state, solution).solve();
+    if (first.converged() || setup.settings.tangent != TangentKind::mixed) return first;
     if (problem.other_factor != nullptr) *problem.other_factor = other_factor;
-    NewtonSettings other = settings;
+    NewtonSettings other = setup.settings;
     other.tangent = TangentKind::consistent;
     EquilibriumReport report =
-        PathNewton(system, integrator, other, problem, workspace, state, solution).solve();
+        PathNewton({setup.system, setup.integrator, other}, problem, workspace, state, solution).solve();
     report.iterations += first.iterations;
     return report;
 }

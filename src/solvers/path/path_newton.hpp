@@ -33,9 +33,7 @@ struct PathSolution {
 // Solves (PA2) by Newton's method with bordered solves; state.time is the load factor of the last accepted
 // equilibrium. The trial motions and the workspace's residual hold the solution. If the mixed tangent fails,
 // tries the consistent one from the same prediction.
-EquilibriumReport solve_path_equilibrium(const System& system,
-                                         const Integrator& integrator,
-                                         const NewtonSettings& settings,
+EquilibriumReport solve_path_equilibrium(const SolverSetup& setup,
                                          const PathProblem& problem,
                                          SolverWorkspace& workspace,
                                          State& state,

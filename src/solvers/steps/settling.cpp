@@ -20,13 +20,13 @@ void stop(std::vector<NodeMotion>& motions) {
 
 }  // namespace
 
-EquilibriumReport settle(const System& system,
-                         const Integrator& integrator,
-                         const NewtonSettings& settings,
+EquilibriumReport settle(const SolverSetup& setup,
                          const Stage& stage,
                          SolverWorkspace& workspace,
                          State& state,
                          const SettlingBooks& books) {
+    const System& system = setup.system;
+    const bool is_static = setup.integrator.is_static();
     const double instant = state.time;
     std::vector<Vec6> out_of_balance;
     double left = 1.0;
@@ -34,7 +34,7 @@ EquilibriumReport settle(const System& system,
     EquilibriumReport total;
     while (left > 0.0) {
         undo_trial(state);
-        if (!integrator.is_static()) stop(state.trial);
+        if (!is_static) stop(state.trial);
         state.trial_time = stage.end_time;
         system.compute_residual(state, stage.end_time, workspace.residual);
         if (out_of_balance.empty()) out_of_balance = workspace.residual.nodal;
@@ -43,7 +43,7 @@ EquilibriumReport settle(const System& system,
         workspace.held_back.clear();
         for (std::size_t i = 0; rest > 0.0 && i < out_of_balance.size(); ++i)
             workspace.held_back.push_back(rest * out_of_balance[i]);
-        EquilibriumReport report = solve_step(system, integrator, settings, stage, workspace, state);
+        EquilibriumReport report = solve_step(setup, stage, workspace, state);
         workspace.held_back.clear();
         report.iterations += total.iterations;
         total = report;
@@ -56,7 +56,7 @@ EquilibriumReport settle(const System& system,
         if (rest > 0.0) system.compute_residual(state, stage.end_time, workspace.residual);
         books.end();
         system.commit(state, stage.end_time);
-        if (!integrator.is_static()) stop(state.trial);
+        if (!is_static) stop(state.trial);
         state.previous = state.trial;
         state.time = state.trial_time = instant;
         left = rest;

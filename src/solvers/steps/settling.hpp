@@ -17,9 +17,7 @@ struct SettlingBooks {
 // force is released at once, or, if Newton's method then fails, in parts, each of which is an accepted state:
 // an equilibrium with the rest as a dead force. `stage` belongs to the integrator: InstantStep or the one of
 // statics; the state's time stays. If the report is not converged, the state is the last part.
-EquilibriumReport settle(const System& system,
-                         const Integrator& integrator,
-                         const NewtonSettings& settings,
+EquilibriumReport settle(const SolverSetup& setup,
                          const Stage& stage,
                          SolverWorkspace& workspace,
                          State& state,
