@@ -13,7 +13,7 @@ BOTH = ("cylinder", "free")  # types whose coordinates are named
 
 def plain(value):
     if isinstance(value, Times):
-        return f"{value.size!r}*{value.shape}"
+        return f"{float(value.size)!r}*{value.shape}"
     if isinstance(value, np.ndarray):
         return floats(value) if value.ndim == 1 else [floats(row) for row in value]
     if isinstance(value, dict):

@@ -4,6 +4,7 @@ import argparse
 import sys
 from pathlib import Path
 
+import numpy  # noqa: F401 — before h5py, which takes itself for missing without it
 import h5py  # noqa: F401 — gxrod-plot says that it is missing before anything else
 import matplotlib
 
