@@ -148,7 +148,7 @@ std::string find_push(const Model& model, int normal) {
         if (load.field ? pushes_out(load, *load.field, normal) : pushes_out(load, normal)) return load.key;
     }
     if (!model.gravity.components()[normal].is_zero()) return "gravity";
-    if (const std::string outer = find_outer_push(model, normal); !outer.empty()) return outer;
+    if (std::string outer = find_outer_push(model, normal); !outer.empty()) return outer;
     return find_inner_push(model, normal);
 }
 

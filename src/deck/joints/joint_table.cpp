@@ -30,7 +30,7 @@ const TableSpec& make_table(const std::string& key, Declare declare) {
     const std::string path = "joint.NAME." + key;
     const auto make_one = [&](const std::string& name, KeysOf which) {
         Table<One> table(path + "." + name, "");
-        const TableSpec spec = table.at_least_one_of(declare(table, which));
+        TableSpec spec = table.at_least_one_of(declare(table, which));
         return spec;
     };
     static const TableSpec turn = make_one("turn", KeysOf::turn);
