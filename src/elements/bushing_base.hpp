@@ -7,7 +7,7 @@
 
 namespace gxrod {
 
-// What bushings have in common, whatever carries their axes: linear stiffness and damping of six components.
+// The common part of bushings, whatever carries their axes: linear stiffness and damping of six components.
 // `Own` computes the motion, with its strain and rate in the axes, their derivatives by the nodes, and the
 // nodal forces of a force and a moment.
 template <int Nodes, class Own, class Motion>
@@ -27,9 +27,9 @@ class BushingBase : public TwoPointElement<Nodes> {
                               NodalMatrix<Nodes>& tangent) const {
         const Motion motion = own().compute_motion(motions);
         const auto variation = own().vary(motions, motion, linear);
-        const StrainColumns derivative = bushing_.stiffness * own().differentiate_strain(motion, variation);
-        own().add_tangent(
-            motions, motion, linear, variation, bushing_.stiffness * motion.strain, derivative, tangent);
+        const OwnForce force{bushing_.stiffness * motion.strain,
+                             bushing_.stiffness * own().differentiate_strain(motion, variation)};
+        own().add_tangent(motions, motion, linear, variation, force, tangent);
     }
     // Adds the internal tangent: there are no force points.
     void add_mixed_tangent(const Motions<Nodes>& motions,
@@ -52,10 +52,9 @@ class BushingBase : public TwoPointElement<Nodes> {
         if (!is_damped()) return;
         const Motion motion = own().compute_motion(motions);
         const auto variation = own().vary(motions, motion, linear);
-        const StrainColumns derivative =
-            bushing_.damping * own().differentiate_rate(motions, motion, linear, variation);
-        own().add_tangent(
-            motions, motion, linear, variation, bushing_.damping * motion.rate, derivative, tangent);
+        const OwnForce force{bushing_.damping * motion.rate,
+                             bushing_.damping * own().differentiate_rate(motions, motion, linear, variation)};
+        own().add_tangent(motions, motion, linear, variation, force, tangent);
     }
     double strain_energy(const Motions<Nodes>& motions, Histories) const {
         const Vec6 strain = own().compute_motion(motions).strain;
@@ -65,6 +64,11 @@ class BushingBase : public TwoPointElement<Nodes> {
   protected:
     using Columns = typename PointPair<Nodes>::Columns;
     using StrainColumns = Eigen::Matrix<double, 6, 6 * Nodes>;
+    // A force and a moment in the bushing's axes, and their derivative.
+    struct OwnForce {
+        Vec6 value;
+        StrainColumns derivative;
+    };
 
     Bushing bushing_;
 

@@ -113,18 +113,17 @@ void BushingElement<Nodes>::add_tangent(const Motions<Nodes>& motions,
                                         const BushingMotion& motion,
                                         const Linearizations<Nodes>& linear,
                                         const Variation& variation,
-                                        const Vec6& own,
-                                        const StrainColumns& derivative,
+                                        const OwnForce& own,
                                         NodalMatrix<Nodes>& tangent) const {
     const Mat3& R = motion.axes;
     const Vec3& D = motion.distance.d;
-    const Vec3 own_moment = own.tail<3>();
-    const Vec3 n = R * own.head<3>();
+    const Vec3 own_moment = own.value.template tail<3>();
+    const Vec3 n = R * own.value.template head<3>();
     const Vec3 m = R * take_to_rotation_vector(motion.turn, own_moment);
     const Vec3 tau = R * motion.turn.tau;
     const Vec3 moment_of_n = D.cross(n);
-    const Columns by_n = R * derivative.template topRows<3>() - spin(n) * variation.middle;
-    const Columns by_m = R * (build_rate_map(motion.turn) * derivative.template bottomRows<3>() +
+    const Columns by_n = R * own.derivative.template topRows<3>() - spin(n) * variation.middle;
+    const Columns by_m = R * (build_rate_map(motion.turn) * own.derivative.template bottomRows<3>() +
                               differentiate_rate_map(motion.turn, own_moment) * variation.rotation) -
                          spin(m) * variation.middle;
     const Columns by_moment_of_n = spin(D) * by_n - spin(n) * variation.d;

@@ -22,6 +22,7 @@ class BushingElement : public BushingBase<Nodes, BushingElement<Nodes>, BushingM
     using Base::points_;
     using typename Base::Columns;
     using typename Base::StrainColumns;
+    using typename Base::OwnForce;
 
     // Derivatives by (δr, δφ) of the nodes.
     struct Variation {
@@ -46,13 +47,12 @@ class BushingElement : public BushingBase<Nodes, BushingElement<Nodes>, BushingM
                                      const BushingMotion& motion,
                                      const Linearizations<Nodes>& linear,
                                      const Variation& variation) const;
-    // Adds the tangent of a force and a moment in the bushing's axes, whose derivative is given.
+    // Adds the tangent of a force and a moment.
     void add_tangent(const Motions<Nodes>& motions,
                      const BushingMotion& motion,
                      const Linearizations<Nodes>& linear,
                      const Variation& variation,
-                     const Vec6& own,
-                     const StrainColumns& derivative,
+                     const OwnForce& own,
                      NodalMatrix<Nodes>& tangent) const;
 };
 

@@ -136,13 +136,12 @@ void CarriedBushingElement<Nodes>::add_tangent(const Motions<Nodes>& motions,
                                                const CarriedBushingMotion& motion,
                                                const Linearizations<Nodes>& linear,
                                                const Variation& variation,
-                                               const Vec6& own,
-                                               const StrainColumns& derivative,
+                                               const OwnForce& own,
                                                NodalMatrix<Nodes>& tangent) const {
-    const Vec3 n = motion.axes * own.head<3>();
-    const Columns by_n = motion.axes * derivative.template topRows<3>() - spin(n) * variation.axes;
-    const auto by_moments =
-        differentiate_moments_on_ends(motions, motion, linear, variation, own.tail<3>(), derivative);
+    const Vec3 n = motion.axes * own.value.template head<3>();
+    const Columns by_n = motion.axes * own.derivative.template topRows<3>() - spin(n) * variation.axes;
+    const auto by_moments = differentiate_moments_on_ends(
+        motions, motion, linear, variation, own.value.template tail<3>(), own.derivative);
     for (int i = 0; i < Nodes; ++i) {
         const double sign = points_.sign(i);
         const Mat3 spin_u = spin(points_.arm(motions, i));

@@ -25,6 +25,7 @@ class CarriedBushingElement : public BushingBase<Nodes, CarriedBushingElement<No
     using Base::points_;
     using typename Base::Columns;
     using typename Base::StrainColumns;
+    using typename Base::OwnForce;
 
     // Derivatives by (δr, δφ) of the nodes, spatial.
     struct Variation {
@@ -48,13 +49,12 @@ class CarriedBushingElement : public BushingBase<Nodes, CarriedBushingElement<No
                                      const CarriedBushingMotion& motion,
                                      const Linearizations<Nodes>& linear,
                                      const Variation& variation) const;
-    // Adds the tangent of a force and a moment in the axes, whose derivative is given.
+    // Adds the tangent of a force and a moment.
     void add_tangent(const Motions<Nodes>& motions,
                      const CarriedBushingMotion& motion,
                      const Linearizations<Nodes>& linear,
                      const Variation& variation,
-                     const Vec6& own,
-                     const StrainColumns& derivative,
+                     const OwnForce& own,
                      NodalMatrix<Nodes>& tangent) const;
     // Returns the derivatives of the moments on A and B.
     std::array<Columns, 2> differentiate_moments_on_ends(const Motions<Nodes>& motions,
