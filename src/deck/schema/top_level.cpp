@@ -33,6 +33,73 @@ void add_element_ties(Table<TopLevelTable>& table) {
     }
 }
 
+// clang-format off
+// Adds the tables of what a model is made of.
+void add_parts(Table<TopLevelTable>& table) {
+    table
+        .tables("section", KeyShape::named_tables, section_table())
+            .also("cross_section cross_sections profile profiles")
+        .tables("rod", KeyShape::named_tables, rod_table())
+            .also("beam beams cable cables rope string element elements")
+        .tables("body", KeyShape::named_tables, body_table())
+            .also("rigid_body rigid_bodies mass point_mass");
+    add_element_ties(table);
+    table
+        .tables("joint", KeyShape::named_tables, joint_table())
+            .also("joints hinge hinges pin pins revolute ball "
+                  "spherical universal cardan prismatic cylindrical screw mechanism motor")
+        .tables("gear", KeyShape::named_tables, gear_table())
+            .also("gears gearbox rack pinion transmission coupling")
+        .tables("connect", KeyShape::table_list, connect_table())
+            .also("tie ties merge weld");
+}
+
+// Adds the tables of what acts on it.
+void add_actions(Table<TopLevelTable>& table) {
+    table
+        .tables("load", KeyShape::table_list, load_table())
+            .also("force forces moment")
+        .tables("tendon", KeyShape::named_tables, tendon_table())
+            .also("tendons actuator actuators wire wires chamber pneumatic")
+        .tables("actuation", KeyShape::table_list, actuation_table())
+            .also("actuations muscle muscles thermal heat temperature eigenstrain growth")
+        .tables("magnetic", KeyShape::table_list, magnetic_table())
+            .also("magnet magnets magnetic_field field")
+        .tables("fluid", KeyShape::table, fluid_table())
+            .also("water sea current ocean environment hydro")
+        .tables("wave", KeyShape::table_list, wave_table())
+            .also("waves sea_state irregular")
+        .tables("air", KeyShape::table, air_table())
+            .also("wind aero")
+        .tables("seabed", KeyShape::table, seabed_table())
+            .also("bed ground soil floor terrain bottom")
+        .tables("contact", KeyShape::table, contact_table())
+            .also("contacts collision collisions touching")
+        .tables("obstacle", KeyShape::named_tables, obstacle_table())
+            .also("obstacles wall surface")
+        .tables("support", KeyShape::table_list, support_table())
+            .also("boundary boundaries boundary_condition boundary_conditions bc bcs constraint constraints clamp");
+}
+
+// Adds the tables of what is asked.
+void add_tasks(Table<TopLevelTable>& table) {
+    table
+        .tables("initial", KeyShape::table_list, initial_table())
+            .also("initial_condition initial_conditions initial_velocity ic")
+        .tables("rotation", KeyShape::table, rotation_table())
+        .tables("analysis", KeyShape::table, analysis_table())
+            .also("solver simulation solution step integration")
+        .tables("stage", KeyShape::table_list, stage_table())
+        .tables("output", KeyShape::table, output_table())
+            .may_change()
+            .also("results frames writer")
+        .tables("history", KeyShape::table_list, history_table())
+            .may_change()
+            .also("sensor sensors probe probes monitor monitors recorder");
+}
+
+// clang-format on
+
 }  // namespace
 
 const TableSpec& deck_schema() {
@@ -56,54 +123,9 @@ const TableSpec& deck_schema() {
             .also("amplitude amplitudes curve curves time_function")
         .tables("input", KeyShape::named_tables, input_table())
             .may_change()
-        .tables("section", KeyShape::named_tables, section_table())
-            .also("cross_section cross_sections profile profiles")
-        .tables("rod", KeyShape::named_tables, rod_table())
-            .also("beam beams cable cables rope string element elements")
-        .tables("body", KeyShape::named_tables, body_table())
-            .also("rigid_body rigid_bodies mass point_mass")
-        .with(add_element_ties)
-        .tables("joint", KeyShape::named_tables, joint_table())
-            .also("joints hinge hinges pin pins revolute ball "
-                  "spherical universal cardan prismatic cylindrical screw mechanism motor")
-        .tables("gear", KeyShape::named_tables, gear_table())
-            .also("gears gearbox rack pinion transmission coupling")
-        .tables("connect", KeyShape::table_list, connect_table())
-            .also("tie ties merge weld")
-        .tables("load", KeyShape::table_list, load_table())
-            .also("force forces moment")
-        .tables("tendon", KeyShape::named_tables, tendon_table())
-            .also("tendons actuator actuators wire wires chamber pneumatic")
-        .tables("actuation", KeyShape::table_list, actuation_table())
-            .also("actuations muscle muscles thermal heat temperature eigenstrain growth")
-        .tables("magnetic", KeyShape::table_list, magnetic_table())
-            .also("magnet magnets magnetic_field field")
-        .tables("fluid", KeyShape::table, fluid_table())
-            .also("water sea current ocean environment hydro")
-        .tables("wave", KeyShape::table_list, wave_table())
-            .also("waves sea_state irregular")
-        .tables("air", KeyShape::table, air_table())
-            .also("wind aero")
-        .tables("seabed", KeyShape::table, seabed_table())
-            .also("bed ground soil floor terrain bottom")
-        .tables("contact", KeyShape::table, contact_table())
-            .also("contacts collision collisions touching")
-        .tables("obstacle", KeyShape::named_tables, obstacle_table())
-            .also("obstacles wall surface")
-        .tables("support", KeyShape::table_list, support_table())
-            .also("boundary boundaries boundary_condition boundary_conditions bc bcs constraint constraints clamp")
-        .tables("initial", KeyShape::table_list, initial_table())
-            .also("initial_condition initial_conditions initial_velocity ic")
-        .tables("rotation", KeyShape::table, rotation_table())
-        .tables("analysis", KeyShape::table, analysis_table())
-            .also("solver simulation solution step integration")
-        .tables("stage", KeyShape::table_list, stage_table())
-        .tables("output", KeyShape::table, output_table())
-            .may_change()
-            .also("results frames writer")
-        .tables("history", KeyShape::table_list, history_table())
-            .may_change()
-            .also("sensor sensors probe probes monitor monitors recorder")
+        .with(add_parts)
+        .with(add_actions)
+        .with(add_tasks)
         .at_least_one_of({"rod", "body"})
         .exactly_one_of({"analysis", "stage"})
         .shown_by(
