@@ -18,25 +18,22 @@ struct WatchedKind {
     Tables tables;
 };
 
-// Lists the kinds of things: ties in the order of their kinds, then the others in the order of Watched.
+// Lists the kinds of things in the order of Watched, whose last is a tie of any kind.
 const std::vector<WatchedKind>& list_kinds() {
     static const std::vector<WatchedKind> kinds = [] {
-        std::vector<WatchedKind> all;
-        for (std::size_t kind = 0; kind < tie_kind_count; ++kind)
-            all.push_back({tie_cards[kind].table, tie_cards[kind].table, {quantities_of_ties[kind]}});
         // clang-format off
-        const std::vector<WatchedKind> others{
+        std::vector<WatchedKind> all{
             {"rod", "point", {&quantities_of_places, &quantities_of_rod_turns, &quantities_of_rates, &quantities_of_sections,
                               &quantities_of_reactions, &quantities_of_rods_around}},
             {"body", "point", {&quantities_of_places, &quantities_of_body_turns, &quantities_of_rates, &quantities_of_bodies,
                                &quantities_of_reactions, &quantities_of_bodies_around, &quantities_of_touching_bodies}},
-            {},  // a tie
             {"tendon", "tendon", {&quantities_of_tendons}},
             {"obstacle", "obstacle", {&quantities_of_obstacles}},
             {"contact", "rod", {&quantities_of_touching_rods}}};
         // clang-format on
-        assert(others.size() == std::variant_size_v<Watched>);
-        all.insert(all.end(), others.begin(), others.end());
+        assert(all.size() + 1 == std::variant_size_v<Watched>);
+        for (std::size_t kind = 0; kind < tie_kind_count; ++kind)
+            all.push_back({tie_cards[kind].table, tie_cards[kind].table, {quantities_of_ties[kind]}});
         return all;
     }();
     return kinds;
@@ -44,8 +41,7 @@ const std::vector<WatchedKind>& list_kinds() {
 
 const WatchedKind& kind_of(const Watched& target) {
     const auto* tie = std::get_if<WatchedTie>(&target);
-    return list_kinds()[tie != nullptr ? static_cast<std::size_t>(tie->kind)
-                                       : tie_kind_count + target.index()];
+    return list_kinds()[target.index() + (tie != nullptr ? static_cast<std::size_t>(tie->kind) : 0)];
 }
 
 const Quantity* find_line(const Tables& tables, std::string_view word) {

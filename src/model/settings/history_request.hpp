@@ -44,7 +44,7 @@ struct WatchedContacts {
 };
 
 using Watched =
-    std::variant<WatchedPoint, WatchedBody, WatchedTie, WatchedTendon, WatchedObstacle, WatchedContacts>;
+    std::variant<WatchedPoint, WatchedBody, WatchedTendon, WatchedObstacle, WatchedContacts, WatchedTie>;
 
 // The node of a point or a body; -1 between nodes and where there is none.
 inline int node_of(const Watched& target) {
