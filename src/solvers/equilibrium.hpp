@@ -90,7 +90,7 @@ struct SolverWorkspace {
     SolverWorkspace(SolverWorkspace&&) noexcept;
 };
 
-// What all equilibria of an analysis share.
+// The parts that all equilibria of an analysis share.
 struct SolverSetup {
     const System& system;
     const Integrator& integrator;

@@ -62,7 +62,7 @@ struct Kind<FieldVector> {
     static std::string sample(const KeySpec&) { return "[1.25, 2.5, 3.75]"; }
 };
 
-// By the arc length, or rows.
+// The path of a tendon: functions of the arc length, or rows.
 template <>
 struct Kind<CheckedTendonPath> {
     static std::string words(const KeySpec&) {

@@ -23,7 +23,8 @@ struct Problem;
 struct StagePlan {
     std::string name;  // "" for the only stage of a deck with [analysis]
     AnalysisSettings analysis;
-    // By the stage's own t, from 0; empty for the first stage, whose actions are in the model.
+    // Actions as functions of the stage's own t, from 0; empty for the first stage, whose actions are in
+    // the model.
     StageActions actions = {};
     long frame_interval = 1;  // as OutputSettings::every
     // The end of its t; for a path, set once it has ended. Shared with later stages that hold values from
