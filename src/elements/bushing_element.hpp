@@ -21,8 +21,8 @@ class BushingElement : public BushingBase<Nodes, BushingElement<Nodes>, BushingM
     using Base::bushing_;
     using Base::points_;
     using typename Base::Columns;
-    using typename Base::StrainColumns;
     using typename Base::OwnForce;
+    using typename Base::StrainColumns;
 
     // Derivatives by (δr, δφ) of the nodes.
     struct Variation {

@@ -24,8 +24,8 @@ class CarriedBushingElement : public BushingBase<Nodes, CarriedBushingElement<No
     using Base::bushing_;
     using Base::points_;
     using typename Base::Columns;
-    using typename Base::StrainColumns;
     using typename Base::OwnForce;
+    using typename Base::StrainColumns;
 
     // Derivatives by (δr, δφ) of the nodes, spatial.
     struct Variation {
