@@ -132,7 +132,33 @@ void Ledger::add_step(const State& state, const Step& step) {
     dissipated_ += law_dissipation_ + system_->joints().compute_slip_dissipation(state);
     add_fluid_work(state, step.time);
     add_contact_work(state, step.time);
-    dissipated_by_scheme_ += compute_scheme_dissipation(state, step.time_step);
+    if (limits_energy()) {
+        book_loss(state, step.time);
+    } else {
+        dissipated_by_scheme_ += compute_scheme_dissipation(state, step.time_step);
+    }
+}
+
+bool Ledger::limits_energy() const {
+    const Model& model = system_->model();
+    return Contacts(*system_).are_possible() && model.has_inertia && model.has_time && !weighs_powers();
+}
+
+void Ledger::book_loss(const State& state, double time) {
+    balance_ = SystemMeasures(*system_).compute_balance(state, time);
+    const LedgerRow at_end = row(state);
+    largest_energy_ =
+        std::max({largest_energy_,
+                  at_end.kinetic_energy + std::abs(at_end.strain_energy) + at_end.contact_energy,
+                  std::abs(at_end.external_work)});
+    energy_error_ = at_end.energy_error;
+    if (energy_error_ < 0.0) dissipated_by_scheme_ -= std::exchange(energy_error_, 0.0);
+}
+
+double Ledger::surplus() const {
+    constexpr double tolerated = 1e-4;
+    if (!limits_energy() || energy_error_ <= tolerated * largest_energy_) return 0.0;
+    return energy_error_ - 0.5 * tolerated * largest_energy_;
 }
 
 // Of the mean of the forces at both ends of the step, in every scheme.
@@ -148,7 +174,8 @@ void Ledger::add_contact_work(const State& state, double time) {
     if (!contacts.are_possible()) return;
     const ContactWork work = contacts.compute_work(state, time, contact_energy_);
     work_ += work.by_obstacles;
-    contact_loss_ += work.loss;
+    // What contact would give is left to the surplus.
+    contact_loss_ += limits_energy() ? std::max(work.loss, 0.0) : work.loss;
     if (integrator_->is_static()) step_work_.uncertainty += work.uncertainty;
     const double energy = contacts.compute_energy(state, time);
     contact_change_ = energy - contact_energy_ + work.loss - work.by_obstacles;

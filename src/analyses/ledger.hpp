@@ -51,6 +51,11 @@ class Ledger {
         const std::vector<Power>& stage_powers;
     };
     void add_step(const State& state, const Step& step);
+    // Returns how much of the energy after the step that was just added nothing explains, beyond what is
+    // tolerated; 0 in analyses that do not limit it.
+    double surplus() const;
+    // Whether steps must not gain energy: with contact, in schemes that take its impulses.
+    bool limits_energy() const;
 
     // Book that the state settles at an instant (solvers/steps/settling.hpp). The first is called with the
     // last accepted motions as the trial, the second with the motions of the equilibrium before they are
@@ -103,6 +108,8 @@ class Ledger {
     void add_contact_work(const State& state, double time);
     // Updates the largest energy after a step, in statics.
     void measure_largest_energy();
+    // Books what a step has lost, where steps must not gain energy.
+    void book_loss(const State& state, double time);
     double compute_scheme_dissipation(const State& state, double time_step) const;
 
     const System* system_;
@@ -121,7 +128,8 @@ class Ledger {
     double drive_work_ = 0.0;       // work of actions within sections, in the last step
     double law_dissipation_ = 0.0;  // dissipation of sections, in the last step
     double largest_energy_before_ = 0.0;
-    double largest_energy_ = 0.0;  // in statics: strain energy or work
+    double largest_energy_ = 0.0;  // strain energy or work in statics, all energy where it is limited
+    double energy_error_ = 0.0;    // after the last step, where energy is limited
     StepWork step_work_;           // work of the last load step
     std::vector<Vec6>
         held_;  // forces that would hold the start in place, in statics; empty from the first step on

@@ -15,6 +15,7 @@
 #include "elements/tie_values.hpp"
 #include "model/evaluation_error.hpp"
 #include "solvers/coupled/coupled_step.hpp"
+#include "solvers/energy_limit.hpp"
 #include "solvers/newton_steps.hpp"
 #include "solvers/steps/settling.hpp"
 #include "solvers/worst_nodes.hpp"
@@ -359,8 +360,22 @@ bool SteppedAnalysis::take_step(EquilibriumReport& report) {
     const bool is_estimated = steps_->needs_error() || integrator_->stage_count() > 1;
     if (report.converged() && is_estimated && integrator_->error_order() > 0) check_error(report);
     if (report.converged()) judge_equilibrium(report);
+    if (report.converged() && ledger_->limits_energy()) limit_energy(report);
     if (!report.converged()) undo();
     return report.converged();
+}
+
+void SteppedAnalysis::limit_energy(EquilibriumReport& report) {
+    const Stage step = next_stage();
+    tried_ledger_ = *ledger_;
+    tried_ledger_->add_step(state_,
+                            {trial_time(), step.time_step, workspace_.residual, workspace_.stage_powers});
+    const double surplus = tried_ledger_->surplus();
+    if (surplus == 0.0) return;
+    tried_ledger_.reset();
+    if (take_surplus(system_, step, surplus, workspace_, state_) > 0.0) return;
+    report.outcome = Outcome::energy_out_of_reach;
+    report.worst_node = report.worst_component = -1;
 }
 
 void SteppedAnalysis::check_error(EquilibriumReport& report) {
@@ -412,7 +427,13 @@ EquilibriumReport SteppedAnalysis::advance() {
     point_values_ = SystemValues(system_).compute_point_values(state_, time, watched_);
     body_values_ = SystemValues(system_).compute_body_surroundings(state_, time);
     keep_step(time);
-    ledger_->add_step(state_, {time, next_stage().time_step, workspace_.residual, workspace_.stage_powers});
+    if (tried_ledger_) {
+        *ledger_ = std::move(*tried_ledger_);
+        tried_ledger_.reset();
+    } else {
+        ledger_->add_step(state_,
+                          {time, next_stage().time_step, workspace_.residual, workspace_.stage_powers});
+    }
     if (has_relaxed()) {
         ledger_->settle_load_step();
     } else {
@@ -525,6 +546,7 @@ Failure SteppedAnalysis::explain(const EquilibriumReport& report) {
     failure.iterations = report.iterations;
     failure.residual = report.residual;
     failure.step_error = report.step_error;
+    failure.limits_energy = ledger_ && ledger_->limits_energy();
     constexpr double open = 1e-9;
     if (report.joint_gap.joint >= 0 && report.joint_gap.size > open) {
         failure.open_joint = system_.joints().name(report.joint_gap.joint);

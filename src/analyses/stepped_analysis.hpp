@@ -198,6 +198,9 @@ class SteppedAnalysis {
     // Fails the report if the estimated error is too large and steps are chosen by it.
     void check_error(EquilibriumReport& report);
 
+    // Takes energy that nothing explains from the step, or fails the report, where steps must not gain any.
+    void limit_energy(EquilibriumReport& report);
+
     // Makes the next step end at the next jump or at the requested landing, whichever comes first.
     void aim();
 
@@ -213,6 +216,7 @@ class SteppedAnalysis {
     std::string describe_imbalance() const;
 
     std::unique_ptr<Ledger> ledger_;             // none before the start
+    std::optional<Ledger> tried_ledger_;         // after the step that is tried, where energy is limited
     std::optional<LedgerTotals> totals_before_;  // totals of an earlier stage
     std::string start_note_;
     bool takes_over_rates_ = false;

@@ -113,7 +113,9 @@ std::string describe_outcome(const Failure& failure) {
             return fmt::format(
                 "the estimated error of the step, {:.2e}, is above the tolerance{}", failure.step_error, at);
         case Outcome::energy_out_of_reach:
-            return "the energy of the step is off by more than the vibrations of the model can take up";
+            return failure.limits_energy
+                       ? "the step gains energy, more than can be taken from its vibrations again"
+                       : "the energy of the step is off by more than the vibrations of the model can take up";
         case Outcome::joints_open:
             return fmt::format(
                 "no velocities near those of the step fit {}, which are off by {:.2e} of the largest",
@@ -172,7 +174,9 @@ std::vector<std::string> advise(const Failure& failure) {
             break;
         case Outcome::energy_out_of_reach:
             advice.push_back(shorter_steps(failure));
-            advice.push_back("integrator = \"gauss-4\", where a model turns almost without vibrating");
+            advice.push_back(failure.limits_energy
+                                 ? "integrator = \"generalized-alpha\", which damps what is too fast for the steps"
+                                 : "integrator = \"gauss-4\", where a model turns almost without vibrating");
             break;
         case Outcome::joints_open:
             advice.push_back(shorter_steps(failure));

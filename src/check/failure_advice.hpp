@@ -19,6 +19,7 @@ struct Failure {
     int iterations = 0;
     double residual = 0.0;            // relative to the largest force or moment
     double step_error = 0.0;          // the estimate, for error_too_large
+    bool limits_energy = false;       // whether steps must not gain energy
     std::vector<std::string> places;  // "flyer.end (ry)", the worst first
     std::vector<std::int64_t> nodes;  // nodes of those places
     std::string shrunk_spring;        // a spring with almost no length, if forces are not finite; or ""

@@ -81,10 +81,10 @@ class Integrator {
     // / 2 to positions (docs/theory/contact.md, (C16)). An equilibrium with this multiple of f places nodes
     // accordingly; 0 if the scheme does not support it.
     virtual double contact_weight() const { return is_static() ? 1.0 : 0.0; }
-    // Averages impulses after the step's equilibrium, when the trial has the accelerations without contact:
-    // changes `shocked`, (a, α) of each node in the equilibrium, to the mean over the step, impulses
-    // included.
-    virtual void average_impulses(const State&, std::vector<Vec6>& /*shocked*/) const {}
+    // Takes impulses out of the accelerations of a step, when its equilibrium is found and the trial has the
+    // accelerations without contact: sets what the scheme carries from these, and changes `shocked`, (a, α)
+    // of each node in the equilibrium, to the mean over the step, impulses included.
+    virtual void split_impulses(State&, const Stage&, std::vector<Vec6>& /*shocked*/) const {}
 
     // The number of entries of State::carried_previous for each node; start() sets them.
     virtual int carried_count() const { return 0; }

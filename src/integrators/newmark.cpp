@@ -4,7 +4,7 @@
 
 namespace gxrod {
 
-void Newmark::average_impulses(const State& state, std::vector<Vec6>& shocked) const {
+void Newmark::split_impulses(const State& state, std::vector<Vec6>& shocked) const {
     for (std::size_t i = 0; i < shocked.size(); ++i) {
         Vec6 smooth;
         smooth << state.trial[i].a, state.trial[i].alpha;
@@ -34,8 +34,8 @@ StepError estimate_newmark_error(const NewmarkError& factors,
         Vec6 change;
         change << trial.a - previous.a, trial.alpha - previous.alpha;
         if (is_algorithmic) {
-            const CarriedAcceleration& A_n = state.carried_previous[i];
-            const CarriedAcceleration& A = state.carried_trial[i];
+            const CarriedAcceleration& A_n = state.carried_previous[2 * i];
+            const CarriedAcceleration& A = state.carried_trial[2 * i];
             change << A.a - A_n.a, A.alpha - A_n.alpha;
         }
         change *= time_step * time_step;

@@ -34,8 +34,8 @@ struct Newmark {
     // Returns Integrator::contact_weight: positions change by β Δt² for an acceleration and by Δt²/2 for an
     // impulse.
     double contact_weight() const { return 1.0 / (2.0 * beta); }
-    // Implements Integrator::average_impulses. With β = γ/2 velocities contain the whole impulses.
-    void average_impulses(const State& state, std::vector<Vec6>& shocked) const;
+    // Implements Integrator::split_impulses. With β = γ/2 velocities contain the whole impulses.
+    void split_impulses(const State& state, std::vector<Vec6>& shocked) const;
 };
 
 // Computes v and a of a node from its displacement over the step.

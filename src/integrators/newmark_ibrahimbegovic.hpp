@@ -10,6 +10,10 @@ namespace gxrod {
 class NewmarkIbrahimbegovic : public Integrator {
   public:
     explicit NewmarkIbrahimbegovic(const Newmark& newmark) : newmark_(newmark) {}
+    double contact_weight() const override { return newmark_.contact_weight(); }
+    void split_impulses(State& state, const Stage&, std::vector<Vec6>& shocked) const override {
+        newmark_.split_impulses(state, shocked);
+    }
     int error_order() const override { return 3; }
     StepError estimate_error(const State& state,
                              double time_step,

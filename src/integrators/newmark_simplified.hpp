@@ -13,8 +13,8 @@ class NewmarkSimplified : public Integrator {
 
     bool has_paper_tangent() const override { return true; }
     double contact_weight() const override { return newmark_.contact_weight(); }
-    void average_impulses(const State& state, std::vector<Vec6>& shocked) const override {
-        newmark_.average_impulses(state, shocked);
+    void split_impulses(State& state, const Stage&, std::vector<Vec6>& shocked) const override {
+        newmark_.split_impulses(state, shocked);
     }
     int error_order() const override { return 3; }
     StepError estimate_error(const State& state,

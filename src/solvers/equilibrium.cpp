@@ -150,7 +150,7 @@ void split_contact(const System& system,
         report.outcome = smooth.outcome;
         return;
     }
-    integrator.average_impulses(state, shocked);
+    integrator.split_impulses(state, stage, shocked);
     const auto exchange = [&] {
         for (std::size_t i = 0; i < shocked.size(); ++i) {
             Vec6 before;

@@ -52,7 +52,7 @@ TEST_CASE("the dissipation of generalized-alpha follows its discrete balance", "
             [&](const DynamicAnalysis& analysis) {
                 const NodeMotion& end = analysis.state().trial[1];
                 const double a = end.a.x();
-                const double d = a - analysis.state().carried_trial[1].a.x();
+                const double d = a - analysis.state().carried_trial[2].a.x();
                 const LedgerRow row = analysis.ledger_row();
                 const double reversible =
                     mass * (-0.5 * delta * h * end.v.x() * d +

@@ -45,13 +45,12 @@ def _vector(v):
 class Scene:
     """rods: (start, end, velocity, elements); obstacles: ("plane", height), ("sphere", centre, radius) or ("cylinder", from, to, radius)."""
 
-    def __init__(self, seed):
+    def __init__(self, seed, scheme="newmark-simplified", time_step=STEP):
         draw = random.Random(seed)
-        self.seed = seed
+        self.seed, self.scheme, self.time_step = seed, scheme, time_step
         self.radius = math.exp(draw.uniform(math.log(2e-3), math.log(1e-2)))
         self.modulus = math.exp(draw.uniform(math.log(1e6), math.log(1e10)))
         self.friction = draw.choice([0.0, 0.0, 0.3, 0.6])
-        self.scheme = "newmark-simplified"
         self.gravity = draw.choice([0.0, 9.81])
         # Radii a step.
         self.speed = math.exp(draw.uniform(math.log(0.1), math.log(100.0)))
@@ -116,5 +115,5 @@ class Scene:
             else:
                 lines.append(f"cylinder = {{ from = {_vector(obstacle[1])}, to = {_vector(obstacle[2])}, radius = {obstacle[3]:.9g} }}")
         lines += ["[contact]", f"friction = {self.friction}", "[analysis]", 'kind = "dynamic"', f"end_time = {STEP * STEPS}",
-                  f"time_step = {STEP}", f'integrator = "{self.scheme}"']
+                  f"time_step = {self.time_step}", f'integrator = "{self.scheme}"']
         return "\n".join(lines) + "\n"

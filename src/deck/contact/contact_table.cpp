@@ -141,7 +141,8 @@ void check_stage(const AnalysisTable& table,
     if (card_of(timed->scheme).takes_contact) {
         // docs/theory/contact.md#time
         constexpr double rounding = 1e-12;
-        if (std::abs(timed->beta - 0.5 * timed->gamma) > rounding)
+        if (card_of(timed->scheme).parameters == SchemeParameters::newmark &&
+            std::abs(timed->beta - 0.5 * timed->gamma) > rounding)
             context.add_fault(table,
                               table.gives(table.beta) ? table.beta : table.gamma,
                               fmt::format("with contact and damping this scheme can gain energy; expected "

@@ -24,7 +24,7 @@ std::string find_friction(const Model& model) {
 }
 
 SchemeChoice choose_scheme(const Model& model, std::optional<double> accuracy) {
-    if (!model.contact.is_empty()) return {Scheme::newmark_simplified, "for rods that touch"};
+    if (!model.contact.is_empty()) return {Scheme::generalized_alpha, "for what touches"};
     if (has_rods_in_fluids(model) && accuracy.value_or(loose_in_fluids) >= loose_in_fluids)
         return {Scheme::generalized_alpha, "for rods in water, in wind or on the ground"};
     if (const std::string rubs = find_friction(model); !rubs.empty())
