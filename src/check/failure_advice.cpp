@@ -174,9 +174,10 @@ std::vector<std::string> advise(const Failure& failure) {
             break;
         case Outcome::energy_out_of_reach:
             advice.push_back(shorter_steps(failure));
-            advice.push_back(failure.limits_energy
-                                 ? "integrator = \"generalized-alpha\", which damps what is too fast for the steps"
-                                 : "integrator = \"gauss-4\", where a model turns almost without vibrating");
+            advice.push_back(
+                failure.limits_energy
+                    ? "integrator = \"generalized-alpha\", which damps what is too fast for the steps"
+                    : "integrator = \"gauss-4\", where a model turns almost without vibrating");
             break;
         case Outcome::joints_open:
             advice.push_back(shorter_steps(failure));
