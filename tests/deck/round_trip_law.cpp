@@ -101,7 +101,7 @@ std::vector<RoundTrip> law_trips() {
                   "inertia = { rhoA = 1.0, rhoJ = 20, rhoIy = 10, rhoIz = 11 }",
                   "material = { E = 1, G = 1, shear_factor = 1, density = 1, yield_stress = 0.01 }"),
          sees<LayeredLaw>([](const LayeredLaw& law) {
-             return law.layers().size() == 33 && law.layers()[0].limit == 0.01 * M_PI;
+             return law.layers().size() == 117 && law.layers()[0].limit == 0.01 * M_PI;
          })});
     return trips;
 }
