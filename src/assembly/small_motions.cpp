@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "assembly/system_measures.hpp"
 #include "linear/eigen/pencil.hpp"
@@ -45,7 +46,8 @@ class ElasticLaw final : public SmallMotionLaw {
         std::vector<int> pieces(static_cast<std::size_t>(kinked->piece_count()));
         std::vector<double> after(memory.begin(), memory.end());
         kinked->find_pieces(strain, memory, pieces);
-        return kinked->respond_on(pieces, strain, memory, 0.0, after).tangent;
+        return kinked->respond_on(pieces, strain, memory, std::numeric_limits<double>::infinity(), after)
+            .tangent;
     }
     std::vector<RelaxingStiffness> relaxing_stiffness() const override {
         return list_relaxing_stiffness(*law_);
@@ -61,19 +63,29 @@ class ElasticLaw final : public SmallMotionLaw {
 };
 
 Model linearize(Model model, const std::shared_ptr<const double>& quick, Linearization linearization) {
-    for (Section& section : model.sections) {
-        if (section.law) section.law = std::make_shared<const ElasticLaw>(section.law, quick, linearization);
-    }
+    const auto set = [&](std::vector<Section>& sections) {
+        for (Section& section : sections) {
+            if (section.law)
+                section.law = std::make_shared<const ElasticLaw>(section.law, quick, linearization);
+        }
+    };
+    set(model.sections);
+    for (Rod& rod : model.rods) set(rod.varying.at_forces);
     return set_at_limit(std::move(model),
                         linearization == Linearization::elastic ? AtLimit::sticks : AtLimit::slips);
 }
 
 std::vector<double> list_relaxation_times(const Model& model) {
     std::vector<double> times;
-    for (const Section& section : model.sections) {
-        if (!section.law) continue;
-        for (const RelaxingStiffness& one : list_relaxing_stiffness(*section.law)) times.push_back(one.time);
-    }
+    const auto add = [&](const std::vector<Section>& sections) {
+        for (const Section& section : sections) {
+            if (!section.law) continue;
+            for (const RelaxingStiffness& one : list_relaxing_stiffness(*section.law))
+                times.push_back(one.time);
+        }
+    };
+    add(model.sections);
+    for (const Rod& rod : model.rods) add(rod.varying.at_forces);
     std::ranges::sort(times);
     times.erase(std::ranges::unique(times).begin(), times.end());
     return times;

@@ -60,7 +60,7 @@ void set_section_law(const std::string& name, std::shared_ptr<const SectionLaw> 
     const std::string key = "section." + name;
     Section& section = find(problem.model.sections, "section", name, problem);
     if (!is_used_as_it_is(problem, section))
-        refuse(problem, key, "no rod has this section all along, as a section with a law must be");
+        refuse(problem, key, "no rod has this section all along, as one with a law of the program must");
     check_scheme(problem, key);
     const std::vector<double> memory(static_cast<std::size_t>(law->memory_size()));
     const SectionResponse rest =

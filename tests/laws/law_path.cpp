@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "laws/mixed_law.hpp"
 #include "laws/moment_curvature_law.hpp"
+#include "laws/moved_law.hpp"
 #include "laws/plastic_law.hpp"
 #include "laws/shape_layers.hpp"
 #include "laws/trapeze_law.hpp"
@@ -146,6 +148,21 @@ void add_viscoelastic(std::vector<NamedLaw>& laws) {
          scale});
 }
 
+void add_combined(std::vector<NamedLaw>& laws) {
+    const Mat6 C = some_stiffness();
+    const auto plastic =
+        std::make_shared<PlasticLaw>(C, YieldLimits{.limits = {{4, 0.5}, {5, 0.3}}, .isotropic = {}});
+    const auto relaxing =
+        std::make_shared<ViscoelasticLaw>(2.0 * C, std::vector<PronyBranch>{{0.5, 0.2}, {0.3, 2.0}});
+    const auto layered = std::make_shared<LayeredLaw>(C, std::vector<Layer>{{StrainPart::bending, 5.0, 0.4}});
+    const Vec6 scale = scale_of(0.1, 0.3);
+    laws.push_back({"mixed", std::make_shared<MixedLaw>(plastic, layered, 0.3), scale});
+    laws.push_back({"mixed with what relaxes", std::make_shared<MixedLaw>(relaxing, plastic, 0.6), scale});
+    const SectionFrame frame{.y = 0.3, .z = -0.2, .turn = 0.7};
+    laws.push_back({"moved", std::make_shared<MovedLaw>(frame, plastic), scale});
+    laws.push_back({"moved, what relaxes", std::make_shared<MovedLaw>(frame, relaxing), scale});
+}
+
 }  // namespace
 
 std::vector<NamedLaw> every_law() {
@@ -154,6 +171,7 @@ std::vector<NamedLaw> every_law() {
     add_curves(laws);
     add_plastic(laws);
     add_viscoelastic(laws);
+    add_combined(laws);
     return laws;
 }
 

@@ -4,6 +4,7 @@
 
 #include "deck/places/build_context.hpp"
 #include "deck/sections/section_tables.hpp"
+#include "model/sections/section_frame.hpp"
 
 namespace gxrod {
 
@@ -21,9 +22,13 @@ bool varies_along_rod(const CheckedTable& section);
 // Builds the section at a place.
 Section build_section(const SectionTable& given, const SectionPlace& at, const BuildContext& context);
 
-// Gives a section with known stiffness its law, if it has one; the stiffness then holds for small strains
-// after a long time. Errors become faults.
-void set_law(const SectionTable& given, bool varies, Section& section, const BuildContext& context);
+// Gives a section its law at a place, if it has one, and moves its stiffness, which is given in the frame, to
+// the rod; with a law it then holds for small strains after a long time. Errors become faults.
+void set_law(const SectionTable& given,
+             const SectionPlace& at,
+             const SectionFrame& frame,
+             Section& section,
+             const BuildContext& context);
 
 // Returns a number of a table within a section's table, at a place along a rod. Adds a fault if it is out of
 // range there or not a number.

@@ -8,6 +8,7 @@
 #include "deck/sections/build_sections.hpp"
 #include "laws/layered_law.hpp"
 #include "laws/moment_curvature_law.hpp"
+#include "laws/moved_law.hpp"
 #include "laws/shape_layers.hpp"
 #include "laws/trapeze_law.hpp"
 #include "laws/viscoelastic_law.hpp"
@@ -169,27 +170,31 @@ std::optional<PiecewiseLine> find_line(const KeyRows& given, double start, const
     return PiecewiseLine(rows);
 }
 
-std::optional<Layer> find_layer(const LayerTable& given, const BuildContext& context) {
-    if (given.on == StrainPart::tension && given.limit_per_tension > 0.0) {
+std::optional<Layer> find_layer(const LayerTable& given,
+                                const SectionPlace& at,
+                                const BuildContext& context) {
+    const Layer layer{.on = given.on,
+                      .stiffness = number_of(given, given.stiffness, at, context),
+                      .limit = number_of(given, given.limit, at, context),
+                      .limit_per_tension = number_of(given, given.limit_per_tension, at, context)};
+    if (layer.on == StrainPart::tension && layer.limit_per_tension > 0.0) {
         context.add_fault(
             given, given.limit_per_tension, "a layer on tension has a limit that does not depend on tension");
         return std::nullopt;
     }
-    if (given.limit > 0.0 || given.limit_per_tension > 0.0) {
-        return Layer{.on = given.on,
-                     .stiffness = given.stiffness,
-                     .limit = given.limit,
-                     .limit_per_tension = given.limit_per_tension};
-    }
+    if (layer.limit > 0.0 || layer.limit_per_tension > 0.0) return layer;
     context.add_fault(
         given, given.limit, "expected a number greater than 0, or limit_per_tension greater than 0, found 0");
     return std::nullopt;
 }
 
-SharedLaw make_layered_law(const std::vector<LayerTable>& given, const Mat6& C, const BuildContext& context) {
+SharedLaw make_layered_law(const std::vector<LayerTable>& given,
+                           const Mat6& C,
+                           const SectionPlace& at,
+                           const BuildContext& context) {
     std::vector<Layer> layers;
     for (const LayerTable& one : given) {
-        const std::optional<Layer> layer = find_layer(one, context);
+        const std::optional<Layer> layer = find_layer(one, at, context);
         if (layer) layers.push_back(*layer);
     }
     return std::make_shared<LayeredLaw>(C, std::move(layers));
@@ -255,16 +260,19 @@ std::optional<PiecewiseLine> find_isotropic(const PlasticTable& given, const Bui
     return PiecewiseLine({{0.0, 1.0}, {1.0, 1.0 + slope}});
 }
 
-SharedLaw make_plastic_law(const PlasticTable& given, const Mat6& C, const BuildContext& context) {
+SharedLaw make_plastic_law(const PlasticTable& given,
+                           const Mat6& C,
+                           const SectionPlace& at,
+                           const BuildContext& context) {
     YieldLimits yield{.limits = {},
                       .interaction = given.interaction,
                       .isotropic = find_isotropic(given, context),
-                      .kinematic = given.kinematic};
+                      .kinematic = number_of(given, given.kinematic, at, context)};
     std::vector<int> entries;
     for (int entry = 0; entry < 6; ++entry) {
-        const std::optional<double>& limit = given.yield->limits[static_cast<std::size_t>(entry)];
+        const std::optional<ArcNumber>& limit = given.yield->limits[static_cast<std::size_t>(entry)];
         if (!limit) continue;
-        yield.limits.emplace_back(entry, *limit);
+        yield.limits.emplace_back(entry, number_of(*given.yield, *limit, at, context));
         entries.push_back(entry);
     }
     if (yield.interaction == YieldInteraction::none && couples_within(C, entries)) {
@@ -293,15 +301,21 @@ SharedLaw make_viscoelastic_law(const ViscoelasticTable& given, const Mat6& C, c
     return std::make_shared<ViscoelasticLaw>(C, std::move(branches), on);
 }
 
-// Layers in place of all stiffness but that of shear. The section is the same all along a rod.
-SharedLaw make_shape_law(const SectionTable& given, const Mat6& C, const BuildContext& context) {
-    const auto number = [](const ArcNumber& value) { return std::get<double>(value); };
+// Makes layers in place of all stiffness but that of shear.
+SharedLaw make_shape_law(const SectionTable& given,
+                         const Mat6& C,
+                         const SectionPlace& at,
+                         const BuildContext& context) {
+    const auto find = [&](const TableHead& table, const ArcNumber& value) {
+        return number_of(table, value, at, context);
+    };
     const MaterialTable& material = *given.material;
-    const double E = number(material.E);
-    const double G = material.G ? number(*material.G) : E / (2.0 * (1.0 + number(*material.nu)));
-    const YieldingMaterial yielding{E, G, *material.yield_stress};
+    const double E = find(material, material.E);
+    const double G =
+        material.G ? find(material, *material.G) : E / (2.0 * (1.0 + find(material, *material.nu)));
+    const YieldingMaterial yielding{E, G, find(material, *material.yield_stress)};
     constexpr double least_yield_strain = 1e-5;
-    if (yielding.yield_stress < least_yield_strain * E) {
+    if (at.rod.empty() && yielding.yield_stress < least_yield_strain * E) {
         context.notes.push_back(fmt::format(
             "{}: it is {:.2g} of E, where metals have 1e-3 and lead 2e-4; are both in one unit of stress?",
             material.path_of(&material.yield_stress),
@@ -309,71 +323,57 @@ SharedLaw make_shape_law(const SectionTable& given, const Mat6& C, const BuildCo
     }
     std::vector<Layer> layers;
     if (const auto& circle = given.shape->circle) {
-        layers = make_tube_layers(number(circle->radius), 0.0, yielding);
+        layers = make_tube_layers(find(*circle, circle->radius), 0.0, yielding);
     } else if (const auto& tube = given.shape->tube) {
-        layers = make_tube_layers(number(tube->outer_radius), number(tube->inner_radius), yielding);
+        layers = make_tube_layers(find(*tube, tube->outer_radius), find(*tube, tube->inner_radius), yielding);
     } else {
         const RectangleTable& rectangle = *given.shape->rectangle;
         layers = make_rectangle_layers(
-            number(rectangle.width_y), number(rectangle.height_z), C(3, 3) / G, yielding);
+            find(rectangle, rectangle.width_y), find(rectangle, rectangle.height_z), C(3, 3) / G, yielding);
     }
     Mat6 shear = Mat6::Zero();
     shear.block<2, 2>(1, 1) = C.block<2, 2>(1, 1);
     return std::make_shared<LayeredLaw>(shear, std::move(layers));
 }
 
-SharedLaw make_law(const LawTable& law, const Mat6& C, const BuildContext& context) {
-    if (law.gives(law.layers)) return make_layered_law(law.layers, C, context);
+SharedLaw make_law(const LawTable& law, const Mat6& C, const SectionPlace& at, const BuildContext& context) {
+    if (law.gives(law.layers)) return make_layered_law(law.layers, C, at, context);
     if (law.moment_curvature) return make_curve_law(*law.moment_curvature, C, context);
-    if (law.plastic) return make_plastic_law(*law.plastic, C, context);
+    if (law.plastic) return make_plastic_law(*law.plastic, C, at, context);
     return make_viscoelastic_law(*law.viscoelastic, C, context);
 }
 
 bool yields(const SectionTable& section) { return section.material && section.material->yield_stress; }
 
-// Adds a fault at the key that gives the section its law.
-void add_law_fault(const SectionTable& given, const std::string& message, const BuildContext& context) {
-    if (given.law)
-        context.add_fault(given, given.law, message);
-    else if (yields(given))
-        context.add_fault(*given.material, given.material->yield_stress, message);
-    else
-        context.add_fault(given, given.trapeze, message);
-}
-
 }  // namespace
 
-void set_law(const SectionTable& given, bool varies, Section& section, const BuildContext& context) {
+void set_law(const SectionTable& given,
+             const SectionPlace& at,
+             const SectionFrame& frame,
+             Section& section,
+             const BuildContext& context) {
+    const Mat6 C = section.stiffness;
+    section.stiffness = move_from(frame, C);
     const bool is_trapeze = given.trapeze.value_or(false);
     if (!given.law && !is_trapeze && !yields(given)) return;
-    if (varies) {
-        return add_law_fault(
-            given,
-            "a section with a law is the same all along a rod; expected no function of s in it",
-            context);
-    }
-    if (given.at || given.gives(given.turn)) {
-        return add_law_fault(
-            given,
-            "a law is about the rod and in its section axes; expected neither at nor turn in "
-            "a section that has one",
-            context);
-    }
     if (given.law && yields(given)) {
-        return add_law_fault(
-            given, "yield_stress of the material is given too; only one of them can be", context);
+        return context.add_fault(
+            given, given.law, "yield_stress of the material is given too; only one of them can be");
     }
     // One that is at fault itself.
-    const Mat6 C = section.stiffness;
     if (!(C.diagonal().array() > 0.0).all()) return;
     SharedLaw law;
-    if (given.law) law = make_law(*given.law, C, context);
-    if (yields(given)) law = make_shape_law(given, C, context);
-    if (is_trapeze) law = std::make_shared<TrapezeLaw>(C, std::move(law));
-    if (!law) return;
-    const std::vector<double> memory(static_cast<std::size_t>(law->memory_size()));
-    section.stiffness =
-        law->respond(Vec6::Zero(), memory, std::numeric_limits<double>::infinity(), {}).tangent;
+    if (given.law) law = make_law(*given.law, C, at, context);
+    if (yields(given)) law = make_shape_law(given, C, at, context);
+    const Mat6 moved = section.stiffness;
+    if (law) {
+        const std::vector<double> memory(static_cast<std::size_t>(law->memory_size()));
+        section.stiffness = move_from(
+            frame, law->respond(Vec6::Zero(), memory, std::numeric_limits<double>::infinity(), {}).tangent);
+        if (!frame.is_trivial()) law = std::make_shared<MovedLaw>(frame, std::move(law));
+    }
+    // About the rod, where the fibres of a section are.
+    if (is_trapeze) law = std::make_shared<TrapezeLaw>(moved, std::move(law));
     section.law = std::move(law);
 }
 

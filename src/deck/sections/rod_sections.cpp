@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "deck/schema/suggestion.hpp"
 #include "deck/sections/build_sections.hpp"
 #include "deck/surroundings/section_fluid.hpp"
+#include "laws/layered_law.hpp"
+#include "laws/mixed_law.hpp"
 #include "mesh/rod_mesh.hpp"
 #include "numerics/gauss_legendre.hpp"
 
@@ -88,25 +91,16 @@ void check_fluid(const RodTable& rod, const std::vector<Station>& stations, cons
     }
 }
 
-// Whether a rod has the section of its first station everywhere. One with a law must, or it is a fault.
-bool has_one_law(const RodTable& rod, const std::vector<Station>& stations, const BuildContext& context) {
-    if (context.model.sections.empty()) return false;
-    const auto with_law = std::ranges::find_if(
-        stations, [&](const Station& station) { return section_of(station, context).law != nullptr; });
-    if (with_law == stations.end()) return false;
+bool has_law(const Station& station, const BuildContext& context) {
+    return section_of(station, context).law != nullptr;
+}
+
+// Whether a rod has the same section with a law everywhere, which does not vary.
+bool has_one_law(const std::vector<Station>& stations, const BuildContext& context) {
+    if (context.model.sections.empty() || !has_law(stations.front(), context)) return false;
     const int first = stations.front().section;
-    const bool is_constant =
-        std::ranges::all_of(stations, [&](const Station& station) { return station.section == first; });
-    if (!is_constant) {
-        context.add_fault(
-            rod,
-            rod.sections,
-            fmt::format("section \"{}\" has a law, so that the rod cannot have another section; "
-                        "expected \"{}\" at all stations, or a rod for each section",
-                        section_of(*with_law, context).name,
-                        section_of(*with_law, context).name));
-    }
-    return is_constant;
+    return !varies_along_rod(context.deck.tables("section")[static_cast<std::size_t>(first)]) &&
+           std::ranges::all_of(stations, [&](const Station& station) { return station.section == first; });
 }
 
 bool are_one(double a, double b) { return std::abs(a - b) <= 2.0 * same_fraction; }
@@ -116,6 +110,12 @@ Section nameless(Section section) {
     return section;
 }
 
+// The law of a section; of one without a law, its stiffness as a law.
+std::shared_ptr<const SectionLaw> law_of(const Section& section) {
+    if (section.law) return section.law;
+    return std::make_shared<const LayeredLaw>(section.stiffness, std::vector<Layer>{});
+}
+
 // (1 − t) a + t b.
 Section mix(const Section& a, const Section& b, double t) {
     Section section = nameless(a);
@@ -123,6 +123,7 @@ Section mix(const Section& a, const Section& b, double t) {
     section.mass = (1.0 - t) * a.mass + t * b.mass;
     section.expansion = (1.0 - t) * a.expansion + t * b.expansion;
     section.fluid = combine(1.0 - t, a.fluid, t, b.fluid);
+    if (a.law || b.law) section.law = mix_laws(law_of(a), law_of(b), t);
     section.radius = a.radius > 0.0 && b.radius > 0.0 ? (1.0 - t) * a.radius + t * b.radius : 0.0;
     return section;
 }
@@ -165,6 +166,14 @@ class SectionsAlong {
     const BuildContext& context_;
 };
 
+// Where one section has a law, all have one. The mean has the first that is not the stiffness alone.
+void set_laws(std::vector<Section>& sections, Section& mean) {
+    const auto first = std::ranges::find_if(sections, [](const Section& one) { return one.law != nullptr; });
+    mean.law = first == sections.end() ? nullptr : first->law;
+    if (!mean.law) return;
+    for (Section& section : sections) section.law = law_of(section);
+}
+
 }  // namespace
 
 std::vector<double> list_force_points(int order) {
@@ -187,7 +196,7 @@ std::vector<Station> find_stations(const RodTable& rod, const SectionFile* file,
         stations.push_back({station.fraction, find_section(station.section, context)});
     check_damping(rod, stations, context);
     check_fluid(rod, stations, context);
-    if (has_one_law(rod, stations, context)) return {stations.front()};
+    if (has_one_law(stations, context)) return {stations.front()};
     return stations;
 }
 
@@ -234,6 +243,7 @@ void set_sections(const std::vector<Station>& stations,
             mean.fluid = combine(1.0, mean.fluid, part, here.fluid);
         }
     }
+    set_laws(rod.varying.at_forces, mean);
     if (stations.front().section != stations.back().section)
         mean.name += " … " + known[static_cast<std::size_t>(stations.back().section)].name;
     mean.name += " along " + rod.name;

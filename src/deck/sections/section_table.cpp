@@ -474,7 +474,7 @@ Section build_section(const SectionTable& given, const SectionPlace& at, const B
     section.expansion = number_of(given, given.expansion, at, context);
     if (at.rod.empty()) check_inertia(given, section, context);
     const SectionFrame frame = frame_of(given, at, context);
-    section.stiffness = move_from(frame, section.stiffness);
+    set_law(given, at, frame, section, context);
     section.mass = move_from(frame, section.mass);
     if (given.damping) set_damping(*given.damping, section);
     set_fluid(given, at, section, context);
@@ -507,7 +507,6 @@ void build_sections(BuildContext& context) {
     for (const CheckedTable& table : context.deck.tables("section")) {
         const auto& given = static_cast<const SectionTable&>(*table.record);
         context.model.sections.push_back(build_section(given, {}, context));
-        set_law(given, varies_along_rod(table), context.model.sections.back(), context);
     }
 }
 

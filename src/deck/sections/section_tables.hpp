@@ -42,8 +42,7 @@ struct ShapeTable : TableHead {
 struct MaterialTable : TableHead {
     ArcNumber E;
     std::optional<ArcNumber> nu, G;
-    std::optional<double> yield_stress;
-    std::optional<ArcNumber> density, shear_factor;
+    std::optional<ArcNumber> yield_stress, density, shear_factor;
 };
 
 struct DampingTable : TableHead {
@@ -53,9 +52,9 @@ struct DampingTable : TableHead {
 
 struct LayerTable : TableHead {
     StrainPart on{};
-    double stiffness = 0.0;
-    double limit = 0.0;
-    double limit_per_tension = 0.0;
+    ArcNumber stiffness = 0.0;
+    ArcNumber limit = 0.0;
+    ArcNumber limit_per_tension = 0.0;
 };
 
 struct MomentCurvatureTable : TableHead {
@@ -64,14 +63,14 @@ struct MomentCurvatureTable : TableHead {
 };
 
 struct YieldTable : TableHead {
-    std::array<std::optional<double>, 6> limits;
+    std::array<std::optional<ArcNumber>, 6> limits;
 };
 
 struct PlasticTable : TableHead {
     std::optional<YieldTable> yield;
     YieldInteraction interaction = YieldInteraction::ellipsoid;
     std::variant<double, CheckedPairs> isotropic = 0.0;
-    double kinematic = 0.0;
+    ArcNumber kinematic = 0.0;
 };
 
 struct ViscoelasticTable : TableHead {

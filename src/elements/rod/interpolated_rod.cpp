@@ -112,10 +112,9 @@ SectionResponse InterpolatedRod<Nodes>::respond(int p,
     const Vec6 of_law = is_driven ? Vec6(strain - histories.drives[p].strain) : strain;
     SectionResponse response;
     if (own.law) {
+        const auto first = static_cast<std::size_t>(count_memory_before(p));
         const auto size = static_cast<std::size_t>(own.memory_size());
-        const auto part = [&](auto memory) {
-            return memory.empty() ? memory : memory.subspan(p * size, size);
-        };
+        const auto part = [&](auto memory) { return memory.empty() ? memory : memory.subspan(first, size); };
         response = own.law->respond(of_law, part(histories.memory), histories.elapsed, part(after));
     } else {
         response.resultants = own.stiffness * of_law;

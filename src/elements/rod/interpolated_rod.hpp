@@ -59,9 +59,10 @@ class InterpolatedRod {
                            std::vector<DrivenPoint>& points) const;
     // Whether resultants are the stiffness × the strains, at every point.
     bool is_linear(Histories histories) const { return !has_law() && histories.drives.empty(); }
+    // Whether sections have laws: at all points, or at none.
     bool has_law() const { return section(0).law != nullptr; }
-    // The number of values that the laws of all points remember, the same at each point.
-    int memory_count() const { return point_count * section(0).memory_size(); }
+    // The number of values that the laws of all points remember, point by point.
+    int memory_count() const { return count_memory_before(point_count); }
 
     double strain_energy(const LocalMotion<Nodes>& motion, Histories histories) const;
     // Computes the dissipation of laws since the last accepted step.
@@ -160,6 +161,11 @@ class InterpolatedRod {
                                        Histories histories) const;
     static void add_force(const ForcePoint& point, const Vec9& density, NodalVector<Nodes>& force);
     static void add_matrix(const ForcePoint& point, const Mat9& density, NodalMatrix<Nodes>& matrix);
+    int count_memory_before(int point) const {
+        int count = 0;
+        for (int p = 0; p < point; ++p) count += section(p).memory_size();
+        return count;
+    }
     const Mat6& stiffness(int point) const { return section(point).stiffness; }
     // Whether a section is linear: stiffness × strains, to the last bit.
     Vec6 compute_resultants(int point, const Vec6& strain, Histories histories) const;

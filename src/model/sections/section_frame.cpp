@@ -32,13 +32,18 @@ Mat6 cleaned(const Mat6& matrix) {
 
 }  // namespace
 
-Mat6 move_from(const SectionFrame& frame, const Mat6& matrix) {
-    if (frame.is_trivial()) return matrix;
+Mat6 compute_strain_map(const SectionFrame& frame) {
     const Mat3 to_frame = axes_of(frame).transpose();
     Mat6 T = Mat6::Zero();
     T.topLeftCorner<3, 3>() = to_frame;
     T.topRightCorner<3, 3>() = -to_frame * spin({0.0, frame.y, frame.z});
     T.bottomRightCorner<3, 3>() = to_frame;
+    return T;
+}
+
+Mat6 move_from(const SectionFrame& frame, const Mat6& matrix) {
+    if (frame.is_trivial()) return matrix;
+    const Mat6 T = compute_strain_map(frame);
     return cleaned(T.transpose() * matrix * T);
 }
 

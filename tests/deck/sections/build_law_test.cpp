@@ -92,33 +92,14 @@ TEST_CASE("Laws that need stiffness without couplings say so", "[deck]") {
     CHECK(faults(layer).empty());
 }
 
-TEST_CASE("Rods with laws have one section, the same everywhere", "[deck]") {
-    const std::string two =
-        "[section.other]\nstiffness = { EA = 1, GAy = 1, GAz = 1, GJ = 1, EIy = 1, EIz = 1 }\n"
-        "inertia = { rhoA = 1, rhoIy = 1, rhoIz = 1 }\n" +
-        with_law(layer);
-    CHECK_THAT(
-        faults_of(replaced(two, "section = \"s\"", "sections = [[0, \"other\"], [1, \"s\"]]")),
-        Contains("rod.r.sections: section \"s\" has a law, so that the rod cannot have another section"));
-    const Problem same = read(replaced(two, "section = \"s\"", "sections = [[0, \"s\"], [1, \"s\"]]"));
+TEST_CASE("Rods of one section with a law have it at all points", "[deck]") {
+    const Problem same =
+        read(replaced(with_law(layer), "section = \"s\"", "sections = [[0, \"s\"], [1, \"s\"]]"));
     CHECK_FALSE(same.model.rods[0].has_varying_sections());
     CHECK(same.model.sections[static_cast<std::size_t>(same.model.rods[0].section)].law != nullptr);
-    CHECK_THAT(faults_of(replaced(with_law(layer), "EIz = 700", "EIz = \"700 + s\"")),
-               Contains("section.s.law: a section with a law is the same all along a rod"));
-    CHECK_THAT(faults_of(replaced(of_shape("circle = { radius = 1 }"), "radius = 1", "radius = \"1 + s\"")),
-               Contains("section.s.material.yield_stress: a section with a law is the same all along a rod"));
     const std::string twice =
         replaced(of_shape("circle = { radius = 1 }"), "material =", "law = { " + layer + " }\nmaterial =");
     CHECK_THAT(faults_of(twice), Contains("section.s.law: yield_stress of the material is given too"));
-}
-
-TEST_CASE("A law is about the rod and in its section axes", "[deck]") {
-    for (const std::string key : {"at = [0.1, 0]", "turn = 0.3"}) {
-        CHECK_THAT(faults_of(replaced(with_law(layer), "inertia = { rhoA", key + "\ninertia = { rhoA")),
-                   Contains("section.s.law: a law is about the rod"));
-        CHECK_THAT(faults_of(replaced(of_shape("circle = { radius = 1 }"), "shape = ", key + "\nshape = ")),
-                   Contains("yield_stress: a law is about the rod"));
-    }
 }
 
 TEST_CASE("A section with a law has the stiffness of small strains after a long time", "[deck]") {
