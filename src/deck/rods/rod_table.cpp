@@ -37,7 +37,9 @@ const TableSpec& section_file_table() {
              "stiffness on and above the diagonal; M11 … M66, the inertia. Entries off the diagonal without a column "
              "are 0. [Sections](guide/sections.md) has an example.")
             .required()
-        .key("damping", &T::damping, damping_table(), "Of the rod; none if left out.");
+        .key("damping", &T::damping, damping_table(), "Of the rod; none if left out.")
+        .key("trapeze", &T::trapeze, "Whether twist pulls its sections together, like the key of a section.")
+            .otherwise("false");
     // clang-format on
     return table;
 }

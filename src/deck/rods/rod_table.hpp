@@ -16,6 +16,7 @@ namespace gxrod {
 struct SectionFileTable : TableHead {
     std::string file;
     std::optional<DampingTable> damping;
+    std::optional<bool> trapeze;
 };
 
 struct RodMeshTable : TableHead {

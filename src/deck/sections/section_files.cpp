@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <optional>
 
 #include "deck/rods/rod_table.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "deck/sections/build_sections.hpp"
 #include "deck/sections/section_matrices.hpp"
+#include "laws/trapeze_law.hpp"
 #include "machine/file_error.hpp"
 #include "machine/printable.hpp"
 
@@ -205,6 +207,10 @@ SectionFiles read_section_files(const CheckedTable& deck,
             SectionFile file = read_section_file(bytes, table->file);
             if (table->damping) {
                 for (SectionRow& row : file.rows) set_damping(*table->damping, row.section);
+            }
+            if (table->trapeze.value_or(false)) {
+                for (SectionRow& row : file.rows)
+                    row.section.law = std::make_shared<const TrapezeLaw>(row.section.stiffness);
             }
             keep_file(table->file, bytes, records);
             all.emplace(static_cast<int>(i), std::move(file));

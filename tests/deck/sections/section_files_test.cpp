@@ -134,6 +134,9 @@ TEST_CASE("a rod takes its sections from a file next to the deck", "[deck][secti
     const Vec3 y = rod.triads.front() * Vec3::UnitY();
     CHECK(y.isApprox(Vec3(0.0, std::cos(0.2), std::sin(0.2)), 1e-14));
     CHECK((rod.triads.back() * Vec3::UnitY()).isApprox(Vec3::UnitY(), 1e-14));
+    const Problem trapeze = beside.read(replaced(blade_deck, "damping =", "trapeze = true, damping ="));
+    for (const Section& section : trapeze.model.rods[0].varying.at_forces)
+        CHECK(section.law->describe() == "linear; shortens as it twists");
     // Kept, and read again from there.
     REQUIRE(problem.record.meshes.size() == 1);
     CHECK(problem.record.meshes[0].file == "blade.csv");
