@@ -123,7 +123,7 @@ void LayeredLaw::add(const Layer& layer,
     double size = 0.0;
     for (int a = 0; a < entries.count; ++a) {
         trial[a] = k * (strain[entries.index[a]] - slip[a]);
-        size = std::hypot(size, trial[a]);
+        size = a == 0 ? std::abs(trial[0]) : std::hypot(size, trial[a]);
     }
     const bool is_found_pulled = layer.limit_per_tension != 0.0 && response.resultants[0] > 0.0;
     const double most = find_limit(layer, is_found_pulled, response).value;
@@ -142,7 +142,7 @@ void LayeredLaw::add(const Layer& layer,
         for (int b = 0; b < entries.count; ++b)
             response.tangent(i, entries.index[b]) -=
                 share * k * direction * (size > 0.0 ? trial[b] / size : 0.0);
-        response.tangent.row(i) += direction * limit.gradient.transpose();
+        if ((piece & is_pulled) != 0) response.tangent.row(i) += direction * limit.gradient.transpose();
     }
     const double held = sticks ? size : limit.value;
     response.stored += 0.5 * held * held / k;
