@@ -1,8 +1,11 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "deck/decks.hpp"
+#include "face/gxrod.hpp"
 #include "laws/layered_law.hpp"
 #include "laws/mixed_law.hpp"
 #include "laws/plastic_law.hpp"
@@ -224,6 +227,30 @@ TEST_CASE("The trapeze's term varies with the stiffness, about the rod", "[deck]
     // EIz + EA y².
     CHECK(law_at<TrapezeLaw>(problem, 0).coefficient() == Approx(13.0 + 2.0).margin(0.02));
     CHECK(law_at<TrapezeLaw>(problem, 39).coefficient() == Approx(11.0 + 2.0).margin(0.02));
+}
+
+// ε = N₀/EA + (30 − N₀)/(EA/2) with N₀ = Y − 4 s; and for b alone, between stations, by differences.
+TEST_CASE("Derivatives by numbers of laws that vary are those of the states", "[deck][sections]") {
+    const std::string history =
+        "[[history]]\nname = \"tip\"\nat = \"r.end\"\nquantities = [\"position\"]\n[parameters]\nY = 20\n";
+    const auto differentiate = [](const std::string& text) {
+        const Deck deck = Deck::from_text(text);
+        std::vector<VariedNumber> variations;
+        variations.push_back(vary(deck, "Y"));
+        Simulation run(deck.build(), {.sensitivities = std::move(variations)});
+        run.run();
+        return run["tip"].derivative("Y").position.vector().x();
+    };
+    const std::string s = replaced(replaced(pulled, R"(sections = [[0, "a"], [1, "b"]])", "section = \"a\""),
+                                   "yield = { N = 40 }",
+                                   "yield = { N = \"Y - 4*s\" }");
+    CHECK(differentiate(s + history) == Approx(-2.0 / 200.0).epsilon(1e-8));
+    const std::string stations = replaced(pulled, "yield = { N = 10 }", "yield = { N = \"Y/2\" }") + history;
+    const auto end_of = [&](const std::string& Y) {
+        return reach_end(replaced(stations, "Y = 20", "Y = " + Y)).tip.r.x();
+    };
+    const double difference = (end_of("20.001") - end_of("19.999")) / 0.002;
+    CHECK(differentiate(stations) == Approx(difference).epsilon(1e-5));
 }
 
 }  // namespace gxrod::test
