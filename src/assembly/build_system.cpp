@@ -57,8 +57,18 @@ System::System(const Model& model, const ThreadTeam& team)
     : System(model, find_kernels(find_instruction_set()), team) {}
 
 System::System(const Model& model, const Kernels& kernels, const ThreadTeam& team)
+    : System(model, kernels, team, std::nullopt) {}
+
+System::System(const Model& model, const ThreadTeam& team, std::optional<std::vector<NodeGroup>> touching)
+    : System(model, find_kernels(find_instruction_set()), team, std::move(touching)) {}
+
+System::System(const Model& model,
+               const Kernels& kernels,
+               const ThreadTeam& team,
+               std::optional<std::vector<NodeGroup>> touching)
     : model_(&model),
       team_(&team),
+      touching_(std::move(touching)),
       supports_(model),
       joints_(model),
       equations_(supports_, joints_.attached()),
@@ -90,7 +100,7 @@ void System::build_contributions() {
     }
     std::vector<Contribution*> all;
     for (const auto& load : loads_) all.push_back(load.get());
-    auto contact = std::make_unique<ContactAssembly>(*model_, *team_, scale_groups_);
+    auto contact = std::make_unique<ContactAssembly>(*model_, *team_, scale_groups_, touching_.has_value());
     if (!contact->empty()) {
         all.push_back(contact.get());
         contact_ = std::move(contact);
@@ -177,6 +187,7 @@ std::vector<NodeGroup> System::list_node_groups() const {
     });
     std::vector<NodeGroup> of_joints = joints_.node_groups();
     std::move(of_joints.begin(), of_joints.end(), std::back_inserter(groups));
+    if (touching_) groups.insert(groups.end(), touching_->begin(), touching_->end());
     return groups;
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,6 +50,9 @@ class System {
     // change results.
     explicit System(const Model& model, const ThreadTeam& team = ThreadTeam::alone());
     System(const Model& model, const Kernels& kernels, const ThreadTeam& team = ThreadTeam::alone());
+    // Makes the system of small motions about a state in which contact of rods couples these groups of nodes
+    // (TouchingSystem): pattern and tangent have them, and no contact has impulses.
+    System(const Model& model, const ThreadTeam& team, std::optional<std::vector<NodeGroup>> touching);
     ~System();
     System(const System&) = delete;  // its parts point at each other
     System& operator=(const System&) = delete;
@@ -59,6 +63,8 @@ class System {
     const JointAssembly& joints() const { return joints_; }
     const EquationNumbers& equations() const { return equations_; }
     const SparsePattern& pattern() const { return pattern_; }
+    // Returns the groups of nodes that contact couples in a system of small motions; nullopt in all others.
+    const std::optional<std::vector<NodeGroup>>& touching() const { return touching_; }
     // The groups of nodes that elements and joints couple; the pattern follows from them.
     std::vector<NodeGroup> list_node_groups() const;
     // The model's length for scaling: the largest of its extent and the bodies' own sizes; 1 if both are
@@ -100,6 +106,10 @@ class System {
     void forget_loads() const;
 
   private:
+    System(const Model& model,
+           const Kernels& kernels,
+           const ThreadTeam& team,
+           std::optional<std::vector<NodeGroup>> touching);
     friend class SystemMeasures;
     friend class SystemValues;
     friend const ContactAssembly* contact_assembly_of(const System& system);
@@ -147,6 +157,7 @@ class System {
 
     const Model* model_;
     const ThreadTeam* team_;
+    std::optional<std::vector<NodeGroup>> touching_;
     Supports supports_;
     JointAssembly joints_;
     EquationNumbers equations_;

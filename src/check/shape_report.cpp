@@ -9,6 +9,7 @@
 #include <ranges>
 
 #include "assembly/small_motions.hpp"
+#include "assembly/touching_system.hpp"
 #include "model/sections/small_motion_law.hpp"
 
 namespace gxrod {
@@ -333,7 +334,12 @@ bool goes_on_loading(const ShapesRecord& record) {
 
 }  // namespace
 
-std::vector<std::string> note_sections(const System& system, const State& state, const ShapesRecord& record) {
+std::vector<std::string> note_sections(const System& given,
+                                       const State& accepted,
+                                       const ShapesRecord& record) {
+    const TouchingSystem touching(given, accepted);
+    const System& system = touching.system();
+    const State& state = touching.state();
     std::vector<std::string> notes;
     const SmallMotions small(system);
     const bool is_buckling = std::holds_alternative<BucklingRecord>(record);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "assembly/touching_system.hpp"
 #include "check/model_examination.hpp"
 #include "face/convergence_error.hpp"
 #include "face/unknown_name_error.hpp"
@@ -202,10 +203,12 @@ std::vector<std::string> Simulation::list_quantities(std::size_t history) const 
     return problem_.output.histories.at(history).quantities;
 }
 
-StateMatrices Simulation::matrices() const {
+SmallMotionMatrices Simulation::matrices() const {
     State state = run_->analysis().state();
     undo_trial(state);
-    return compute_state_matrices(run_->analysis().system(), state, state.time);
+    const TouchingSystem touching(run_->analysis().system(), state);
+    return {touching.system().pattern(),
+            compute_state_matrices(touching.system(), touching.state(), state.time)};
 }
 
 const std::vector<double>& Simulation::records(const std::string& history,

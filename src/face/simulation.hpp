@@ -12,6 +12,7 @@
 #include "assembly/state_matrices.hpp"
 #include "face/derivatives.hpp"
 #include "face/value.hpp"
+#include "linear/sparse_pattern.hpp"
 #include "model/problem.hpp"
 #include "run/stepped_run.hpp"
 #include "watch/history_watch.hpp"
@@ -25,6 +26,12 @@ struct Checkpoint : RunCheckpoint {
     const Simulation* owner = nullptr;
 
     double time() const { return record.axis_start + record.steps.time; }
+};
+
+// The matrices of small motions, and the pattern that they share: that of the system, and of rods that touch.
+struct SmallMotionMatrices {
+    SparsePattern pattern;
+    StateMatrices values;
 };
 
 // A run of a problem, step by step through all its stages:
@@ -86,8 +93,8 @@ class Simulation {
     // Returns energies and momenta at the last accepted state.
     LedgerRow ledger() const { return run_->analysis().ledger_row(); }
     const SolverRow& last_step() const { return run_->analysis().solver_row(); }
-    // Computes stiffness, damping and mass about the last accepted state, on the pattern of the run's system.
-    StateMatrices matrices() const;
+    // Computes stiffness, damping and mass about the last accepted state.
+    SmallMotionMatrices matrices() const;
 
     // Sets an input of the deck; it counts from the next step on. One that holds "linear" has the value at
     // the end of that step, or of that `advance`. Throws UnknownNameError, std::invalid_argument if it is not

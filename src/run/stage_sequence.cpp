@@ -7,6 +7,7 @@
 #include "analyses/shapes/eigenvalues.hpp"
 #include "analyses/shapes/modes.hpp"
 #include "analyses/shapes/response.hpp"
+#include "assembly/touching_system.hpp"
 #include "model/settings/analysis_traits.hpp"
 #include "run/swept_equilibria.hpp"
 
@@ -115,9 +116,11 @@ FoundShapes StageSequence::find_shapes() const {
         with_inertia.emplace(model()).has_inertia = true;
         own_system.emplace(*with_inertia, analysis().system().team());
     }
-    const System& system = own_system ? *own_system : analysis().system();
-    State state = analysis().state();
-    undo_trial(state);
+    State accepted = analysis().state();
+    undo_trial(accepted);
+    const TouchingSystem touching(own_system ? *own_system : analysis().system(), accepted);
+    const System& system = touching.system();
+    const State& state = touching.state();
     if (const auto* modes = std::get_if<ModesSettings>(&settings()))
         return {stage, find_modes(system, state, state.time, *modes)};
     if (const auto* response = std::get_if<ResponseSettings>(&settings())) {

@@ -81,24 +81,23 @@ nb::dict make_elements(Driven& driven) {
 }
 
 // (values, rows, columns) of a matrix on the system's pattern.
-nb::tuple make_matrix(const System& system, const std::vector<double>& values) {
+nb::tuple make_matrix(const SparsePattern& pattern, const std::vector<double>& values) {
     std::vector<double> entries;
     std::vector<std::int64_t> rows, columns;
-    system.pattern().visit_entries([&](std::int64_t row, std::int64_t column, std::int64_t slot) {
+    pattern.visit_entries([&](std::int64_t row, std::int64_t column, std::int64_t slot) {
         entries.push_back(values[static_cast<std::size_t>(slot)]);
         rows.push_back(row);
         columns.push_back(column);
     });
     return nb::make_tuple(
-        copy_array(std::move(entries), 0), copy_whole(rows), copy_whole(columns), system.equations().count());
+        copy_array(std::move(entries), 0), copy_whole(rows), copy_whole(columns), pattern.size());
 }
 
 nb::tuple make_matrices(const Driven& driven) {
-    const System& system = driven.stepped_run().analysis().system();
-    const StateMatrices matrices = driven.matrices();
-    return nb::make_tuple(make_matrix(system, matrices.stiffness),
-                          make_matrix(system, matrices.damping),
-                          make_matrix(system, matrices.mass));
+    const auto [pattern, matrices] = driven.matrices();
+    return nb::make_tuple(make_matrix(pattern, matrices.stiffness),
+                          make_matrix(pattern, matrices.damping),
+                          make_matrix(pattern, matrices.mass));
 }
 
 // Of each unknown its node and component, 0 … 5; the latter −1 of multipliers.

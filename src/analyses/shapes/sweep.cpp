@@ -7,6 +7,7 @@
 #include "analyses/shapes/eigenvalues.hpp"
 #include "analyses/shapes/mode_tracking.hpp"
 #include "analyses/shapes/onset.hpp"
+#include "assembly/touching_system.hpp"
 
 namespace gxrod {
 
@@ -69,18 +70,20 @@ class Sweep {
         found.failure = state.failure;
         found.speed = state.speed;
         if (!found.failure.empty()) return found;
+        const TouchingSystem touching(*state.system, *state.state);
+        const System& system = touching.system();
         const StateMatrices matrices = state.frame
                                            ? state.frame->compute_matrices(*state.state, state.time)
-                                           : compute_state_matrices(*state.system, *state.state, state.time);
+                                           : compute_state_matrices(system, touching.state(), state.time);
         const EigenvaluesRecord record =
-            find_eigenvalues(*state.system, *state.state, state.time, make_settings(true), matrices);
+            find_eigenvalues(system, touching.state(), state.time, make_settings(true), matrices);
         found.failure = record.failure;
         steps_ = record.steps;
         for (const Eigenmode& mode : record.modes) {
             found.lambdas.push_back(mode.lambda());
             found.words.push_back(mode.shape.words);
         }
-        found.traces = make_traces(*state.system, matrices, record.modes);
+        found.traces = make_traces(system, matrices, record.modes);
         return found;
     }
 
@@ -89,8 +92,10 @@ class Sweep {
         ++record_.equilibria;
         if (!state.failure.empty()) return {};
         std::vector<Complex> lambdas;
+        const TouchingSystem touching(*state.system, *state.state);
         for (const Eigenmode& mode :
-             find_eigenvalues(*state.system, *state.state, state.time, make_settings(false), state.frame)
+             find_eigenvalues(
+                 touching.system(), touching.state(), state.time, make_settings(false), state.frame)
                  .modes)
             lambdas.push_back(mode.lambda());
         return lambdas;

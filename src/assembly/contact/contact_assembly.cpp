@@ -1,7 +1,9 @@
 #include "assembly/contact/contact_assembly.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
+#include <span>
 
 #include "assembly/scatter.hpp"
 #include "rotation/rotation_map.hpp"
@@ -9,12 +11,17 @@
 
 namespace gxrod {
 
-ContactAssembly::ContactAssembly(const Model& model, const ThreadTeam& team, const ScaleGroups& groups)
+ContactAssembly::ContactAssembly(const Model& model,
+                                 const ThreadTeam& team,
+                                 const ScaleGroups& groups,
+                                 bool is_for_small_motions)
     : model_(&model),
       team_(&team),
       groups_(&groups),
       surfaces_(list_surfaces(model.contact.obstacles)),
-      pairs_(model, team, groups) {
+      pairs_(model, team, groups, is_for_small_motions),
+      has_impacts_(model.has_inertia && model.has_time && !is_for_small_motions),
+      is_for_small_motions_(is_for_small_motions) {
     if (surfaces_.empty()) return;
     places_ = find_contact_places(model);
     for (ContactElement& element : places_.elements) element.part = groups.part_of_node(element.nodes[0]);
@@ -41,6 +48,7 @@ void ContactAssembly::find_exceptions() {
 
 void ContactAssembly::lay_out(const Layout& layout) {
     equations_ = &layout.equations;
+    pattern_ = &layout.pattern;
     memory_ = {layout.first_memory, memory_count()};
     for (ContactElement& element : places_.elements) {
         const std::span<const int> nodes(element.nodes.data(), static_cast<std::size_t>(element.count));
@@ -51,7 +59,7 @@ void ContactAssembly::lay_out(const Layout& layout) {
 
 ContactAssembly::At ContactAssembly::find_obstacles(const State& state, double time, double progress) const {
     At at;
-    at.has_impacts = model_->has_inertia && model_->has_time;
+    at.has_impacts = has_impacts_;
     const double elapsed = time - state.time;
     if (at.has_impacts && elapsed > 0.0) at.damping = model_->contact.damping / elapsed;
     at.now.resize(surfaces_.size());
@@ -328,6 +336,7 @@ void ContactAssembly::add_tangents(const State& state,
                                    std::vector<double>& values) const {
     const double weight = request.contact_weight;
     if (weight == 0.0) return;
+    if (is_for_small_motions_) add_pair_tangents(state, weight, linearizations, values);
     const bool is_mixed = state.contact.has_parameters;
     const At at = find_obstacles(state, time, is_mixed ? 1.0 : state.contact.progress);
     for (const ContactElement& element : places_.elements) {
@@ -377,6 +386,20 @@ void ContactAssembly::add_tangents(const State& state,
         const std::span<const int> nodes(element.nodes.data(), static_cast<std::size_t>(element.count));
         turn_to_own_axes(nodes, *equations_, tangent);
         add_to_values(tangent.data(), element.slots, values);
+    }
+}
+
+void ContactAssembly::add_pair_tangents(const State& state,
+                                        double weight,
+                                        const std::vector<NodeLinearization>& linearizations,
+                                        std::vector<double>& values) const {
+    std::vector<std::int64_t> slots;
+    for (PairBlock& block : pairs_.compute_tangents(state, weight, linearizations)) {
+        const std::span<const int> nodes(block.nodes);
+        turn_to_own_axes(nodes, *equations_, block.matrix);
+        slots.resize(36 * nodes.size() * nodes.size());
+        find_slots(nodes, *equations_, *pattern_, slots);
+        add_to_values(block.matrix.data(), slots, values);
     }
 }
 

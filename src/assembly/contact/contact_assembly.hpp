@@ -20,6 +20,7 @@
 #include "assembly/scale_groups.hpp"
 #include "contact/impact_law.hpp"
 #include "contact/obstacle_surface.hpp"
+#include "linear/sparse_pattern.hpp"
 #include "loads/distributed_load.hpp"
 #include "parallel/thread_team.hpp"
 #include "state/contact_touch.hpp"
@@ -33,8 +34,12 @@ namespace gxrod {
 // State::trial. If State::contact has parameters, the tangents treat the forces as separate unknowns.
 class ContactAssembly : public Contribution {
   public:
-    // All must outlive it.
-    ContactAssembly(const Model& model, const ThreadTeam& team, const ScaleGroups& groups);
+    // All must outlive it. For small motions contact has no impulses, and its tangents include those of rods
+    // that touch each other.
+    ContactAssembly(const Model& model,
+                    const ThreadTeam& team,
+                    const ScaleGroups& groups,
+                    bool is_for_small_motions = false);
     void lay_out(const Layout& layout) override;
 
     bool empty() const { return (places_.places.empty() || surfaces_.empty()) && pairs_.empty(); }
@@ -180,6 +185,10 @@ class ContactAssembly : public Contribution {
                    std::size_t obstacle,
                    std::size_t place,
                    State& state) const;
+    void add_pair_tangents(const State& state,
+                           double weight,
+                           const std::vector<NodeLinearization>& linearizations,
+                           std::vector<double>& values) const;
     Mat6 take_to_node(const At& at,
                       const ContactPlace& place,
                       const State& state,
@@ -202,6 +211,7 @@ class ContactAssembly : public Contribution {
     const ThreadTeam* team_;
     const ScaleGroups* groups_;
     const EquationNumbers* equations_ = nullptr;
+    const SparsePattern* pattern_ = nullptr;
     std::vector<ObstacleSurface> surfaces_;
     ContactPlaces places_;
     ContactPairs pairs_;
@@ -211,6 +221,8 @@ class ContactAssembly : public Contribution {
     MemorySlice memory_;
     bool rubs_ = false;
     bool moves_ = false;
+    bool has_impacts_ = false;
+    bool is_for_small_motions_ = false;
 };
 
 }  // namespace gxrod

@@ -27,12 +27,15 @@ std::vector<Value> carry_over(const std::vector<NearPieces>& before,
 
 }  // namespace
 
-ContactPairs::ContactPairs(const Model& model, const ThreadTeam& team, const ScaleGroups& groups)
+ContactPairs::ContactPairs(const Model& model,
+                           const ThreadTeam& team,
+                           const ScaleGroups& groups,
+                           bool is_for_small_motions)
     : model_(&model), team_(&team), groups_(&groups) {
     if (model.contact.radii.empty() && model.contact.bodies.empty()) return;
     lines_ = find_contact_lines(model);
     rubs_ = model.contact.friction > 0.0;
-    has_impacts_ = model.has_inertia && model.has_time;
+    has_impacts_ = model.has_inertia && model.has_time && !is_for_small_motions;
     if (has_impacts_) damping_ = model.contact.damping;
     for (const ContactException& one : model.contact.exceptions)
         rubs_ = rubs_ || one.friction.value_or(0.0) > 0.0;

@@ -31,8 +31,11 @@ struct PairBlock {
 // bring others into reach.
 class ContactPairs {
   public:
-    // All must outlive it.
-    ContactPairs(const Model& model, const ThreadTeam& team, const ScaleGroups& groups);
+    // All must outlive it. For small motions contact has no impulses.
+    ContactPairs(const Model& model,
+                 const ThreadTeam& team,
+                 const ScaleGroups& groups,
+                 bool is_for_small_motions = false);
 
     bool empty() const { return lines_.pieces.empty(); }
     bool rub() const { return rubs_; }

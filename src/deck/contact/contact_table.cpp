@@ -126,13 +126,6 @@ void check_stage(const AnalysisTable& table,
             table,
             table.kind,
             "a path cannot be followed with contact yet; expected static, or dynamic with damping");
-    const Contact& contact = context.model.contact;
-    if (!has_steps(analysis) && (contact.between_rods || contact.within_rods))
-        context.add_fault(
-            table,
-            table.kind,
-            "shapes of rods that touch each other cannot be found yet; expected each_other = false "
-            "and self = false in [contact]");
     if (turns)
         context.add_fault(
             table, table.kind, "contact does not turn with a frame; expected a stage without [rotation]");
