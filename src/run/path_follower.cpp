@@ -35,7 +35,8 @@ void PathFollower::end(const PathAnalysis& path, const std::string& cause) {
     // Where a branch meets another bifurcation it is the branch to both sides of that.
     std::erase_if(waiting_, [&](const Waiting& one) {
         return index > 0 && std::any_of(ended.points.begin(), ended.points.end(), [&](const auto& point) {
-                   return is_same_place(point.nodes, one.start.state.previous, length);
+                   return is_critical(point.kind) &&
+                          is_same_place(point.nodes, one.start.state.previous, length);
                });
     });
     if (generation_ >= settings_.branches) return;

@@ -26,6 +26,9 @@ class PairedMatrix {
     // Returns all of the values that were set, on a pattern that has all groups.
     const std::vector<double>& assemble();
     const SparsePattern& pattern() const { return pattern_; }  // pattern of assemble
+    // Returns the values that were factorized directly, and the solver that has their factors.
+    const std::vector<double>& values() const { return values_; }
+    LinearSolver& solver() { return *solver_; }
     Factorization factorize();
     // Solves in place. The result is not finite if the system is found to be singular.
     void solve(Eigen::VectorXd& right_hand_side);

@@ -72,9 +72,10 @@ class BifurcationSearch {
     static constexpr double same = 1e-3;  // of the samples' distance, within which roots are one
 
     SoftModes find_modes(int count) const {
-        return find_soft_modes(*work_.workspace.linear_solver,
-                               work_.system.pattern(),
-                               work_.workspace.values,
+        const FactorizedTangent tangent = factorized_tangent(work_.system, work_.workspace);
+        return find_soft_modes(tangent.solver,
+                               tangent.pattern,
+                               tangent.values,
                                work_.metric.weights(),
                                count,
                                work_.is_symmetric,
@@ -175,7 +176,7 @@ class BifurcationSearch {
                std::abs(there) < tolerable * std::max(std::abs(before), std::abs(after));
     }
 
-    LocatedPoint make_point(double place, std::int64_t pivots) {
+    std::optional<LocatedPoint> make_point(double place, std::int64_t pivots) {
         const auto at_place = [&](const auto& value_of) {
             return interpolate<sample_count>(samples_, 0, place, value_of);
         };
@@ -192,7 +193,7 @@ class BifurcationSearch {
         std::vector<Vec6> movement(work_.state.trial.size());
         for (std::size_t i = 0; i < movement.size(); ++i)
             movement[i] = at_place([i](const Sample& sample) -> Vec6 { return sample.movement[i]; });
-        place_trial(work_, movement, point.trial.load_factor);
+        if (!place_trial(work_, movement, point.trial.load_factor)) return std::nullopt;
         find_kernel(point);
         return point;
     }

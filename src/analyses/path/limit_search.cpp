@@ -21,12 +21,9 @@ bool factorize_tangent(PathContext& work, double parameter) {
 
 // The factorized tangent's shape closest to singular, of unit length; empty if there is none.
 Eigen::VectorXd find_kernel(PathContext& work) {
-    const SoftModes modes = find_soft_modes(*work.workspace.linear_solver,
-                                            work.system.pattern(),
-                                            work.workspace.values,
-                                            work.metric.weights(),
-                                            1,
-                                            work.is_symmetric);
+    const FactorizedTangent tangent = factorized_tangent(work.system, work.workspace);
+    const SoftModes modes = find_soft_modes(
+        tangent.solver, tangent.pattern, tangent.values, work.metric.weights(), 1, work.is_symmetric);
     if (modes.vectors.cols() != 1 || !modes.vectors.allFinite()) return {};
     return modes.vectors.col(0);
 }

@@ -1,10 +1,14 @@
 #include "analyses/path/path.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 
+#include "assembly/contact/contacts.hpp"
 #include "integrators/load_stepping.hpp"
 #include "model/settings/newton_choice.hpp"
+#include "solvers/paired_matrix.hpp"
 
 namespace gxrod {
 
@@ -14,6 +18,15 @@ NewtonSettings choose_path_newton(const Model& model, const PathSettings& settin
     StaticSettings as_static;
     as_static.newton = settings.newton;
     return choose_newton(model, as_static);
+}
+
+// Where contact begins a path turns by a right angle or more, within a part of the skin that is as small as
+// the structure is soft compared with contact.
+PathSettings choose_steps(const Model& model, PathSettings settings) {
+    constexpr double round_corners = 1e-10;
+    if (!model.contact.is_empty() && settings.min_step == PathSettings{}.min_step)
+        settings.min_step = round_corners;
+    return settings;
 }
 
 // Of the model's length: two places that are nearer are one.
@@ -29,17 +42,21 @@ PathAnalysis::PathAnalysis(const Model& model, const PathSettings& settings, int
                       std::make_unique<LoadStepping>(),
                       choose_path_newton(model, settings),
                       settings.linear_solver,
-                      std::make_unique<PathSequence>(settings)),
+                      std::make_unique<PathSequence>(choose_steps(model, settings))),
       settings_(settings),
       metric_(system_),
       targets_(system_, settings),
       counter_(system_),
       has_potential_(find_load_without_potential(model).empty()),
+      may_touch_(Contacts(system_).are_possible()),
       has_pivots_(!has_contrast_ && !settings.limit_load_factor) {
     if (!settings.least_load && !settings.greatest_load && !settings.arc && !settings.steps &&
         !settings.points)
         throw std::invalid_argument("nothing ends the path");
     if (settings_.control) control_ = targets_.row_of(*settings_.control);
+    // Borders need the factors of the whole matrix.
+    if (workspace_.paired && settings.linear_solver == LinearSolverKind::automatic)
+        workspace_.paired = std::make_unique<PairedMatrix>(system_, LinearSolverKind::chains);
     if (!settings_.limit_load_factor) return;
     // All of its points are critical.
     settings_.critical = CriticalSearch::off;
@@ -65,6 +82,7 @@ double PathAnalysis::control_rate(const PathVector& direction) const {
 EquilibriumReport PathAnalysis::solve_trial() {
     constexpr double slow = 0.05;  // of the largest rate: the displacement is about to turn back
     trial_point_.reset();
+    trial_touch_.reset();
     trial_branches_.clear();
     trial_ = {};
     trial_.step = steps_->time_step();
@@ -114,6 +132,13 @@ bool PathAnalysis::hit_target(PathContext& search, PathTrial& trial) const {
 }
 
 void PathAnalysis::judge_trial(EquilibriumReport& report) {
+    // Forces of contact are so stiff that the last iteration's direction is not good enough.
+    if (may_touch_) take_exact_tangent();
+    // Up to there the path is as smooth as before.
+    if (!look_for_touches()) {
+        report.outcome = Outcome::lost_stability;
+        return;
+    }
     const double cosine = metric_.multiply(trial_.direction, tangent_);
     const bool can_shorten = !sequence().is_shortest();
     if (!branch_ && can_shorten && cosine < std::cos(widest_path_angle)) {
@@ -134,6 +159,7 @@ void PathAnalysis::judge_trial(EquilibriumReport& report) {
     look_for_symmetry();
     sequence().adapt(effort);
     if (!look_for_critical_points()) report.outcome = Outcome::lost_stability;
+    keep_touch();
     report.residual = trial_.residual;
     report.iterations += search.iterations;
 }
@@ -145,17 +171,22 @@ void PathAnalysis::count_pivots(EquilibriumReport& report) {
     }
     constexpr int few = 2;
     const bool changes = trial_.pivots != pivots_ || (sense_ != 0 && trial_sense_ != sense_);
-    if (!changes && report.iterations > few) return;
+    if (!changes && report.iterations > few && !may_touch_) return;
     // The last iteration's tangent was that of the iterate before.
-    const std::optional<PathTangent> exact = compute_path_tangent(
-        system_, *integrator_, metric_, trial_.direction, trial_.load_factor, workspace_, state_);
-    if (!exact) return;
-    trial_.direction = exact->direction;
+    if (!take_exact_tangent()) return;
     trial_sense_ = sign_of(trial_.direction.load);
-    trial_.pivots = exact->negative_pivots;
     if (trial_.pivots != pivots_)
         trial_.pivots =
             counter_.count(*integrator_, {0, state_.time, 0.0, trial_.load_factor}, workspace_, state_);
+}
+
+bool PathAnalysis::take_exact_tangent() {
+    const std::optional<PathTangent> exact = compute_path_tangent(
+        system_, *integrator_, metric_, trial_.direction, trial_.load_factor, workspace_, state_);
+    if (!exact) return false;
+    trial_.direction = exact->direction;
+    trial_.pivots = exact->negative_pivots;
+    return true;
 }
 
 // By how far the farthest node of the trial is from where it was where the branch began, of the model's
@@ -174,7 +205,8 @@ bool PathAnalysis::is_still_at_origin() const {
 
 // A loop begins and ends at the same bifurcation.
 bool PathAnalysis::is_closed() const {
-    if (!has_left_origin_ || points_.empty() || points_.back().step != steps_->steps_done() + 1) return false;
+    if (!has_left_origin_ || points_.empty() || !is_critical(points_.back().kind)) return false;
+    if (points_.back().step != steps_->steps_done() + 1) return false;
     return distance_from_origin() < at_origin;
 }
 
@@ -200,8 +232,13 @@ void PathAnalysis::note_equilibrium() {
     if (is_back || (!origin_.empty() && !symmetry_.empty())) sequence().finish();
 }
 
+std::int64_t PathAnalysis::critical_count() const {
+    return points_before_ +
+           std::ranges::count_if(points_, [](const CriticalPoint& point) { return is_critical(point.kind); });
+}
+
 void PathAnalysis::note_progress(double load_factor) {
-    const auto count = points_before_ + static_cast<std::int64_t>(points_.size());
+    const std::int64_t count = critical_count();
     double part =
         settings_.points ? static_cast<double>(count) / static_cast<double>(*settings_.points) : 0.0;
     for (const auto& bound : {settings_.least_load, settings_.greatest_load}) {
@@ -221,7 +258,7 @@ void PathAnalysis::remember(RestartRecord& record) const {
     for (std::size_t node = 0; node < memory.tangent.size(); ++node)
         memory.tangent[node] = system_.equations().increment_of(static_cast<int>(node), tangent_.u);
     memory.load_sense = sense_;
-    memory.points = points_before_ + static_cast<std::int64_t>(points_.size());
+    memory.points = critical_count();
 }
 
 void PathAnalysis::recall(const RestartRecord& record) {

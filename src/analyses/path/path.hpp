@@ -69,6 +69,9 @@ class PathAnalysis : public SteppedAnalysis {
     void judge_trial(EquilibriumReport& report);
     // Restores the load factor of a followed limit point to its value at the last accepted one.
     void restore_limit_load();
+    // Takes the trial's direction and pivots from the consistent tangent at the trial; returns false if that
+    // has no inverse.
+    bool take_exact_tangent();
     // Counts pivots so that the count can be compared with the last accepted equilibrium.
     void count_pivots(EquilibriumReport& report);
     // Finds whether the tangent is singular at the first equilibria, independently of the path: then the
@@ -82,6 +85,11 @@ class PathAnalysis : public SteppedAnalysis {
     bool is_closed() const;
     // Finds the critical points that the step has passed; returns false if a shorter step has to find out.
     bool look_for_critical_points();
+    // Ends the step where things begin or cease to touch; returns false if a shorter step has to find out.
+    bool look_for_touches();
+    // Keeps such an event of the step, unless the step ends earlier.
+    void keep_touch();
+    std::int64_t critical_count() const;
     std::optional<LocatedPoint> locate(bool turns, std::int64_t change);
     bool keep(const std::optional<LocatedPoint>& located);
     // The kind of a point at which an eigenvalue of the tangent passes or touches zero.
@@ -96,6 +104,7 @@ class PathAnalysis : public SteppedAnalysis {
     PathTargets targets_;
     PivotCounter counter_;
     bool has_potential_;
+    bool may_touch_;
     std::optional<BranchStart> branch_;  // until its first step is taken
     std::vector<NodeMotion> origin_;     // start of a branch
     bool has_left_origin_ = false;       // by more than round-off
@@ -116,6 +125,8 @@ class PathAnalysis : public SteppedAnalysis {
     std::optional<bool> trial_is_singular_;
     std::string symmetry_ = {};  // advice for a path on which the tangent is singular everywhere
     std::optional<CriticalPoint> trial_point_;
+    std::optional<CriticalPoint> trial_touch_;
+    double touch_step_ = 0.0;  // the step that ends at trial_touch_
     std::vector<BranchStart> trial_branches_;
 
     std::vector<CriticalPoint> points_;

@@ -2,7 +2,9 @@
 #include "analyses/path/branch_search.hpp"
 #include "analyses/path/path.hpp"
 #include "analyses/path/path_words.hpp"
+#include "analyses/path/touch_events.hpp"
 #include "check/summaries/direction_words.hpp"
+#include "solvers/paired_matrix.hpp"
 #include "solvers/path/soft_modes.hpp"
 
 namespace gxrod {
@@ -61,7 +63,8 @@ void PathAnalysis::look_for_symmetry() {
     if (!compute_path_tangent(
             system_, *integrator_, metric_, trial_.direction, trial_.load_factor, workspace_, state_))
         return;
-    const LoneSoftness soft = estimate_lone_softness(*workspace_.linear_solver, metric_.weights());
+    const LoneSoftness soft =
+        estimate_lone_softness(factorized_tangent(system_, workspace_).solver, metric_.weights());
     trial_is_singular_ = soft.ratio < singular;
     if (!*trial_is_singular_) return;
     trial_.pivots = -1;
@@ -121,9 +124,54 @@ void PathAnalysis::describe(CriticalPoint& point, const Eigen::MatrixXd& kernel)
     }
     point.nodes = state_.trial;
     compute_consistent_tangent(system_, *integrator_, point.load_factor, workspace_, state_);
+    if (workspace_.is_paired) workspace_.paired->assemble();
+    const FactorizedTangent tangent = factorized_tangent(system_, workspace_);
     const std::optional<Weakness> weakness =
-        describe_weakness(system_, state_, system_.pattern(), workspace_.values);
+        describe_weakness(system_, state_, tangent.pattern, tangent.values);
     if (weakness) point.shape = weakness->words;
+}
+
+bool PathAnalysis::look_for_touches() {
+    trial_touch_.reset();
+    if (!may_touch_ || branch_ || settings_.critical == CriticalSearch::off) return true;
+    PathContext search = exact_work();
+    TouchSearch touches(search, tangent_, trial_);
+    if (!touches.found()) return true;
+    const PathTrial end = trial_;
+    CriticalPoint point;
+    TouchEvent event = touches.list();
+    if (settings_.critical == CriticalSearch::locate) {
+        PathTrial located;
+        const std::optional<TouchEvent> first = touches.locate(located);
+        if (first) {
+            event = *first;
+            trial_ = located;
+            sequence().end_at(trial_.step);
+        } else {
+            if (!sequence().is_short()) return false;
+            if (!solve_path_step(search, end.step * tangent_, metric_.row(tangent_), trial_).converged())
+                return false;
+            trial_ = end;
+        }
+        point.is_located = first.has_value();
+    } else {
+        point.is_located = false;
+    }
+    point.kind = event.begins ? CriticalKind::touch : CriticalKind::release;
+    point.multiplicity = 0;
+    point.shape = name_touching(system_.model(), event.things);
+    trial_touch_ = std::move(point);
+    touch_step_ = trial_.step;
+    return true;
+}
+
+void PathAnalysis::keep_touch() {
+    if (!trial_touch_ || trial_point_ || trial_.step != touch_step_) return;
+    trial_touch_->pivots_before = pivots_;
+    trial_touch_->pivots_after = trial_.pivots;
+    trial_touch_->load_factor = trial_.load_factor;
+    trial_touch_->nodes = state_.trial;
+    trial_point_ = std::move(trial_touch_);
 }
 
 std::vector<std::string> PathAnalysis::list_findings() const {

@@ -1,6 +1,7 @@
 #include "analyses/path/path_search.hpp"
 
 #include "analyses/path/limit_search.hpp"
+#include "assembly/contact/contacts.hpp"
 #include "solvers/newton_steps.hpp"
 #include "state/increment.hpp"
 
@@ -41,14 +42,21 @@ bool solve_exact_step(PathContext& work, const PathVector& direction, double ste
     return true;
 }
 
-void place_trial(PathContext& work, const std::vector<Vec6>& movement, double load_factor) {
+bool place_trial(PathContext& work, const std::vector<Vec6>& movement, double load_factor) {
     State& state = work.state;
     for (std::size_t i = 0; i < movement.size(); ++i) {
         const NodeMotion& from = state.previous[i];
         place(from, from.r + movement[i].head<3>(), movement[i].tail<3>(), state.trial[i]);
     }
     work.system.supports().place(load_factor, state);
+    const Contacts contacts(work.system);
+    if (contacts.are_possible()) {
+        state.contact = {};
+        contacts.search(state);
+        if (!(contacts.count(state, load_factor).least_gap > 0.0)) return false;
+    }
     work.system.compute_residual(state, load_factor, work.workspace.residual);
+    return true;
 }
 
 }  // namespace gxrod

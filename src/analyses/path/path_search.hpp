@@ -49,7 +49,8 @@ EquilibriumReport solve_path_step(PathContext& work,
 // tangent at the equilibrium itself, whose factors the workspace has. Returns false if it was not found.
 bool solve_exact_step(PathContext& work, const PathVector& direction, double step, PathTrial& trial);
 
-// Sets the trial motions to the last accepted motions plus these movements, at this load factor.
-void place_trial(PathContext& work, const std::vector<Vec6>& movement, double load_factor);
+// Sets the trial motions to the last accepted motions plus these movements, at this load factor. Returns
+// false if something overlaps there; then the residual is not computed.
+bool place_trial(PathContext& work, const std::vector<Vec6>& movement, double load_factor);
 
 }  // namespace gxrod

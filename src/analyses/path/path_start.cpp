@@ -86,7 +86,7 @@ EquilibriumReport PathAnalysis::find_first_direction() {
     compute_consistent_tangent(system_, *integrator_, state_.time, workspace_, state_);
     if (!factorize(system_, workspace_, report)) return report;
     Eigen::VectorXd rate = -compute_load_gradient(system_, state_.time, workspace_.values, state_);
-    workspace_.linear_solver->solve(rate);
+    factorized_tangent(system_, workspace_).solver.solve(rate);
     if (!rate.allFinite()) {
         report.outcome = Outcome::not_finite;
         return report;

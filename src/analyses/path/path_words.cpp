@@ -12,7 +12,7 @@ namespace gxrod {
 namespace {
 
 std::string name_multiplicity(int multiplicity) {
-    if (multiplicity == 1) return "";
+    if (multiplicity <= 1) return "";
     if (multiplicity == 2) return "double ";
     if (multiplicity == 3) return "triple ";
     return fmt::format("{}-fold ", multiplicity);
@@ -20,6 +20,8 @@ std::string name_multiplicity(int multiplicity) {
 
 const char* name_kind(CriticalKind kind) {
     if (kind == CriticalKind::limit) return "limit point";
+    if (kind == CriticalKind::touch) return "contact begins";
+    if (kind == CriticalKind::release) return "contact ends";
     return kind == CriticalKind::bifurcation ? "bifurcation" : "divergence";
 }
 
@@ -79,7 +81,9 @@ std::string describe_event(const CriticalPoint& point, std::ptrdiff_t branches, 
 
 std::string describe_point(const CriticalPoint& point, std::ptrdiff_t branches, bool has_potential) {
     std::vector<std::string> clauses;
-    if (point.is_located) {
+    if (!is_critical(point.kind)) {
+        clauses.push_back(point.shape);
+    } else if (point.is_located) {
         clauses.push_back(describe_event(point, branches, has_potential));
         clauses.push_back(describe_kernel(point));
     }

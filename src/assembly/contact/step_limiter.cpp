@@ -53,6 +53,28 @@ ContactLimits StepLimiter::limit_increment(std::vector<Vec6>& deltas, State& sta
     return limits;
 }
 
+ContactLimits StepLimiter::limit_common_prediction(const std::vector<Vec6>& deltas,
+                                                   State& state,
+                                                   double time) const {
+    if (!contact_) return {};
+    state.contact.progress = 1.0;
+    state.contact.margin = 0.0;
+    return contact_->limit(deltas, state, time, Approach::prediction);
+}
+
+void StepLimiter::start_forces(State& state, double time) const {
+    if (contact_) contact_->start(state, time);
+}
+
+ContactLimits StepLimiter::limit_common_increment(const std::vector<Vec6>& deltas,
+                                                  State& state,
+                                                  double time) const {
+    if (!contact_) return {};
+    const ContactLimits limits = contact_->limit(deltas, state, time);
+    contact_->advance(deltas, time, state);
+    return limits;
+}
+
 void StepLimiter::replace_by_tangent_forces(const State& state,
                                             double time,
                                             double weight,

@@ -25,6 +25,12 @@ class StepLimiter {
     ContactLimits limit_prediction(State& state, double time) const;
     // Shortens the increments of the parts of the model in which a gap would close, before nodes move.
     ContactLimits limit_increment(std::vector<Vec6>& deltas, State& state, double time) const;
+    // Limit a motion that all parts of the model make together, as along a path, and shorten nothing: `least`
+    // of the limits is the part of it in which no gap closes. After a prediction, nodes move and start_forces
+    // is called; before an increment is made, the forces advance by the whole of it.
+    ContactLimits limit_common_prediction(const std::vector<Vec6>& deltas, State& state, double time) const;
+    void start_forces(State& state, double time) const;
+    ContactLimits limit_common_increment(const std::vector<Vec6>& deltas, State& state, double time) const;
     // Replaces the forces of contact in the residual by the forces that belong to the tangents.
     void replace_by_tangent_forces(const State& state, double time, double weight, Residual& residual) const;
     // Raises the drag of touching rods if the impulses of a step that ends here add energy; returns whether

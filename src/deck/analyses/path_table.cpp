@@ -79,7 +79,7 @@ void add_path_keys(Table<AnalysisTable>& table) {
             .unit("1").above(0).otherwise("by how the model answers to its loads").only_for({path_only}).may_change()
         .key("max_step", &T::max_step, "No step is longer: long ones can pass over a branch or get on to another one.")
             .unit("1").above(0).only_for({path_only}).may_change()
-        .key("min_step", &T::min_step, "A path that needs a shorter step fails.")
+        .key("min_step", &T::min_step, "A path that needs a shorter step fails. With contact 1e-7 stands for 1e-10.")
             .unit("1").above(0).only_for({path_only}).may_change()
         .key("at", &T::at, path_target_table(),
              "Displacements and load factors at which the path has an equilibrium, exactly, with a frame, as often as "
@@ -89,8 +89,8 @@ void add_path_keys(Table<AnalysisTable>& table) {
              "Steps prescribe a displacement instead of the arc length. The path fails where that turns back.")
             .only_for({path_only})
         .key("critical", &T::critical,
-             "locate: steps end on limit points and bifurcations, and their shapes are found. report: the steps "
-             "within which they lie are named. off: they are ignored.")
+             "locate: steps end on limit points and bifurcations, whose shapes are found, and where contact begins "
+             "and ends. report: the steps within which they lie are named. off: they are ignored.")
             .only_for({path_only}).may_change()
         .key("branches", &T::branches,
              "0: the main path only. 1: also the branches that leave it at simple bifurcations, to both sides. 2: "

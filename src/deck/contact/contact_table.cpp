@@ -121,11 +121,23 @@ void check_stage(const AnalysisTable& table,
                  const AnalysisSettings& analysis,
                  bool turns,
                  const BuildContext& context) {
-    if (is_path(analysis))
-        context.add_fault(
-            table,
-            table.kind,
-            "a path cannot be followed with contact yet; expected static, or dynamic with damping");
+    if (const auto* path = std::get_if<PathSettings>(&analysis)) {
+        for (const Obstacle& obstacle : context.model.contact.obstacles) {
+            if (obstacle.motion)
+                context.add_fault(
+                    table,
+                    table.kind,
+                    fmt::format("a path cannot move obstacle {}: it solves for the load factor, "
+                                "on which that would depend; expected static, or the obstacle at "
+                                "rest and supports that move",
+                                obstacle.name));
+        }
+        if (path->limit_load_factor)
+            context.add_fault(
+                table,
+                table.kind,
+                "limit points cannot be followed with contact yet; expected a path for each value");
+    }
     if (turns)
         context.add_fault(
             table, table.kind, "contact does not turn with a frame; expected a stage without [rotation]");

@@ -4,8 +4,19 @@ namespace gxrod {
 namespace {
 
 const char* name_kind(CriticalKind kind) {
-    if (kind == CriticalKind::limit) return "limit";
-    return kind == CriticalKind::bifurcation ? "bifurcation" : "divergence";
+    switch (kind) {
+        case CriticalKind::limit:
+            return "limit";
+        case CriticalKind::bifurcation:
+            return "bifurcation";
+        case CriticalKind::touch:
+            return "touch";
+        case CriticalKind::release:
+            return "release";
+        case CriticalKind::divergence:
+            break;
+    }
+    return "divergence";
 }
 
 const char* name_branching(Branching branching) {
@@ -56,7 +67,7 @@ void write_points(const Hdf5Handle& group, const PathRecord& paths) {
     const auto write = [&](const char* name, const char* description, const auto& values) {
         write_dataset(group, {name, description, "none", "1"}, values);
     };
-    write("kind", "limit, bifurcation or divergence", table.kinds);
+    write("kind", "limit, bifurcation, divergence; of contact touch or release", table.kinds);
     write("branching",
           "of a simple bifurcation: transcritical, supercritical or subcritical",
           table.branchings);

@@ -1,10 +1,16 @@
 #include "solvers/path/path_newton.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "assembly/contact/contact_limits.hpp"
+#include "assembly/contact/contacts.hpp"
+#include "assembly/contact/step_limiter.hpp"
 #include "solvers/convergence_test.hpp"
 #include "solvers/newton_steps.hpp"
+#include "solvers/paired_matrix.hpp"
+#include "solvers/path/path_tangent.hpp"
 #include "solvers/rotation_guard.hpp"
 #include "solvers/trial_moves.hpp"
 #include "state/increment.hpp"
@@ -28,6 +34,8 @@ class PathNewton {
           workspace_(workspace),
           state_(state),
           solution_(solution),
+          limiter_(system_),
+          may_touch_(Contacts(system_).are_possible()),
           convergence_(system_, settings_),
           guard_(system_) {}
 
@@ -43,6 +51,8 @@ class PathNewton {
             if (!solve_increment() || !apply(increment_, amplitudes_)) break;
             compute_residual();
         }
+        // The forces are those of the law from here on.
+        if (report_.converged()) state_.contact.has_parameters = false;
         return report_;
     }
 
@@ -56,6 +66,12 @@ class PathNewton {
         integrator_.begin_stage(state_, stage(), system_.team());
         state_.resultants.clear();
         if (settings_.tangent == TangentKind::mixed) system_.start_resultants(state_);
+        const auto size = static_cast<Eigen::Index>(problem_.rows.size());
+        owed_.setZero(size);
+        for (Eigen::Index i = 0; may_touch_ && i < size; ++i) {
+            const PathVector& row = problem_.rows[static_cast<std::size_t>(i)];
+            owed_[i] = row.u.dot(problem_.prediction.u) + row.load * problem_.prediction.load;
+        }
     }
 
     void compute_residual() {
@@ -78,7 +94,8 @@ class PathNewton {
     // At least one tangent is needed, for the direction of the path.
     bool is_done() {
         if (report_.outcome == Outcome::not_finite) return true;
-        if (report_.iterations > 0 && convergence_.is_met(workspace_.residual, report_)) return true;
+        if (report_.iterations > 0 && owed_.isZero(0.0) && convergence_.is_met(workspace_.residual, report_))
+            return true;
         if (report_.iterations < settings_.max_iterations) return false;
         report_.outcome = Outcome::out_of_iterations;
         return true;
@@ -87,7 +104,7 @@ class PathNewton {
     void compute_tangent() {
         const PhaseTimer timer(workspace_.seconds.assembly);
         integrator_.linearize(state_, stage(), workspace_.linearizations, system_.team());
-        system_.compute_tangent(state_, solution_.load_factor, workspace_.linearizations, workspace_.values);
+        compute_tangent_on_path(system_, solution_.load_factor, state_, workspace_);
     }
 
     Borders make_borders() const {
@@ -111,11 +128,12 @@ class PathNewton {
 
     bool solve_increment() {
         const PhaseTimer timer(workspace_.seconds.solve);
-        const BorderedSolve bordered(
-            *workspace_.linear_solver, system_.pattern(), workspace_.values, make_borders());
+        const FactorizedTangent tangent = factorized_tangent(system_, workspace_);
+        const BorderedSolve bordered(tangent.solver, tangent.pattern, tangent.values, make_borders());
         const Eigen::Index size = static_cast<Eigen::Index>(problem_.rows.size());
-        const BorderedVector solved = bordered.solve(
-            {-gather_residual(system_, workspace_.residual, workspace_.values), Eigen::VectorXd::Zero(size)});
+        limiter_.replace_by_tangent_forces(state_, solution_.load_factor, 1.0, workspace_.residual);
+        const BorderedVector solved =
+            bordered.solve({-gather_residual(system_, workspace_.residual, workspace_.values), owed_});
         increment_ = {solved.x, solved.y[0]};
         amplitudes_ = solved.y.tail(size - 1);
         solution_.direction = {-bordered.solved_columns().col(0), 1.0};
@@ -126,8 +144,13 @@ class PathNewton {
     }
 
     // False, and so reported, if the increment turns too far.
-    bool apply(const PathVector& increment, const Eigen::VectorXd& amplitudes) {
+    bool apply(const PathVector& whole, const Eigen::VectorXd& whole_amplitudes) {
         const PhaseTimer timer(workspace_.seconds.update);
+        const bool is_prediction = report_.iterations == 0;
+        const double part = may_touch_ ? find_free_part(whole, is_prediction) : 1.0;
+        const PathVector increment = part < 1.0 ? part * whole : whole;
+        const Eigen::VectorXd amplitudes = part * whole_amplitudes;
+        owed_ *= 1.0 - part;
         solution_.load_factor += increment.load;
         state_.trial_time = solution_.load_factor;
         solution_.amplitudes += amplitudes;
@@ -157,7 +180,28 @@ class PathNewton {
                 state_.previous[node], deltas[node].head<3>(), deltas[node].tail<3>(), state_.trial[node]);
         }
         if (moves_supports) system_.supports().place(solution_.load_factor, state_);
+        if (may_touch_ && is_prediction) start_contact();
         return check_step_rotations();
+    }
+
+    // Finds the part of an increment of the path, of supports that move too, in which no gap closes.
+    double find_free_part(const PathVector& whole, bool is_prediction) {
+        std::vector<Vec6> deltas(state_.trial.size());
+        for (std::size_t node = 0; node < deltas.size(); ++node)
+            deltas[node] = system_.equations().increment_of(static_cast<int>(node), whole.u);
+        const double load_factor = solution_.load_factor + whole.load;
+        if (system_.supports().move()) add_support_motion(system_, load_factor, state_, deltas);
+        const ContactLimits limits = is_prediction
+                                         ? limiter_.limit_common_prediction(deltas, state_, load_factor)
+                                         : limiter_.limit_common_increment(deltas, state_, load_factor);
+        report_.least_gap = std::min(report_.least_gap, limits.least_gap);
+        if (limits.shorten()) ++report_.shortened;
+        return limits.least;
+    }
+
+    void start_contact() {
+        limiter_.start_forces(state_, solution_.load_factor);
+        if (workspace_.paired) workspace_.paired->start(Contacts(system_).list_groups(state_));
     }
 
     bool admit(const std::vector<Vec6>& deltas) {
@@ -190,6 +234,9 @@ class PathNewton {
     EquilibriumReport report_;
     PathVector increment_;
     Eigen::VectorXd amplitudes_;
+    Eigen::VectorXd owed_;  // what increments along the rows still have to add to the prediction's
+    StepLimiter limiter_;
+    bool may_touch_;
     ConvergenceTest convergence_;
     RotationGuard guard_;
 };

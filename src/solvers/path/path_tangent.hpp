@@ -1,7 +1,10 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
+#include "linear/linear_solver.hpp"
+#include "linear/sparse_pattern.hpp"
 #include "solvers/equilibrium.hpp"
 #include "solvers/path/path_metric.hpp"
 
@@ -24,7 +27,21 @@ std::optional<PathTangent> compute_path_tangent(const System& system,
                                                 SolverWorkspace& workspace,
                                                 State& state);
 
-// Computes the consistent tangent at the trial motions into the workspace's values.
+// The tangent that a workspace has factorized for a path, with the blocks of rods that touch each other.
+struct FactorizedTangent {
+    LinearSolver& solver;
+    const SparsePattern& pattern;
+    const std::vector<double>& values;
+};
+FactorizedTangent factorized_tangent(const System& system, SolverWorkspace& workspace);
+
+// Computes the tangent from the workspace's linearizations into its values, or its paired matrix.
+void compute_tangent_on_path(const System& system,
+                             double load_factor,
+                             const State& state,
+                             SolverWorkspace& workspace);
+
+// Computes the consistent tangent at the trial motions into the workspace's values, or its paired matrix.
 void compute_consistent_tangent(const System& system,
                                 const Integrator& integrator,
                                 double load_factor,

@@ -19,8 +19,15 @@ struct PathRow {
 enum class CriticalKind {
     limit,        // the load factor turns back
     bifurcation,  // another path crosses this one
-    divergence    // the same where loads have no potential: a real eigenvalue of the tangent passes zero
+    divergence,   // the same where loads have no potential: a real eigenvalue of the tangent passes zero
+    touch,        // things begin to touch each other: no critical point, but listed with them
+    release       // things that touched leave each other
 };
+
+// Whether the tangent is singular there.
+inline bool is_critical(CriticalKind kind) {
+    return kind != CriticalKind::touch && kind != CriticalKind::release;
+}
 
 // The kind of a branch by how its load factor changes.
 enum class Branching {
@@ -41,10 +48,10 @@ struct CriticalPoint {
     double load_factor = 0.0;
     // Negative pivots of the tangent before and after it; −1: not counted.
     std::int64_t pivots_before = -1, pivots_after = -1;
-    int multiplicity = 1;  // multiplicity of the tangent's eigenvalue zero
+    int multiplicity = 1;  // multiplicity of the tangent's eigenvalue zero; 0 of contact
     // As many shapes (δr, δφ of each node) without stiffness, orthonormal; any basis if there are several.
     std::vector<std::vector<Vec6>> kernel;
-    std::string shape;              // the first of them in words
+    std::string shape;              // the first of them in words; of contact, what touches
     std::vector<NodeMotion> nodes;  // at the point, or at the end of the step if it was not located
 };
 

@@ -177,8 +177,11 @@ TEST_CASE("Analyses that contact does not go with are reported", "[deck][touch]"
                    Contains("analysis.integrator: this scheme cannot take the impulses of contact"));
     CHECK_THAT(with("kind = \"dynamic\"\nend_time = 1\naccuracy = 1e-3\n"),
                Contains("analysis.accuracy: this scheme cannot take the impulses of contact"));
-    CHECK_THAT(with("kind = \"path\"\nuntil = { steps = 3 }\n"),
-               Contains("a path cannot be followed with contact yet"));
+    CHECK_NOTHROW(read(deck(floor, circle, "[analysis]\nkind = \"path\"\nuntil = { steps = 3 }\n")));
+    CHECK_THAT(faults(floor + "move = { z = \"0.01*t\" }\n",
+                      circle,
+                      "[analysis]\nkind = \"path\"\nuntil = { steps = 3 }\n"),
+               Contains("a path cannot move obstacle floor"));
     CHECK_NOTHROW(read(deck(floor, circle, "[analysis]\nkind = \"static\"\n")));
     const Problem chosen =
         read(deck(floor,

@@ -11,7 +11,8 @@ COLUMNS = 2
 PANEL_HEIGHT = 3.4
 KEYS_HEIGHT = 0.35
 BRANCH_COLOURS = (ORANGE, GREEN, PURPLE, "#d1373f", "#8a6d1f", "#2aa0b8")
-MARKERS = {"limit": ("^", "limit point"), "bifurcation": ("o", "bifurcation"), "divergence": ("s", "divergence")}
+MARKERS = {"limit": ("^", "limit point"), "bifurcation": ("o", "bifurcation"), "divergence": ("s", "divergence"),
+           "touch": ("v", "contact begins"), "release": ("1", "contact ends")}
 STILL = 1e-9  # components that change by less of the largest change are not drawn
 
 

@@ -32,6 +32,19 @@ const outlines = {
     context.lineTo(-size, 0.75 * size);
     context.closePath();
   },
+  arrowhead: (context, size) => {
+    context.moveTo(0, 1.15 * size);
+    context.lineTo(size, -0.75 * size);
+    context.lineTo(-size, -0.75 * size);
+    context.closePath();
+  },
+  diamond: (context, size) => {
+    context.moveTo(0, 1.15 * size);
+    context.lineTo(size, 0);
+    context.lineTo(0, -1.15 * size);
+    context.lineTo(-size, 0);
+    context.closePath();
+  },
   square: (context, size) => context.rect(-0.85 * size, -0.85 * size, 1.7 * size, 1.7 * size),
   circle: (context, size) => context.arc(0, 0, size, 0, 2 * Math.PI),
 };

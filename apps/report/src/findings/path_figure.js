@@ -11,6 +11,8 @@ export const marks = {
   limit: { outline: "triangle", symbol: "▲", words: "limit point" },
   bifurcation: { outline: "circle", symbol: "●", words: "bifurcation" },
   divergence: { outline: "square", symbol: "■", words: "divergence" },
+  touch: { outline: "arrowhead", symbol: "▼", words: "contact begins" },
+  release: { outline: "diamond", symbol: "◆", words: "contact ends" },
 };
 
 // Equilibria along the branches of a path, one quantity over another: full lines where they are stable, dashed where they are
