@@ -187,7 +187,7 @@ std::optional<double> find_gravity(const BuildContext& context) {
     return std::nullopt;
 }
 
-// That there is a stage in which they act.
+// Notes waves that no stage sees; reports stages that they ask for and that have no time.
 void check_wave(const WaveTable& wave, const BuildContext& context) {
     for (std::size_t i = 0; i < context.stages.size(); ++i) {
         if (acts_with_time(wave, i, context)) return;
@@ -195,10 +195,9 @@ void check_wave(const WaveTable& wave, const BuildContext& context) {
     if (wave.stages) {
         context.add_fault(wave, wave.stages, "no stage with time among them; waves need one");
     } else {
-        context.faults.add(wave.place,
-                           wave.path,
-                           "acts in stages with time only, and the deck has none; expected a stage of the "
-                           "kind dynamic or quasi-static");
+        context.notes.push_back(wave.path +
+                                ": without effect: waves act in stages with time, of the kind "
+                                "dynamic or quasi-static, and the deck has none");
     }
 }
 
