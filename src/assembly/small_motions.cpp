@@ -118,7 +118,7 @@ SmallMotions::SmallMotions(const System& system, Linearization linearization) : 
     times_ = list_relaxation_times(system.model());
     quick_ = std::make_shared<double>(0.0);
     model_ = std::make_unique<const Model>(linearize(system.model(), quick_, linearization));
-    own_.emplace(*model_, system.team(), system.touching());
+    own_.emplace(*model_, system.team(), touching_groups_of(system));
 }
 
 std::vector<RelaxingMatrix> SmallMotions::compute_relaxing(const State& state, double time) const {
@@ -142,7 +142,7 @@ std::vector<std::string> SmallMotions::list_friction_at_limit(const State& state
     const std::vector<std::string> listed = list_frictions(given_->model());
     if (listed.empty()) return at_limit;
     const auto tangent_of = [&](const Model& model) {
-        return compute_still_tangent(System(model, given_->team(), given_->touching()), state, time);
+        return compute_still_tangent(System(model, given_->team(), touching_groups_of(*given_)), state, time);
     };
     const Model& model = given_->model();
     const std::vector<double> sticking = tangent_of(set_at_limit(model, AtLimit::sticks));

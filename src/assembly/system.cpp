@@ -59,6 +59,10 @@ System::~System() = default;
 
 const ContactAssembly* contact_assembly_of(const System& system) { return system.contact_.get(); }
 
+const std::optional<std::vector<NodeGroup>>& touching_groups_of(const System& system) {
+    return system.touching_;
+}
+
 void System::forget_loads() const {
     drive_values_.forget();
     for (const Contribution* one : contributions_) one->forget();

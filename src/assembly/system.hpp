@@ -41,6 +41,8 @@ struct SystemTraits {
 
 // Returns nullptr if nothing can touch.
 const ContactAssembly* contact_assembly_of(const System& system);
+// Returns the groups of nodes that contact couples in a system of small motions; nullopt in all others.
+const std::optional<std::vector<NodeGroup>>& touching_groups_of(const System& system);
 
 // The model as one system of equations, assembled from its parts. It holds no state; it caches the loads at
 // the last requested time, which does not change results.
@@ -63,8 +65,6 @@ class System {
     const JointAssembly& joints() const { return joints_; }
     const EquationNumbers& equations() const { return equations_; }
     const SparsePattern& pattern() const { return pattern_; }
-    // Returns the groups of nodes that contact couples in a system of small motions; nullopt in all others.
-    const std::optional<std::vector<NodeGroup>>& touching() const { return touching_; }
     // The groups of nodes that elements and joints couple; the pattern follows from them.
     std::vector<NodeGroup> list_node_groups() const;
     // The model's length for scaling: the largest of its extent and the bodies' own sizes; 1 if both are
@@ -113,6 +113,7 @@ class System {
     friend class SystemMeasures;
     friend class SystemValues;
     friend const ContactAssembly* contact_assembly_of(const System& system);
+    friend const std::optional<std::vector<NodeGroup>>& touching_groups_of(const System& system);
 
     void build_blocks();
     template <class E>

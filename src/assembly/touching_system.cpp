@@ -7,7 +7,7 @@ namespace gxrod {
 TouchingSystem::TouchingSystem(const System& system, const State& state)
     : given_system_(&system), given_state_(&state) {
     const Contacts contacts(system);
-    if (!contacts.are_possible() || system.touching()) return;
+    if (!contacts.are_possible() || touching_groups_of(system)) return;
     State& own = own_state_.emplace(state);
     undo_trial(own);
     contacts.search(own);

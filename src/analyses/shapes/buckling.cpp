@@ -116,7 +116,7 @@ class FactorFinder {
     // own stiffness. Why there are none, or "".
     std::string solve_for_load(const std::vector<double>& K) {
         const Model unloaded_model = make_unloaded(system_.model());
-        const System unloaded(unloaded_model, system_.team(), system_.touching());
+        const System unloaded(unloaded_model, system_.team(), touching_groups_of(system_));
         Residual with, without;
         system_.compute_residual(state_, load_time_, with);
         unloaded.compute_residual(state_, load_time_, without);

@@ -52,7 +52,7 @@ class ResponseFinder {
               frame ? frame->compute_matrices(state, time) : compute_state_matrices(system, state, time))),
           solver_(system.pattern()),
           free_model_(without_supports(system.model())),
-          free_system_(free_model_, system.team(), system.touching()),
+          free_system_(free_model_, system.team(), touching_groups_of(system)),
           force_(gather_complex(excitation, system.equations())),
           free_force_(gather_complex(excitation, free_system_.equations())) {
         std::optional<FrameColumns> columns;
