@@ -264,7 +264,18 @@ void Ledger::add_powers(const Step& step) {
     work_ += step.time_step * work;
     // The power is not negative, but weights are: where steps do not resolve it, their sum may be.
     dissipated_ += step.time_step * std::max(dissipated, 0.0);
+    add_contact_powers(step);
     power_ = step.stage_powers.back();
+}
+
+void Ledger::add_contact_powers(const Step& step) {
+    ContactPower mean;
+    for (std::size_t i = 0; i < step.stage_powers.size(); ++i) {
+        mean.by_obstacles += power_weights_[i + 1] * step.stage_powers[i].contact.by_obstacles;
+        mean.damping += power_weights_[i + 1] * step.stage_powers[i].contact.damping;
+    }
+    work_ += step.time_step * mean.by_obstacles;
+    contact_loss_ += step.time_step * std::max(mean.damping, 0.0);
 }
 
 double Ledger::compute_scheme_dissipation(const State& state, double time_step) const {

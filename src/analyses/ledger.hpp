@@ -104,6 +104,7 @@ class Ledger {
     std::vector<Vec6> compute_forces(const State& state, double time, const Residual& residual) const;
     void add_load_step(const State& state, const Step& step, const std::vector<Vec6>& forces);
     void add_powers(const Step& step);
+    void add_contact_powers(const Step& step);
     void add_fluid_work(const State& state, double time);
     void add_contact_work(const State& state, double time);
     // Updates the largest energy after a step, in statics.

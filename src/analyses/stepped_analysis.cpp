@@ -90,7 +90,9 @@ SteppedAnalysis::SteppedAnalysis(const Model& model,
       linear_solver_(linear_solver),
       workspace_(system_, linear_solver),
       steps_(std::move(steps)),
-      state_(system_.initial_state()) {}
+      state_(system_.initial_state()) {
+    if (integrator_->resolves_contact()) resolve_contact(system_);
+}
 
 void SteppedAnalysis::refuse_overlaps(double time) {
     const Contacts contacts(system_);

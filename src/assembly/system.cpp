@@ -63,6 +63,10 @@ const std::optional<std::vector<NodeGroup>>& touching_groups_of(const System& sy
     return system.touching_;
 }
 
+void resolve_contact(System& system) {
+    if (system.contact_) system.contact_->resolve();
+}
+
 void System::forget_loads() const {
     drive_values_.forget();
     for (const Contribution* one : contributions_) one->forget();

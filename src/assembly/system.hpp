@@ -43,6 +43,9 @@ struct SystemTraits {
 const ContactAssembly* contact_assembly_of(const System& system);
 // Returns the groups of nodes that contact couples in a system of small motions; nullopt in all others.
 const std::optional<std::vector<NodeGroup>>& touching_groups_of(const System& system);
+// Lets contact act at the stages of a scheme like any other force, and not as an impulse of each step. Call
+// it before anything is computed.
+void resolve_contact(System& system);
 
 // The model as one system of equations, assembled from its parts. It holds no state; it caches the loads at
 // the last requested time, which does not change results.
@@ -114,6 +117,7 @@ class System {
     friend class SystemValues;
     friend const ContactAssembly* contact_assembly_of(const System& system);
     friend const std::optional<std::vector<NodeGroup>>& touching_groups_of(const System& system);
+    friend void resolve_contact(System& system);
 
     void build_blocks();
     template <class E>
@@ -171,7 +175,7 @@ class System {
     TendonLines tendon_lines_;
     std::vector<std::unique_ptr<Contribution>> loads_;    // contributions whose work is external
     const SurroundingsAssembly* surroundings_ = nullptr;  // one of them; nullptr without surroundings
-    std::unique_ptr<const ContactAssembly> contact_;      // nullptr if nothing can touch
+    std::unique_ptr<ContactAssembly> contact_;            // nullptr if nothing can touch
     std::vector<const Contribution*> contributions_;      // all, in the order in which they add
     SparsePattern pattern_;
     std::vector<EntryRange> cleared_alone_;  // entries of nodes without elements

@@ -28,6 +28,8 @@ class CoupledStages : public Integrator {
     static CoupledStages make_gauss_4();
 
     const CoupledStages* coupled() const override { return this; }
+    double contact_weight() const override { return 1.0; }
+    bool resolves_contact() const override { return true; }
     int stage_count() const override { return static_cast<int>(fractions_.size()); }
     double stage_fraction(int stage) const override { return fractions_[stage]; }
     bool ends_with_stage() const { return ends_with_stage_; }

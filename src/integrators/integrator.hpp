@@ -81,6 +81,9 @@ class Integrator {
     // / 2 to positions (docs/theory/contact.md, (C16)). An equilibrium with this multiple of f places nodes
     // accordingly; 0 if the scheme does not support it.
     virtual double contact_weight() const { return is_static() ? 1.0 : 0.0; }
+    // Whether contact acts at the stages like any other force instead, with the weight 1: a stiff spring,
+    // which short steps resolve and damped stages damp.
+    virtual bool resolves_contact() const { return is_static(); }
     // Takes impulses out of the accelerations of a step, when its equilibrium is found and the trial has the
     // accelerations without contact: sets what the scheme carries from these, and changes `shocked`, (a, α)
     // of each node in the equilibrium, to the mean over the step, impulses included.

@@ -10,8 +10,6 @@ class QuasiStatic : public Sdirk4 {
   public:
     ConstraintLevel constraint_level(int) const override { return ConstraintLevel::position; }
 
-    double contact_weight() const override { return 1.0; }
-
   protected:
     void update_nodes(State& state, const Stage& stage, NodeRange nodes) const override;
     void linearize_nodes(const State& state,

@@ -17,6 +17,8 @@ class Sdirk4 : public Integrator {
     // The weights of the embedded scheme of order 3; the last row of `a` has the weights of order 4.
     static const std::array<double, stages> embedded_weights;
 
+    double contact_weight() const override { return 1.0; }
+    bool resolves_contact() const override { return true; }
     int stage_count() const override { return stages; }
     double stage_fraction(int stage) const override;
     ConstraintLevel constraint_level(int stage) const override {

@@ -41,6 +41,7 @@ Power compute_power(
     power.driving =
         compute_power_of(forces, state.trial) + system.joints().compute_driving_power(state, time, step);
     power.damping = SystemMeasures(system).compute_damping_power(state);
+    power.contact = Contacts(system).compute_power(state, time);
     return power;
 }
 
@@ -53,7 +54,7 @@ EquilibriumReport solve_accelerations(
     }
     system.supports().set_rates(time, step, state.trial);
     ConstraintRequest request{ConstraintLevel::acceleration, step};
-    request.contact_weight = 0.0;
+    if (Contacts(system).are_impulses()) request.contact_weight = 0.0;
     system.compute_residual(state, time, workspace.residual, request);
     measure_residual(system, workspace.residual, report);
     if (report.outcome == Outcome::not_finite) return report;
@@ -141,7 +142,8 @@ void split_contact(const System& system,
                    SolverWorkspace& workspace,
                    State& state,
                    EquilibriumReport& report) {
-    if (!Contacts(system).have_forces(state, stage.end_time)) return;
+    const Contacts contacts(system);
+    if (!contacts.are_impulses() || !contacts.have_forces(state, stage.end_time)) return;
     const TimeSpan step{stage.step_time, stage.time_step};
     std::vector<Vec6> shocked(state.trial.size());
     for (std::size_t i = 0; i < shocked.size(); ++i) shocked[i] << state.trial[i].a, state.trial[i].alpha;

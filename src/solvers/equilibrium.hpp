@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "assembly/contact/contact_work.hpp"
 #include "assembly/system.hpp"
 #include "integrators/integrator.hpp"
 #include "linear/linear_solver.hpp"
@@ -54,6 +55,7 @@ struct EquilibriumReport {
 struct Power {
     double driving = 0.0;  // by loads and moving supports
     double damping = 0.0;  // dissipated
+    ContactPower contact = {};
 };
 
 // Computes the power at the trial motions with their residual; `step` is the step that `time` belongs to, if

@@ -32,6 +32,12 @@ ContactAssembly::ContactAssembly(const Model& model,
     if (!model.contact.exceptions.empty()) find_exceptions();
 }
 
+void ContactAssembly::resolve() {
+    resolves_ = has_impacts_;
+    has_impacts_ = false;
+    pairs_.resolve();
+}
+
 void ContactAssembly::find_exceptions() {
     const ContactExceptions exceptions(model_->contact, places_);
     rubs_ = false;
@@ -57,7 +63,10 @@ void ContactAssembly::lay_out(const Layout& layout) {
     }
 }
 
-ContactAssembly::At ContactAssembly::find_obstacles(const State& state, double time, double progress) const {
+ContactAssembly::At ContactAssembly::find_obstacles(const State& state,
+                                                    double time,
+                                                    double progress,
+                                                    Rates rates) const {
     At at;
     at.has_impacts = has_impacts_;
     const double elapsed = time - state.time;
@@ -70,6 +79,9 @@ ContactAssembly::At ContactAssembly::find_obstacles(const State& state, double t
         at.before[i] = place_obstacle(body, state.time);
         at.now[i] = between(at.before[i], place_obstacle(body, time), progress);
     }
+    if (resolves_) at.rate_damping = model_->contact.damping;
+    if (resolves_ && (at.rate_damping > 0.0 || rates == Rates::always))
+        set_rates_of_obstacles(state, time, at);
     return at;
 }
 
@@ -217,14 +229,23 @@ NormalForce ContactAssembly::tangent_force(
     return normal;
 }
 
-ContactAssembly::Touching ContactAssembly::touch_by_law(
-    const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const {
-    return {law_force(at, obstacle, place, gap, state), friction(obstacle, place, state)};
+ContactAssembly::Touching ContactAssembly::touch_by_law(const At& at,
+                                                        std::size_t obstacle,
+                                                        std::size_t place,
+                                                        const SurfaceTouch& touch,
+                                                        const State& state) const {
+    const NormalForce normal = law_force(at, obstacle, place, touch.gap, state);
+    return {damp_by_rate(at, obstacle, place, touch, state, normal), friction(obstacle, place, state)};
 }
 
-ContactAssembly::Touching ContactAssembly::touch_by_parameters(
-    const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const {
-    return {tangent_force(at, obstacle, place, gap, state), tangent_friction(obstacle, place, state)};
+ContactAssembly::Touching ContactAssembly::touch_by_parameters(const At& at,
+                                                               std::size_t obstacle,
+                                                               std::size_t place,
+                                                               const SurfaceTouch& touch,
+                                                               const State& state) const {
+    const NormalForce normal = tangent_force(at, obstacle, place, touch.gap, state);
+    return {damp_by_rate(at, obstacle, place, touch, state, normal),
+            tangent_friction(obstacle, place, state)};
 }
 
 // From force and moment at a place of a body, and their derivative by the place and its rotation, to the
@@ -238,7 +259,7 @@ Mat6 ContactAssembly::take_to_node(
     return derivative;
 }
 
-// find(obstacle, place, gap): what touches there.
+// find(obstacle, place, surface): what touches there.
 template <class Find>
 void ContactAssembly::add_element_force(
     std::size_t index, const At& at, const State& state, const Find& find, LoadVector& force) const {
@@ -249,7 +270,7 @@ void ContactAssembly::add_element_force(
             const ContactPlace& place = places_.places[p];
             const Vec3 position = places_.position(place, state.trial);
             const SurfaceTouch surface = touch(at, obstacle, p, position);
-            const Touching touching = find(obstacle, p, surface.gap);
+            const Touching touching = find(obstacle, p, surface);
             if (touching.normal.force == 0.0) continue;
             PlaceForce there = compute_place_force(
                 surface, places_.motion_of(place, state), touching.normal, touching.friction);
@@ -286,8 +307,8 @@ void ContactAssembly::subtract_forces(const State& state,
     if (weight == 0.0) return;
     pairs_.subtract_forces(state, weight, residual);
     const At at = find_obstacles(state, time, state.contact.progress);
-    const auto find = [&](std::size_t obstacle, std::size_t place, double gap) {
-        return touch_by_law(at, obstacle, place, gap, state);
+    const auto find = [&](std::size_t obstacle, std::size_t place, const SurfaceTouch& surface) {
+        return touch_by_law(at, obstacle, place, surface, state);
     };
     const std::vector<LoadVector> forces = compute_element_forces(at, state, find);
     for (std::size_t e = 0; e < forces.size(); ++e) {
@@ -310,11 +331,11 @@ void ContactAssembly::replace_by_tangent_forces(const State& state,
     pairs_.replace_by_tangent_forces(state, weight, residual);
     const At now = find_obstacles(state, time, state.contact.progress);
     const At there = find_obstacles(state, time, 1.0);
-    const auto true_force = [&](std::size_t obstacle, std::size_t place, double gap) {
-        return touch_by_law(now, obstacle, place, gap, state);
+    const auto true_force = [&](std::size_t obstacle, std::size_t place, const SurfaceTouch& surface) {
+        return touch_by_law(now, obstacle, place, surface, state);
     };
-    const auto tangent = [&](std::size_t obstacle, std::size_t place, double gap) {
-        return touch_by_parameters(there, obstacle, place, gap, state);
+    const auto tangent = [&](std::size_t obstacle, std::size_t place, const SurfaceTouch& surface) {
+        return touch_by_parameters(there, obstacle, place, surface, state);
     };
     const std::vector<LoadVector> taken = compute_element_forces(now, state, true_force);
     const std::vector<LoadVector> given = compute_element_forces(there, state, tangent);
@@ -337,6 +358,9 @@ void ContactAssembly::add_tangents(const State& state,
     const double weight = request.contact_weight;
     if (weight == 0.0) return;
     if (is_for_small_motions_) add_pair_tangents(state, weight, linearizations, values);
+    // Other stages of a step move nothing here, but what damps depends on them.
+    const bool is_still = !linearizations.empty() && linearizations.front().placement == 0.0;
+    if (is_still && (!resolves_ || model_->contact.damping == 0.0)) return;
     const bool is_mixed = state.contact.has_parameters;
     const At at = find_obstacles(state, time, is_mixed ? 1.0 : state.contact.progress);
     for (const ContactElement& element : places_.elements) {
@@ -348,8 +372,8 @@ void ContactAssembly::add_tangents(const State& state,
                 const ContactPlace& place = places_.places[p];
                 const Vec3 position = places_.position(place, state.trial);
                 const SurfaceTouch surface = touch(at, obstacle, p, position);
-                const Touching touching = is_mixed ? touch_by_parameters(at, obstacle, p, surface.gap, state)
-                                                   : touch_by_law(at, obstacle, p, surface.gap, state);
+                const Touching touching = is_mixed ? touch_by_parameters(at, obstacle, p, surface, state)
+                                                   : touch_by_law(at, obstacle, p, surface, state);
                 if (touching.normal.force == 0.0 && touching.normal.stiffness == 0.0) continue;
                 if (tangent.size() == 0) {
                     tangent = LoadMatrix::Zero(6 * element.count, 6 * element.count);
@@ -362,6 +386,8 @@ void ContactAssembly::add_tangents(const State& state,
                     surface, places_.motion_of(place, state), touching.normal, touching.friction);
                 const ImpulseDirection direction = impulse_direction(at, obstacle, p, surface, state);
                 direction.add_to(surface, touching.normal, there);
+                if (at.rate_damping > 0.0)
+                    add_rate_tangent(at, obstacle, p, surface, state, weight, linearizations, tangent);
                 for (int j = 0; j < element.count; ++j) {
                     const auto node = static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(j)]);
                     const double part = weight * linearizations[node].placement * place.weight *

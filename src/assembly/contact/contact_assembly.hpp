@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -18,6 +19,7 @@
 #include "assembly/equation_numbers.hpp"
 #include "assembly/residual.hpp"
 #include "assembly/scale_groups.hpp"
+#include "constraints/step_differences.hpp"
 #include "contact/impact_law.hpp"
 #include "contact/obstacle_surface.hpp"
 #include "linear/sparse_pattern.hpp"
@@ -41,6 +43,13 @@ class ContactAssembly : public Contribution {
                     const ScaleGroups& groups,
                     bool is_for_small_motions = false);
     void lay_out(const Layout& layout) override;
+
+    // Does resolve_contact(System&).
+    void resolve();
+    // Whether contact is an impulse of each step.
+    bool has_impacts() const { return has_impacts_; }
+    // Computes the power of a motion in which contact is not an impulse, at the trial motions.
+    ContactPower compute_power(const State& state, double time) const;
 
     bool empty() const { return (places_.places.empty() || surfaces_.empty()) && pairs_.empty(); }
     // Contact of rods with each other.
@@ -116,6 +125,16 @@ class ContactAssembly : public Contribution {
         std::vector<ObstaclePlacement> now, before;
         bool has_impacts = false;
         double damping = 0.0;  // factor of the gap's change in the step: 0 without inertia, or at its start
+        // Factor of the gap's rate, where contact is not an impulse, and what gives the rates of obstacles.
+        double rate_damping = 0.0;
+        std::array<double, difference_points> difference_weights{};
+        std::vector<std::array<ObstaclePlacement, difference_points>> around{};
+    };
+    // The rate of a gap, its derivative by the place's position, and the factor by which it damps the force.
+    struct GapRate {
+        double rate = 0.0;
+        Vec3 by_position = Vec3::Zero();
+        double factor = 1.0;
     };
     struct Touching {
         NormalForce normal;
@@ -127,7 +146,31 @@ class ContactAssembly : public Contribution {
     std::size_t pair(std::size_t obstacle, std::size_t place) const {
         return obstacle * places_.places.size() + place;
     }
-    At find_obstacles(const State& state, double time, double progress) const;
+    enum class Rates { where_damped, always };
+    At find_obstacles(const State& state,
+                      double time,
+                      double progress,
+                      Rates rates = Rates::where_damped) const;
+    void set_rates_of_obstacles(const State& state, double time, At& at) const;
+    // Computes the velocity of an obstacle's surface at a point of it.
+    Vec3 surface_velocity(const At& at, std::size_t obstacle, const Vec3& point) const;
+    Vec3 surface_velocity(const At& at,
+                          std::size_t obstacle,
+                          std::size_t place,
+                          const SurfaceTouch& touch,
+                          const State& state) const;
+    GapRate find_gap_rate(const At& at,
+                          std::size_t obstacle,
+                          std::size_t place,
+                          const SurfaceTouch& touch,
+                          const State& state) const;
+    // Multiplies a force by the factor of its gap's rate.
+    NormalForce damp_by_rate(const At& at,
+                             std::size_t obstacle,
+                             std::size_t place,
+                             const SurfaceTouch& touch,
+                             const State& state,
+                             const NormalForce& normal) const;
     // Whether contact between an obstacle's surface and a place is switched off.
     bool is_off(std::size_t surface, std::size_t place) const {
         return !off_.empty() && is_element_off(surface, places_.element_of(place));
@@ -169,10 +212,16 @@ class ContactAssembly : public Contribution {
     NormalForce tangent_force(
         const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const;
     CoulombFriction tangent_friction(std::size_t obstacle, std::size_t place, const State& state) const;
-    Touching touch_by_law(
-        const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const;
-    Touching touch_by_parameters(
-        const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const;
+    Touching touch_by_law(const At& at,
+                          std::size_t obstacle,
+                          std::size_t place,
+                          const SurfaceTouch& touch,
+                          const State& state) const;
+    Touching touch_by_parameters(const At& at,
+                                 std::size_t obstacle,
+                                 std::size_t place,
+                                 const SurfaceTouch& touch,
+                                 const State& state) const;
     template <class Work>
     void for_each_near(const At& at, const State& state, double reach, State& kept, const Work& work) const;
     void list_element_touches(std::size_t element,
@@ -189,6 +238,16 @@ class ContactAssembly : public Contribution {
                            double weight,
                            const std::vector<NodeLinearization>& linearizations,
                            std::vector<double>& values) const;
+    // Adds what damping by the rate of the gap adds to the tangent of a place: as in add_tangents, for
+    // columns of the element's node `column`.
+    void add_rate_tangent(const At& at,
+                          std::size_t obstacle,
+                          std::size_t place,
+                          const SurfaceTouch& surface,
+                          const State& state,
+                          double weight,
+                          const std::vector<NodeLinearization>& linearizations,
+                          LoadMatrix& tangent) const;
     Mat6 take_to_node(const At& at,
                       const ContactPlace& place,
                       const State& state,
@@ -223,6 +282,7 @@ class ContactAssembly : public Contribution {
     bool moves_ = false;
     bool has_impacts_ = false;
     bool is_for_small_motions_ = false;
+    bool resolves_ = false;  // contact in motions with inertia that is not an impulse
 };
 
 }  // namespace gxrod

@@ -46,7 +46,7 @@ void ContactAssembly::start(State& state, double time) const {
         const SurfaceTouch surface = touch(at, obstacle, p, position);
         state.contact.parameters[pair(obstacle, p)] = surface.gap;
         if (!rubs_) return;
-        const Touching touching = touch_by_law(at, obstacle, p, surface.gap, state);
+        const Touching touching = touch_by_law(at, obstacle, p, surface, state);
         const PlaceMotion motion = places_.motion_of(places_.places[p], state);
         keep_slip(advance_slip(surface, motion, touching.normal, touching.friction), obstacle, p, state);
     });
@@ -202,11 +202,10 @@ void ContactAssembly::commit(State& state, double time) const {
             for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
                 if (is_off(obstacle, p)) continue;
                 const SurfaceTouch surface = touch(at, obstacle, p, position);
+                const Touching touching = touch_by_law(at, obstacle, p, surface, state);
                 Eigen::Map<Vec3>(memory_.piece(pair(obstacle, p), 3).of(state).data()) =
-                    compute_place_force(surface,
-                                        places_.motion_of(place, state),
-                                        law_force(at, obstacle, p, surface.gap, state),
-                                        friction(obstacle, p, state))
+                    compute_place_force(
+                        surface, places_.motion_of(place, state), touching.normal, touching.friction)
                         .traction;
             }
         }

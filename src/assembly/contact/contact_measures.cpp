@@ -24,10 +24,11 @@ double ContactAssembly::compute_energy(const State& state, double time) const {
                 energy += place.weight * compute_contact_energy(law, surface.gap);
             }
             if (rubbing.stiffness > 0.0) {
-                const PlaceForce force = compute_place_force(surface,
-                                                             places_.motion_of(place, state),
-                                                             law_force(at, obstacle, p, surface.gap, state),
-                                                             rubbing);
+                const PlaceForce force =
+                    compute_place_force(surface,
+                                        places_.motion_of(place, state),
+                                        touch_by_law(at, obstacle, p, surface, state).normal,
+                                        rubbing);
                 energy += 0.5 * place.weight * force.traction.squaredNorm() / rubbing.stiffness;
             }
         }
@@ -48,7 +49,7 @@ ContactWork ContactAssembly::compute_work(const State& state, double time, doubl
         for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
             if (is_off(obstacle, p)) continue;
             const SurfaceTouch surface = touch(at, obstacle, p, position);
-            const Touching touching = touch_by_law(at, obstacle, p, surface.gap, state);
+            const Touching touching = touch_by_law(at, obstacle, p, surface, state);
             PlaceForce after = compute_place_force(surface, motion, touching.normal, touching.friction);
             if (touching.normal.force > 0.0)
                 impulse_direction(at, obstacle, p, surface, state).add_to(surface, touching.normal, after);
@@ -81,7 +82,7 @@ ContactWork ContactAssembly::compute_work(const State& state, double time, doubl
                 const Vec3 turned = places_.arm(place, state.trial) - places_.arm(place, state.previous);
                 on_rods += place.weight * force.dot(motion.rotation.cross(lever) - turned);
             }
-            work.by_obstacles += place.weight * force.dot(surface.drift);
+            if (!resolves_) work.by_obstacles += place.weight * force.dot(surface.drift);
         }
     }
     work.loss = at.has_impacts ? energy_before - compute_energy(state, time) - on_rods + work.by_obstacles
@@ -103,7 +104,7 @@ std::vector<ObstacleValues> ContactAssembly::compute_obstacle_values(const State
             own.least_gap = std::min(own.least_gap, surface.gap);
             // A start that is refused is written too.
             if (surface.gap <= 0.0 && !surfaces_[obstacle].body->stiffness) continue;
-            const NormalForce normal = law_force(at, obstacle, p, surface.gap, state);
+            const NormalForce normal = touch_by_law(at, obstacle, p, surface, state).normal;
             if (normal.force == 0.0) continue;
             PlaceForce force = compute_place_force(
                 surface, places_.motion_of(place, state), normal, friction(obstacle, p, state));

@@ -52,7 +52,10 @@ void ContactPairs::add_tangent_with_body(const EndTangent& tangent,
     take_to_nodes(near, tangent.forces, state, derivative);
     for (Eigen::Index column = 0; column < shares.cols(); ++column) {
         const auto at = static_cast<std::size_t>(column);
-        const double part = weight * linearizations[static_cast<std::size_t>(block.nodes[at])].placement;
+        const double part =
+            weight * (found_.placed.rates.empty()
+                          ? linearizations[static_cast<std::size_t>(block.nodes[at])].placement
+                          : 1.0);
         for (Eigen::Index row = 0; row < shares.cols(); ++row) {
             Mat6 sum = Mat6::Zero();
             for (int b = 0; b < 4; ++b) {

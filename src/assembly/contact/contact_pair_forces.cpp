@@ -28,12 +28,20 @@ const std::vector<ContactPairs::Touching>& ContactPairs::find_touching(const Sta
     std::vector<Touching>& touching = found_.touching;
     touching.clear();
     for (std::size_t i = 0; i < near.size(); ++i) {
-        if (touches[i] != 0) touching.push_back({i, {}, {}});
+        if (touches[i] != 0) touching.emplace_back().index = i;
     }
     team_->for_each_range(touching.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const NearPieces& pieces = near[touching[i].index];
             touching[i].energy = touching[i].impulse = find_energy(pieces, at.now);
+            if (!at.rates.empty()) {
+                const Vec12 rates = find_ends(at.rates[pieces.first], at.rates[pieces.second]);
+                PairEnergy& energy = touching[i].energy;
+                const double undamped = energy.gradient.dot(rates);
+                touching[i].by_rates = damp_by_rates(energy, rates, damping_);
+                touching[i].damping_power = energy.gradient.dot(rates) - undamped;
+                touching[i].impulse = energy;
+            }
             if (!has_impacts_) continue;
             const Segment &a = at.now[pieces.first], &b = at.now[pieces.second];
             std::optional<PairStart>& start = found_.starts[touching[i].index];
@@ -221,18 +229,23 @@ std::vector<ContactPairs::Tangible> ContactPairs::list_tangible(const State& sta
 ContactPairs::EndTangent ContactPairs::find_end_tangent(const Tangible& one, const State& state) const {
     EndTangent own;
     own.index = one.index;
-    const auto subtract_by_positions = [&](const Mat12& hessian) {
+    const auto subtract_by_positions = [&](const Mat12& hessian, Mat24& derivative) {
         for (int a = 0; a < 4; ++a)
             for (int b = 0; b < 4; ++b)
-                own.derivative.block<3, 3>(6 * a, 6 * b) -= hessian.block<3, 3>(3 * a, 3 * b);
+                derivative.block<3, 3>(6 * a, 6 * b) -= hessian.block<3, 3>(3 * a, 3 * b);
     };
     if (const std::optional<Expected> expected = find_expected(one.index, state)) {
-        subtract_by_positions(expected->stiffness * expected->slope * expected->slope.transpose());
+        subtract_by_positions(expected->stiffness * expected->slope * expected->slope.transpose(),
+                              own.derivative);
         own.forces = with_moments(expected->force * expected->slope);
         return own;
     }
     const NearPieces& near = state.contact.pieces[one.index];
-    subtract_by_positions(one.touching->impulse.hessian);
+    subtract_by_positions(one.touching->impulse.hessian, own.derivative);
+    if (!found_.placed.rates.empty()) {
+        const Vec12& G = one.touching->energy.gradient;
+        subtract_by_positions(one.touching->by_rates * G * G.transpose(), own.by_rates);
+    }
     const bool needs_forces = has_body(near);
     if (needs_forces) own.forces = with_moments(-one.touching->impulse.gradient);
     if (!rub()) return own;
@@ -252,8 +265,13 @@ PairBlock ContactPairs::compute_block(std::span<const Tangible> those,
     const auto size = static_cast<Eigen::Index>(6 * block.nodes.size());
     block.matrix = Eigen::MatrixXd::Zero(size, size);
     const bool with_body = has_body(state.contact.pieces[those[0].index]);
+    const double placement = linearizations.front().placement;
     for (const Tangible& one : those) {
-        const EndTangent tangent = find_end_tangent(one, state);
+        EndTangent tangent = find_end_tangent(one, state);
+        // All nodes have the same rates by placements, but for turns of bodies in a step.
+        if (!found_.placed.rates.empty())
+            tangent.derivative =
+                placement * tangent.derivative + linearizations.front().rate * tangent.by_rates;
         const Shares shares = find_shares(state.contact.pieces[one.index], block.nodes);
         if (with_body) {
             add_tangent_with_body(tangent, weight, linearizations, state, shares, block);
@@ -277,7 +295,7 @@ PairBlock ContactPairs::compute_block(std::span<const Tangible> those,
     for (std::size_t i = 0; i < block.nodes.size(); ++i) {
         const auto node = static_cast<std::size_t>(block.nodes[i]);
         auto columns = block.matrix.middleCols<6>(6 * static_cast<Eigen::Index>(i));
-        columns *= weight * linearizations[node].placement;
+        columns *= weight * (found_.placed.rates.empty() ? linearizations[node].placement : 1.0);
         if (rub())
             columns.rightCols<3>() =
                 (columns.rightCols<3>() * tangent_map_inverse(state.trial[node].theta)).eval();

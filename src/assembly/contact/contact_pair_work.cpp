@@ -42,6 +42,11 @@ double ContactPairs::compute_work(const State& state) const {
     });
 }
 
+double ContactPairs::compute_damping_power(const State& state) const {
+    if (!resolves_ || damping_ == 0.0) return 0.0;
+    return sum_of(find_touching(state), [](const Touching& one) { return one.damping_power; });
+}
+
 double ContactPairs::compute_slip_work(const State& state) const {
     if (!rub()) return 0.0;
     return sum_of(find_touching(state), [&](const Touching& one) {

@@ -64,6 +64,19 @@ std::vector<Segment> ContactPairs::find_segments(const std::vector<NodeMotion>& 
     return segments;
 }
 
+std::vector<Segment> ContactPairs::find_rates(const std::vector<NodeMotion>& motions) const {
+    const ContactPlaces& all = lines_.places;
+    std::vector<Segment> rates(lines_.pieces.size());
+    team_->for_each_range(rates.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const std::size_t place = lines_.pieces[i].place;
+            rates[i] = {all.velocity(all.places[place], motions),
+                        all.velocity(all.places[place + 1], motions)};
+        }
+    });
+    return rates;
+}
+
 PairLaw ContactPairs::law_of(const NearPieces& near) const {
     const ContactElement& a = lines_.element_of(lines_.pieces[near.first]);
     const ContactElement& b = lines_.element_of(lines_.pieces[near.second]);
@@ -77,6 +90,7 @@ ContactPairs::PiecesPlaced ContactPairs::place_pieces(const State& state) const 
     PiecesPlaced placed;
     placed.now = find_segments(state.trial);
     if (has_impacts_ || rub()) placed.before = find_segments(state.previous);
+    if (resolves_ && damping_ > 0.0) placed.rates = find_rates(state.trial);
     if (!has_impacts_) return placed;
     const double elapsed = state.trial_time - state.time;
     if (elapsed > 0.0) placed.damping = damping_ / elapsed;

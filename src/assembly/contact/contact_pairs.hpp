@@ -39,6 +39,11 @@ class ContactPairs {
 
     bool empty() const { return lines_.pieces.empty(); }
     bool rub() const { return rubs_; }
+    // Does resolve_contact(System&).
+    void resolve() {
+        resolves_ = has_impacts_;
+        has_impacts_ = false;
+    }
 
     // Finds near pieces at the trial, for nodes that can move by `reach` from there.
     void search(double reach, State& state) const;
@@ -73,6 +78,8 @@ class ContactPairs {
     double compute_energy(const State& state) const;
     // Computes the work of impulses: Σ force · displacement over the step.
     double compute_work(const State& state) const;
+    // Computes the power that damping dissipates, by the rates of gaps.
+    double compute_damping_power(const State& state) const;
     // Computes the dissipation of friction in a step without impulses.
     double compute_slip_work(const State& state) const;
     void count(const State& state, ContactCount& result) const;
@@ -86,6 +93,8 @@ class ContactPairs {
 
   private:
     Segment segment_of(std::size_t piece, const std::vector<NodeMotion>& motions) const;
+    std::vector<Segment> find_rates(
+        const std::vector<NodeMotion>& motions) const;  // of the ends of all pieces
     std::vector<Segment> find_segments(
         const std::vector<NodeMotion>& motions) const;  // segments of all pieces
     // Bounds the motion of all pieces.
@@ -101,6 +110,7 @@ class ContactPairs {
         std::vector<Segment> now, before;
         double damping = 0.0;  // factor of the gap's change in the step
         double drag = 0.0;
+        std::vector<Segment> rates;  // velocities of the ends, where they damp
 
         bool operator==(const PiecesPlaced&) const = default;
     };
@@ -154,8 +164,10 @@ class ContactPairs {
     // A touching pair of State::contact.pieces, by index.
     struct Touching {
         std::size_t index = 0;
-        PairEnergy energy;   // friction acts by it
-        PairEnergy impulse;  // the forces of a step: turned; else the same as those of the energy
+        PairEnergy energy;      // friction acts by it
+        PairEnergy impulse;     // the forces of a step: turned; else the same as those of the energy
+        double by_rates = 0.0;  // times G Gᵀ: the derivative of the gradient G by the rates that damp it
+        double damping_power = 0.0;
     };
     // Finds touching pairs with damped forces. The result lasts until the next call.
     const std::vector<Touching>& find_touching(const State& state) const;
@@ -171,6 +183,7 @@ class ContactPairs {
         std::size_t index = 0;
         Vec24 forces = Vec24::Zero();  // for pairs with a body
         Mat24 derivative = Mat24::Zero();
+        Mat24 by_rates = Mat24::Zero();
     };
     EndTangent find_end_tangent(const Tangible& one, const State& state) const;
     // Computes the block of pairs between the same two elements.
@@ -227,7 +240,8 @@ class ContactPairs {
     ContactLines lines_;
     bool rubs_ = false;
     bool has_impacts_ = false;
-    double damping_ = 0.0;  // with inertia
+    bool resolves_ = false;  // motions with inertia in which contact is not an impulse
+    double damping_ = 0.0;   // with inertia
     // The last result, cached since a Newton iteration asks for it several times.
     struct Found {
         std::vector<NearPieces> pieces;

@@ -53,6 +53,12 @@ struct ContactPlaces {
                    ? Vec3(motion_of_body(place, motions).r + arm(place, motions))
                    : interpolate(place, motions, &NodeMotion::r);
     }
+    Vec3 velocity(const ContactPlace& place, const std::vector<NodeMotion>& motions) const {
+        if (!elements[static_cast<std::size_t>(place.element)].is_body)
+            return interpolate(place, motions, &NodeMotion::v);
+        const NodeMotion& motion = motion_of_body(place, motions);
+        return motion.v + motion.omega.cross(arm(place, motions));
+    }
     // Returns the arm of a place of a body, from its node.
     Vec3 arm(const ContactPlace& place, const std::vector<NodeMotion>& motions) const {
         return motion_of_body(place, motions).Lambda * place.arm;

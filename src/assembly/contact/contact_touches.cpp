@@ -39,7 +39,7 @@ void ContactAssembly::list_element_touches(std::size_t index,
             const ContactPlace& place = places_.places[p];
             const Vec3 position = places_.position(place, state.trial);
             const SurfaceTouch surface = touch(at, obstacle, p, position);
-            const Touching touching = touch_by_law(at, obstacle, p, surface.gap, state);
+            const Touching touching = touch_by_law(at, obstacle, p, surface, state);
             if (touching.normal.force == 0.0) continue;
             PlaceForce there = compute_place_force(
                 surface, places_.motion_of(place, state), touching.normal, touching.friction);

@@ -2,6 +2,12 @@
 
 namespace gxrod {
 
+// Power of contact at one instant.
+struct ContactPower {
+    double by_obstacles = 0.0;  // power of moving obstacles on rods
+    double damping = 0.0;       // dissipated by damping
+};
+
 // Work of contact in a step.
 struct ContactWork {
     double by_obstacles = 0.0;  // work of moving obstacles on rods

@@ -7,6 +7,8 @@ namespace gxrod {
 
 bool Contacts::couple_rods() const { return contact_ && !contact_->pairs().empty(); }
 
+bool Contacts::are_impulses() const { return contact_ && contact_->has_impacts(); }
+
 void Contacts::search(State& state) const {
     if (contact_) contact_->search(state);
 }
@@ -27,6 +29,10 @@ std::vector<PairBlock> Contacts::compute_tangents(
 
 double Contacts::compute_energy(const State& state, double time) const {
     return contact_ ? contact_->compute_energy(state, time) : 0.0;
+}
+
+ContactPower Contacts::compute_power(const State& state, double time) const {
+    return contact_ ? contact_->compute_power(state, time) : ContactPower{};
 }
 
 ContactWork Contacts::compute_work(const State& state, double time, double energy_before) const {

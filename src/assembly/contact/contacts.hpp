@@ -29,6 +29,9 @@ class Contacts {
 
     // Finds pieces near the trial; before forces are asked for there outside of an equilibrium.
     void search(State& state) const;
+    // Whether contact is an impulse of each step, apart from the scheme; if not, it acts at each stage, or in
+    // statics, like any other force.
+    bool are_impulses() const;
     // Whether anything pushes at the trial motions, also in a step that leaves an obstacle.
     bool have_forces(const State& state, double time) const;
     // Lists the groups of nodes that rods couple, or are likely to couple, where they touch each other.
@@ -39,6 +42,8 @@ class Contacts {
                                             const std::vector<NodeLinearization>& linearizations) const;
 
     double compute_energy(const State& state, double time) const;
+    // Computes the power of a motion in which contact acts at the stages of a scheme; else it is 0.
+    ContactPower compute_power(const State& state, double time) const;
     // Computes the work in the step from the last accepted motions to the trial, at `time`; the energy at its
     // start was `energy_before`.
     ContactWork compute_work(const State& state, double time, double energy_before) const;

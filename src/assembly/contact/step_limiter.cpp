@@ -13,7 +13,7 @@ double StepLimiter::share_of(std::size_t node, const ContactLimits& limits) cons
 }
 
 void StepLimiter::begin_at_rest(State& state) const {
-    if (!contact_ || !system_->model().has_inertia) return;
+    if (!contact_ || !contact_->has_impacts()) return;
     for (std::size_t i = 0; i < state.trial.size(); ++i)
         place(state.previous[i], state.previous[i].r, Vec3::Zero(), state.trial[i]);
 }

@@ -16,7 +16,7 @@ class StepLimiter {
     // The system must outlive it.
     explicit StepLimiter(const System& system) : system_(&system), contact_(contact_assembly_of(system)) {}
 
-    // Makes the prediction of a model with inertia the last accepted motions. Contact chatters between
+    // Makes the prediction of a step with impulses the last accepted motions. Contact chatters between
     // impulses: if its accelerations go on, it touches where it should not, and half of the iterations are
     // spent on that. The first increment includes what moves.
     void begin_at_rest(State& state) const;

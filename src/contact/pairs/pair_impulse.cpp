@@ -148,6 +148,39 @@ void add_drag(PairEnergy& pair, const PairStart& start, const Vec12& way, double
     }
 }
 
+namespace {
+
+// The factor of damping, and its derivatives by the ends for a fixed motion, and by the motion.
+struct DampingFactor {
+    double value = 1.0;
+    Vec12 by_ends = Vec12::Zero();
+    double by_motion = 0.0;  // times G
+};
+
+DampingFactor find_damping(const PairEnergy& pair, const Vec12& motion, double damping) {
+    DampingFactor factor;
+    const Vec3 force = pair.force();
+    const double size = force.norm();
+    if (size == 0.0) return factor;
+    const double work = pair.gradient.dot(motion);
+    factor.value = std::max(1.0 + damping * work / size, 0.0);
+    if (factor.value == 0.0) return factor;
+    const Vec12 size_by =
+        -(pair.hessian.middleRows<3>(0) + pair.hessian.middleRows<3>(3)).transpose() * force / size;
+    factor.by_ends = (damping / size) * (pair.hessian.transpose() * motion - (work / size) * size_by);
+    factor.by_motion = damping / size;
+    return factor;
+}
+
+}  // namespace
+
+double damp_by_rates(PairEnergy& pair, const Vec12& rates, double damping) {
+    const DampingFactor factor = find_damping(pair, rates, damping);
+    pair.hessian = (factor.value * pair.hessian + pair.gradient * factor.by_ends.transpose()).eval();
+    pair.gradient *= factor.value;
+    return factor.value > 0.0 ? factor.by_motion / (factor.value * factor.value) : 0.0;
+}
+
 void damp(PairEnergy& pair, const Vec12& motion, double damping) {
     const Vec3 force = pair.force();
     const double size = force.norm();

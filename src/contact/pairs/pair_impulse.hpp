@@ -34,6 +34,9 @@ void turn_impulse(const Segment& a,
 // damping (G · motion)/|F|) G, and 0 if that factor is negative; the Hessian becomes its derivative, which is
 // not symmetric.
 void damp(PairEnergy& pair, const Vec12& motion, double damping);
+// Does the same by the rates of the ends in place of their motion. The Hessian becomes the derivative for
+// fixed rates; the derivative of G by the rates is the damped G Gᵀ times the number that is returned.
+double damp_by_rates(PairEnergy& pair, const Vec12& rates, double damping);
 
 // Computes the relative displacement of two places since the start of a step: (1 − s) Δx_0 + s Δx_1 − (1 − t)
 // Δx_2 − t Δx_3, from the motion of the ends.
