@@ -1,7 +1,13 @@
 #include "solvers/coupled/coupled_step.hpp"
 
+#include <algorithm>
+
+#include "assembly/contact/contact_limits.hpp"
+#include "assembly/contact/contacts.hpp"
+#include "assembly/contact/step_limiter.hpp"
 #include "solvers/convergence_test.hpp"
 #include "solvers/rotation_guard.hpp"
+#include "solvers/trial_moves.hpp"
 #include "state/increment.hpp"
 
 namespace gxrod {
@@ -18,7 +24,9 @@ class CoupledNewton {
           state_(stages.state),
           settings_(settings),
           workspace_(workspace),
-          own_(*workspace.coupled) {
+          own_(*workspace.coupled),
+          contacts_(system_),
+          limiter_(system_) {
         own_.residuals.resize(stages_.count());
     }
 
@@ -50,21 +58,55 @@ class CoupledNewton {
         state_.stage_joints.assign(stages_.count(), state_.joints_previous);
         for (std::size_t j = 0; j < stages_.count(); ++j)
             stages_.with_stage(j, [&] { system_.supports().place(stages_.time_of(j), state_); });
+        if (contacts_.are_possible()) limit_predictions();
         update_rates();
     }
 
+    // Takes the prediction of each stage as far as nothing touches, and moved supports to their places.
+    void limit_predictions() {
+        own_.contacts.assign(stages_.count(), ContactTrial{});
+        are_blocked_ = false;
+        for (std::size_t j = 0; j < stages_.count(); ++j) {
+            stages_.with_stage(j, [&] {
+                const double time = stages_.time_of(j);
+                if (!limiter_.limit_prediction(state_, time).shorten()) return;
+                ++report_.shortened;
+                if (!system_.supports().move()) return;
+                std::vector<Vec6> deltas(state_.trial.size(), Vec6::Zero());
+                add_support_motion(system_, time, state_, deltas);
+                if (limiter_.limit_increment(deltas, state_, time).shorten()) are_blocked_ = true;
+                system_.supports().place(time, state_);
+                limiter_.start_forces(state_, time);
+            });
+        }
+    }
+
+    // Whether rods or bodies touch anything at a stage, or would.
+    bool touch() {
+        if (!contacts_.are_possible()) return false;
+        bool touches = report_.shortened > 0;
+        for (std::size_t j = 0; j < stages_.count() && !touches; ++j)
+            stages_.with_stage(j, [&] { touches = contacts_.have_forces(state_, stages_.time_of(j)); });
+        return touches;
+    }
+
     void iterate_with_common() {
+        // The matrix has no blocks of rods that touch each other, and nothing that only comes to touch.
+        if (report_.shortened > 0 || (contacts_.couple_rods() && touch())) {
+            report_.outcome = Outcome::out_of_iterations;
+            return;
+        }
         while (!is_done()) {
             ++report_.iterations;
             if (!move_by_common()) return;
             compute_residuals();
-            if (is_slow(0.5)) {
+            if (is_slow(0.5) || report_.shortened > 0) {
                 report_.outcome = Outcome::out_of_iterations;
                 return;
             }
         }
         // What is left falls by as much again, without a residual.
-        if (report_.converged() && report_.iterations > 0) move_by_common();
+        if (report_.converged() && report_.iterations > 0 && !touch()) move_by_common();
     }
 
     // From where the common matrix has come, if it came nearer, else from the prediction.
@@ -73,7 +115,16 @@ class CoupledNewton {
         const bool came_nearer =
             report_.outcome == Outcome::out_of_iterations && largest_increment_ < increment_before_;
         report_ = EquilibriumReport{};
-        if (!came_nearer) begin(Prediction::from_start);
+        if (!came_nearer) {
+            begin(Prediction::from_start);
+        } else if (contacts_.are_possible()) {
+            for (std::size_t j = 0; j < stages_.count(); ++j)
+                stages_.with_stage(j, [&] { limiter_.start_forces(state_, stages_.time_of(j)); });
+        }
+        if (are_blocked_) {
+            report_.outcome = Outcome::out_of_iterations;
+            return;
+        }
         compute_residuals();
         bool is_current = false;
         while (!is_done()) {
@@ -81,7 +132,7 @@ class CoupledNewton {
             if (!is_current && !factorize_exact()) break;
             if (!move_by_exact()) break;
             compute_residuals();
-            is_current = report_.iterations > 1 && !is_slow(0.1);
+            is_current = report_.iterations > 1 && !is_slow(0.1) && !touch();
         }
         report_.iterations += before;
     }
@@ -110,6 +161,10 @@ class CoupledNewton {
     }
 
     bool check_predicted() {
+        if (are_blocked_) {
+            report_.outcome = Outcome::out_of_iterations;
+            return false;
+        }
         for (std::size_t j = 0; j < stages_.count(); ++j) {
             const std::vector<NodeMotion>& motions = state_.stage_motions[j];
             const auto predicted = [&](std::size_t node) { return motions[node].theta; };
@@ -144,7 +199,8 @@ class CoupledNewton {
 
     bool is_done() {
         if (report_.outcome == Outcome::not_finite) return true;
-        bool all_met = true;
+        const auto must_move = [](const ContactTrial& contact) { return contact.progress < 1.0; };
+        bool all_met = std::ranges::none_of(own_.contacts, must_move);
         for (std::size_t j = 0; j < stages_.count(); ++j)
             all_met = all_met && tests_[j].is_met(own_.residuals[j], stage_reports_[j]);
         if (all_met) return true;
@@ -159,6 +215,11 @@ class CoupledNewton {
     }
 
     bool move_by_exact() {
+        for (std::size_t j = 0; contacts_.are_possible() && j < stages_.count(); ++j) {
+            stages_.with_stage(j, [&] {
+                limiter_.replace_by_tangent_forces(state_, stages_.time_of(j), 1.0, own_.residuals[j]);
+            });
+        }
         own_.exact->solve(stages_, own_.residuals, workspace_, increments_);
         return apply(false);
     }
@@ -190,6 +251,9 @@ class CoupledNewton {
         stages_.with_stage(j, [&] {
             tests_[j].add_increment(deltas, state_);
             largest_increment_ = std::max(largest_increment_, tests_[j].last_increment());
+            const ContactLimits limits = limiter_.limit_increment(deltas, state_, stages_.time_of(j));
+            report_.least_gap = std::min(report_.least_gap, limits.least_gap);
+            if (limits.shorten()) ++report_.shortened;
             const auto spin = [&](std::size_t node) -> Vec3 { return deltas[node].tail<3>(); };
             is_admitted = guards_[j].admits(state_.trial, spin, report_);
             if (!is_admitted) return;
@@ -222,6 +286,7 @@ class CoupledNewton {
         if (!check_step_rotations(system_, state_.trial, report_)) return;
         state_.joints_trial = state_.stage_joints.back();
         workspace_.residual = own_.residuals.back();
+        if (contacts_.are_possible()) state_.contact = own_.contacts.back();
     }
 
     const StagesOfStep& stages_;
@@ -230,6 +295,9 @@ class CoupledNewton {
     const NewtonSettings& settings_;
     SolverWorkspace& workspace_;
     CoupledWorkspace& own_;
+    Contacts contacts_;
+    StepLimiter limiter_;
+    bool are_blocked_ = false;  // whether moved supports would take what they hold into touch
     EquilibriumReport report_;
     std::vector<EquilibriumReport> stage_reports_;
     std::vector<ConvergenceTest> tests_;
@@ -248,7 +316,8 @@ EquilibriumReport solve_coupled_step(const System& system,
                                      State& state) {
     if (!workspace.coupled)
         workspace.coupled = std::make_unique<CoupledWorkspace>(system, workspace.linear_solver->kind());
-    StagesOfStep stages{system, scheme, step, state, system.joints().are_linear()};
+    StagesOfStep stages{
+        system, scheme, step, state, system.joints().are_linear(), workspace.coupled->contacts};
     EquilibriumReport report = CoupledNewton(stages, settings, workspace).solve();
     if (report.converged() || stages.asks_for_positions) return report;
     // Where joints are redundant their accelerations can contradict each other; positions do not. Where bars

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "integrators/coupled_stages.hpp"
 #include "solvers/equilibrium.hpp"
+#include "state/contact_trial.hpp"
 
 namespace gxrod {
 
@@ -16,6 +18,8 @@ struct StagesOfStep {
     // Whether equations of joints are met by positions, or by accelerations times Δt², since by positions the
     // schemes lose two orders. Linear equations are met by positions without loss.
     bool asks_for_positions;
+    // What Newton's method knows of contact at each stage; empty if nothing can touch.
+    std::vector<ContactTrial>& contacts;
 
     std::size_t count() const { return static_cast<std::size_t>(scheme.stage_count()); }
     double time_of(std::size_t j) const {
@@ -38,16 +42,21 @@ struct StagesOfStep {
     template <class Work>
     void with_stage(std::size_t j, const Work& work) const {
         struct Exchange {
-            Exchange(State& state_, std::size_t j_) : state(state_), j(j_) { exchange(); }
+            Exchange(State& state_, std::vector<ContactTrial>& contacts_, std::size_t j_)
+                : state(state_), contacts(contacts_), j(j_) {
+                exchange();
+            }
             ~Exchange() { exchange(); }
             void exchange() const {
                 state.trial.swap(state.stage_motions[j]);
                 state.joints_trial.swap(state.stage_joints[j]);
+                if (!contacts.empty()) std::swap(state.contact, contacts[j]);
             }
             State& state;
+            std::vector<ContactTrial>& contacts;
             std::size_t j;
         };
-        const Exchange exchanged(state, j);
+        const Exchange exchanged(state, contacts, j);
         state.trial_time = time_of(j);
         work();
     }
