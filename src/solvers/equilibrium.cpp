@@ -225,6 +225,10 @@ EquilibriumReport solve_stages(const SolverSetup& setup,
                                        ? solve_stage_explicitly(system, integrator, stage, workspace, state)
                                        : solve_equilibrium(setup, stage, workspace, state, level);
         report.iterations += total.iterations;
+        if (system.model().has_inertia) {
+            report.shortened += total.shortened;
+            report.least_gap = std::min(report.least_gap, total.least_gap);
+        }
         total = report;
         if (!report.converged()) break;
         integrator.end_stage(state, stage, system.team());
