@@ -49,7 +49,7 @@ std::string describe_part(double part) {
 // What suits, of a deck whose steps are too long for its scheme.
 std::string advise_step(double longest, const DynamicSettings& settings, bool has_contact) {
     std::string step = fmt::format("expected time_step = {:.2g}", longest);
-    if (has_contact) return step;  // which radau-5 does not take
+    if (has_contact) return step;  // radau-5 may take many steps at each impact
     if (settings.scheme == accurate_scheme) return step + ", or accuracy = 1e-3 in its place";
     return step + ", or accuracy = 1e-3 in its place, which takes radau-5";
 }

@@ -143,10 +143,12 @@ void check_stage(const AnalysisTable& table,
             table, table.kind, "contact does not turn with a frame; expected a stage without [rotation]");
     const auto* timed = std::get_if<DynamicSettings>(&analysis);
     if (timed == nullptr || !timed->has_inertia) return;
-    if (card_of(timed->scheme).takes_contact) {
+    const SchemeCard& card = card_of(timed->scheme);
+    if (card.resolves_contact) return;
+    if (card.takes_contact) {
         // docs/theory/contact.md#time
         constexpr double rounding = 1e-12;
-        if (card_of(timed->scheme).parameters == SchemeParameters::newmark &&
+        if (card.parameters == SchemeParameters::newmark &&
             std::abs(timed->beta - 0.5 * timed->gamma) > rounding)
             context.add_fault(table,
                               table.gives(table.beta) ? table.beta : table.gamma,
@@ -156,9 +158,9 @@ void check_stage(const AnalysisTable& table,
         return;
     }
     const std::string message =
-        "this scheme cannot take the impulses of contact; expected integrator = "
-        "\"newmark-simplified\", with a time_step or `adaptive`; gamma = 0.6 and beta = 0.3 "
-        "damp what is faster than the steps";
+        "this scheme does not go with contact; expected integrator = \"generalized-alpha\", which damps what "
+        "is faster than the steps, or \"newmark-simplified\"; or `accuracy`, \"radau-5\" or \"sdirk-4\", "
+        "whose steps resolve impacts";
     if (table.gives(table.integrator)) return context.add_fault(table, table.integrator, message);
     if (table.accuracy) return context.add_fault(table, table.accuracy, message);
     context.add_fault(table, table.kind, message);

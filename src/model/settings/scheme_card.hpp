@@ -27,6 +27,7 @@ struct SchemeCard {
     bool couples_stages = false;     // finds the stages of a step together, with a tangent of their own
     bool has_paper_tangent = false;  // Rubin (2007), (5.6)
     bool takes_contact = false;      // takes the impulses of contact
+    bool resolves_contact = false;   // contact acts at its stages like any other force
     bool conserves_energy = false;   // by means that only free elastic bodies of rods have
     // Advice for steps that do not resolve the highest frequencies, and for steps that had to be cut.
     std::string_view if_unresolved = {};
@@ -60,6 +61,7 @@ inline constexpr std::array<SchemeCard, 8> scheme_cards{
       .word = "sdirk-4",
       .order = 4.0,
       .steps_in_period = 8.0,
+      .resolves_contact = true,
       .if_unresolved =
           ": if they are excited, reactions and accelerations lose their order and energy may grow; "
           "radau-5 keeps its order"},
@@ -67,7 +69,8 @@ inline constexpr std::array<SchemeCard, 8> scheme_cards{
       .word = "radau-5",
       .order = 5.0,
       .steps_in_period = 4.0,
-      .couples_stages = true},
+      .couples_stages = true,
+      .resolves_contact = true},
      {.scheme = Scheme::gauss_4,
       .word = "gauss-4",
       .order = 4.0,

@@ -171,12 +171,13 @@ TEST_CASE("Analyses that contact does not go with are reported", "[deck][touch]"
     const auto with = [&](const std::string& analysis) {
         return faults(floor, circle, "[analysis]\n" + analysis);
     };
-    for (const char* scheme : {"sdirk-4", "radau-5", "gauss-4", "runge-kutta-4", "energy-momentum"})
+    for (const char* scheme : {"gauss-4", "runge-kutta-4", "energy-momentum"})
         CHECK_THAT(with("kind = \"dynamic\"\nend_time = 1\ntime_step = 0.1\nintegrator = \"" +
                         std::string(scheme) + "\"\n"),
-                   Contains("analysis.integrator: this scheme cannot take the impulses of contact"));
-    CHECK_THAT(with("kind = \"dynamic\"\nend_time = 1\naccuracy = 1e-3\n"),
-               Contains("analysis.accuracy: this scheme cannot take the impulses of contact"));
+                   Contains("analysis.integrator: this scheme does not go with contact"));
+    const std::string motion = "[analysis]\nkind = \"dynamic\"\nend_time = 1\n";
+    CHECK_NOTHROW(read(deck(floor, circle, motion + "accuracy = 1e-3\n")));
+    CHECK_NOTHROW(read(deck(floor, circle, motion + "time_step = 0.1\nintegrator = \"sdirk-4\"\n")));
     CHECK_NOTHROW(read(deck(floor, circle, "[analysis]\nkind = \"path\"\nuntil = { steps = 3 }\n")));
     CHECK_THAT(faults(floor + "move = { z = \"0.01*t\" }\n",
                       circle,
