@@ -139,6 +139,30 @@ TEST_CASE("Damping takes from impacts what its integral says, with stages too", 
     }
 }
 
+TEST_CASE("Steps that do not resolve an impact are cut before it gives energy", "[analyses][touch][stages]") {
+    // Uncut, a ball left at up to five times its speed.
+    for (const char* scheme : {"sdirk-4", "radau-5"}) {
+        for (const double step : {1e-3, 5e-3}) {
+            double slowest = 1.0, fastest = 0.0;
+            for (int i = 0; i < 6; ++i) {
+                const Fall start{2.0 * skin + step * i / 6.0, -1.0};
+                const double end = (std::ceil(4.0 * start.gap / step) + 2.0) * step;
+                ContactRun run(ball(start,
+                                    0.0,
+                                    0.0,
+                                    end,
+                                    fmt::format("integrator = \"{}\"\ntime_step = {}\n", scheme, step)));
+                run.finish();
+                slowest = std::min(slowest, run.at("ball").v.z());
+                fastest = std::max(fastest, run.at("ball").v.z());
+            }
+            INFO(scheme << " " << step << " " << slowest);
+            CHECK(fastest < 1.0 + 1e-4);
+            CHECK(fastest > 0.5);
+        }
+    }
+}
+
 namespace {
 
 constexpr double density = 1000.0, thickness = 0.01, length = 0.5;
