@@ -28,7 +28,7 @@ std::string advise_on_motion(const Model& model, const DynamicSettings& settings
     }
     if (!settings.has_inertia) return describe_ratio(model) + remedy + ".";
     if (!model.contact.is_empty()) {
-        if (settings.gamma == DynamicSettings{}.gamma)
+        if (card.parameters == SchemeParameters::newmark && settings.gamma == DynamicSettings{}.gamma)
             remedy += ", or gamma = 0.6 and beta = 0.3, which damp what is too fast for the steps";
     } else {
         remedy += card.if_cut;
