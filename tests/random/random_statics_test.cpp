@@ -131,7 +131,7 @@ double measure_leaving(const RandomFrame& frame, const State& end, unsigned seed
         node.a = node.omega = node.alpha = Vec3::Zero();
     }
     for (const Support& support : model.supports) record.nodes[support.node].v.setZero();
-    record.carried.resize(record.nodes.size());
+    record.carried.resize(2 * record.nodes.size());
     record.ledger.forces.assign(record.nodes.size(), Vec6::Zero());
     REQUIRE(analysis.resume(record));
     double farthest = 0.0;

@@ -42,12 +42,12 @@ RoundTrip trip(const std::string& key,
 }
 
 // A curve of a tube, by where it starts and ends.
-struct Curve {
+struct CurveCase {
     std::string name, deck;
     Vec3 start, end;
 };
 
-std::vector<Curve> list_curves() {
+std::vector<CurveCase> list_curves() {
     return {{"arc", "from = [5, 0, -9], through = [0, 5, -9], to = [-5, 0, -9]", {5, 0, -9}, {-5, 0, -9}},
             {"arc",
              "centre = [0, 0, -9], axis = [0, 0, 1], from = [5, 0, -9], angle = \"pi\"",
@@ -60,7 +60,7 @@ std::vector<Curve> list_curves() {
 }
 
 void add_curve_trips(std::vector<RoundTrip>& trips) {
-    for (const Curve& curve : list_curves()) {
+    for (const CurveCase& curve : list_curves()) {
         trips.push_back(trip("tube." + curve.name,
                              "tube = { " + curve.name + " = { " + curve.deck + " }, radius = 0.5 }",
                              [curve](const Obstacle& one) {
