@@ -1,29 +1,17 @@
 #include "laws/strain_part.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
 
 namespace gxrod {
 
-StrainEntries entries_of(StrainPart part) {
-    switch (part) {
-        case StrainPart::tension:
-            return {{0}, 1};
-        case StrainPart::shear:
-            return {{1, 2}, 2};
-        case StrainPart::shear_y:
-            return {{1}, 1};
-        case StrainPart::shear_z:
-            return {{2}, 1};
-        case StrainPart::torsion:
-            return {{3}, 1};
-        case StrainPart::bending:
-            return {{4, 5}, 2};
-        case StrainPart::bending_y:
-            return {{4}, 1};
-        case StrainPart::bending_z:
-            return {{5}, 1};
-    }
-    return {};
+const StrainEntries& entries_of(StrainPart part) {
+    // In the order of StrainPart.
+    static constexpr std::array<StrainEntries, 8> entries{
+        {{{0}, 1}, {{1, 2}, 2}, {{1}, 1}, {{2}, 1}, {{3}, 1}, {{4, 5}, 2}, {{4}, 1}, {{5}, 1}}};
+    return entries[static_cast<std::size_t>(part)];
 }
 
 bool couples(const Mat6& C, std::span<const int> entries) {

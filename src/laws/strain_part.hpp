@@ -15,10 +15,12 @@ struct StrainEntries {
     std::array<int, 2> index{};
     int count = 1;
 
-    std::span<const int> list() const { return {index.data(), static_cast<std::size_t>(count)}; }
+    std::span<const int> list() const& { return {index.data(), static_cast<std::size_t>(count)}; }
+    std::span<const int> list() const&& = delete;  // it would outlive what it lists
 };
 
-StrainEntries entries_of(StrainPart part);
+// Returns the entries of a part, which live as long as the program.
+const StrainEntries& entries_of(StrainPart part);
 
 // Whether C couples one of the entries with any other entry.
 bool couples(const Mat6& C, std::span<const int> entries);
