@@ -18,7 +18,7 @@ struct StagesOfStep {
     // Whether equations of joints are met by positions, or by accelerations times Δt², since by positions the
     // schemes lose two orders. Linear equations are met by positions without loss.
     bool asks_for_positions;
-    // What Newton's method knows of contact at each stage; empty if nothing can touch.
+    // Each stage's parameters of contact in Newton's method; empty if nothing can touch.
     std::vector<ContactTrial>& contacts;
 
     std::size_t count() const { return static_cast<std::size_t>(scheme.stage_count()); }
