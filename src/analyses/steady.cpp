@@ -26,14 +26,14 @@ SteadyAnalysis::SteadyAnalysis(const Model& model,
                       settings.linear_solver,
                       std::make_unique<StepControl>(1.0, settings.steps, halvings)),
       columns_(system_, frame) {
-    const std::string cause = find_unsteady_load(model, frame);
+    const std::string cause = find_unsteady_action(model, frame);
     if (!cause.empty()) throw std::runtime_error(cause);
     workspace_.frame = &columns_;
 }
 
 EquilibriumReport SteadyAnalysis::start() {
     const TurningFrame& frame = columns_.frame();
-    for (NodeMotion& motion : state_.trial) turn_with(frame.spin(0.0), frame.through, motion);
+    for (std::size_t i = 0; i < state_.trial.size(); ++i) set_steady_rates(frame, 0.0, i, state_.trial[i]);
     system_.compute_residual(state_, 0.0, workspace_.residual);
     accept_start();
     return {};

@@ -5,8 +5,8 @@
 
 namespace gxrod {
 
-// Finds equilibria in a frame that turns steadily, while the load factor t runs from 0 to 1. Supports turn
-// with it.
+// Finds equilibria in steady rotation, while the load factor t runs from 0 to 1: in a frame that turns, with
+// which supports turn, or of parts that spin about their own axes in a frame at rest.
 class SteadyAnalysis : public SteppedAnalysis {
   public:
     // The model must outlive the analysis. Throws std::runtime_error if a load is not steady in the frame.

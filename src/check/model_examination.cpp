@@ -341,7 +341,7 @@ std::vector<Finding> examine_model(const Model& model,
         note_lack_of_potential(model, findings);
     }
     if (std::holds_alternative<SteadySettings>(analysis) && model.rotation) {
-        const std::string cause = find_unsteady_load(model, *model.rotation);
+        const std::string cause = find_unsteady_action(model, *model.rotation);
         if (!cause.empty()) findings.push_back({Severity::error, cause});
     }
     if (solves_equilibria(analysis)) {

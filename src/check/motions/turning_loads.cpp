@@ -2,19 +2,26 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <vector>
 
-#include "model/ties/ties.hpp"
+#include "check/motions/spinning_parts.hpp"
+#include "check/motions/turning_ties.hpp"
+#include "environment/current.hpp"
+#include "rotation/vector_text.hpp"
 
 namespace gxrod {
 
 namespace {
 
 constexpr std::array<double, 6> load_factors{0.0, 0.11, 0.37, 0.5, 0.83, 1.0};
-constexpr double round_off = 1e-12;
+constexpr double round_off_of_loads = 1e-12;
+constexpr double by_place_round_off = 1e-8;
 
 bool is_along(const Vec3& vector, const Vec3& axis) {
-    return axis.cross(vector).norm() <= round_off * vector.norm();
+    return axis.cross(vector).norm() <= round_off_of_loads * vector.norm();
 }
 
 template <class Evaluate>
@@ -60,56 +67,122 @@ std::string describe(const std::string& key) {
         key);
 }
 
-}  // namespace
+// A place as far from a point of the axis as the model reaches or nearer, and a velocity there.
+struct Sample {
+    Vec3 place, velocity;
+};
 
-std::string find_unsteady_load(const Model& model, const TurningFrame& frame) {
-    if (!is_always_along(frame.axis, model.gravity)) {
-        return "gravity is not along the axis of rotation: in a frame that turns it is not steady. Leave it "
-               "out, "
-               "or make the motion a dynamic analysis";
+std::vector<Sample> list_samples(const TurningFrame& frame, double length) {
+    std::vector<Sample> samples;
+    const auto direction = [](int i, double stretch) {
+        return Vec3(std::sin(1.0 + stretch * i),
+                    std::cos(0.3 + 2.3 * stretch * i),
+                    std::sin(2.0 - 3.1 * stretch * i));
+    };
+    for (int i = 0; i < 24; ++i) {
+        const double size = length * std::pow(3.0, i % 4 - 3.0);
+        samples.push_back(
+            {frame.through + size * direction(i, 1.7), size * frame.speed(1.0) * direction(i, 0.9)});
     }
-    for (const NodalLoad& load : model.loads) {
-        if (load.motion_force) {
-            return fmt::format(
-                "{} depends on where its point is and how fast it moves, as seen from space: in a frame that "
-                "turns it is not steady. Make the motion a dynamic analysis",
-                load.key);
+    return samples;
+}
+
+// Whether a vector by time, place and velocity turns with place and velocity about the axis.
+template <class Evaluate>
+bool turns_along(const TurningFrame& frame, double length, const Evaluate& evaluate) {
+    for (const Sample& sample : list_samples(frame, length)) {
+        for (const double t : load_factors) {
+            const Vec3 value = evaluate(t, sample.place, sample.velocity);
+            for (const double angle : {0.8, 2.9}) {
+                const Quat turn(Eigen::AngleAxisd(angle, frame.axis));
+                const Vec3 place = frame.through + turn * (sample.place - frame.through);
+                const Vec3 change = evaluate(t, place, turn * sample.velocity) - turn * value;
+                if (!(change.norm() <= by_place_round_off * value.norm())) return false;
+            }
         }
+    }
+    return true;
+}
+
+double measure_extent(const Model& model, const TurningFrame& frame) {
+    double extent = 0.0;
+    for (const Node& node : model.nodes) extent = std::max(extent, (node.position - frame.through).norm());
+    return extent > 0.0 ? extent : 1.0;
+}
+
+std::string find_unsteady_force(const Model& model, const TurningFrame& frame) {
+    for (const NodalLoad& load : model.loads) {
         if (!is_steady(load, frame.axis)) return describe(load.key);
+        if (!load.motion_force) continue;
+        const auto force = [&](double t, const Vec3& place, const Vec3& velocity) {
+            return load.motion_force(t, place, velocity);
+        };
+        if (turns_along(frame, measure_extent(model, frame), force)) continue;
+        return fmt::format(
+            "{} depends on where its point is and how fast it moves, not alike to all sides of the axis of "
+            "rotation {}: in a frame that turns it is not steady. Make it so, or make the motion a dynamic "
+            "analysis",
+            load.key,
+            in_brackets(frame.axis));
     }
     for (const DistributedLoad& load : model.distributed_loads) {
         const double length = model.rods[static_cast<std::size_t>(load.rod)].length;
         if (!is_steady(load, length, frame.axis)) return describe(load.key);
     }
-    const Surroundings& around = model.surroundings;
-    const char* unsteady = nullptr;
-    if (around.water && !around.water->current.is_still()) unsteady = "the current of fluid";
-    if (around.water && !around.water->waves.empty()) unsteady = "a wave";
-    if (around.air && !around.air->wind.is_still()) unsteady = "the wind of air";
-    if (around.seabed) unsteady = "seabed";
-    if (unsteady != nullptr) {
-        return fmt::format(
-            "{} does not turn: in a frame that turns it is not steady. Leave it out, or make the motion a "
-            "dynamic analysis",
-            unsteady);
-    }
-    const auto describe_tie = [](const std::string& tie, const char* where) {
-        return fmt::format(
-            "{} is tied to the ground{}, and the ground does not turn: in a frame that turns it is not "
-            "steady. Tie it to a supported point, which turns, or make the motion a dynamic analysis",
-            tie,
-            where);
-    };
-    for (const Tie& tie : list_ties(model)) {
-        const bool is_spring = tie.kind == TieKind::spring;
-        for (const Anchor& end : tie.ends) {
-            if (!end.is_ground() || (is_spring && is_along(end.arm - frame.through, frame.axis))) continue;
-            return describe_tie(key_of(tie), is_spring ? " off the axis of rotation" : "");
-        }
-        if (tie.kind == TieKind::bushing && model.bushings[tie.index].carrier == BushingAxes::ground)
-            return describe_tie(key_of(tie), " by its axes");
-    }
     return "";
+}
+
+bool is_steady(const Flow& flow, const Model& model, const TurningFrame& frame) {
+    const double extent = measure_extent(model, frame);
+    const Flow by_height{.profile = flow.profile};
+    Current current(by_height, extent, "fluid");
+    const auto velocity = [&](double t, const Vec3& place, const Vec3&) {
+        current.move_to(t);
+        Vec3 sum = current.at(place, {.z = place.z()}, false).velocity;
+        if (flow.field) sum += flow.field(t, place);
+        return sum;
+    };
+    return flow.is_still() || turns_along(frame, extent, velocity);
+}
+
+std::string find_unsteady_surroundings(const Model& model, const TurningFrame& frame) {
+    const Surroundings& around = model.surroundings;
+    const bool is_upright = are_parallel(Vec3::UnitZ(), frame.axis);
+    const char* unsteady = nullptr;
+    if (around.water) {
+        if (!is_steady(around.water->current, model, frame)) unsteady = "the current of fluid";
+        if (around.water->surface && !is_upright) unsteady = "the surface of fluid";
+        if (!around.water->waves.empty()) unsteady = "a wave";
+    }
+    if (around.air && !is_steady(around.air->wind, model, frame)) unsteady = "the wind of air";
+    if (around.seabed) {
+        const Seabed& bed = *around.seabed;
+        if (bed.grid || bed.has_friction() || !are_parallel(bed.normal, frame.axis)) unsteady = "seabed";
+    }
+    if (unsteady == nullptr) return "";
+    return fmt::format(
+        "{} is not alike to all sides of the axis of rotation {}: in a frame that turns it is not steady. "
+        "Leave it "
+        "out, or make the motion a dynamic analysis",
+        unsteady,
+        in_brackets(frame.axis));
+}
+
+}  // namespace
+
+std::string find_unsteady_action(const Model& model, const TurningFrame& frame) {
+    if (frame.is_at_rest()) return find_unsteady_spin(model, frame);
+    if (!is_always_along(frame.axis, model.gravity)) {
+        return fmt::format(
+            "gravity is not along the axis of rotation {}: in a frame that turns it is not steady. Leave it "
+            "out and "
+            "excite a response by it, once a revolution, or make the motion a dynamic analysis",
+            in_brackets(frame.axis));
+    }
+    std::string cause = find_unsteady_force(model, frame);
+    if (cause.empty()) cause = find_unsteady_surroundings(model, frame);
+    if (cause.empty()) cause = find_unsteady_tie(model, frame);
+    return cause;
 }
 
 }  // namespace gxrod

@@ -7,8 +7,9 @@
 
 namespace gxrod {
 
-// Returns the reason why a model has no steady state in a frame that turns, a sentence: a load, or gravity,
-// is fixed in space and not along the axis. "" if a few load factors from 0 to 1 show none.
-std::string find_unsteady_load(const Model& model, const TurningFrame& frame);
+// Returns the reason why a model has no steady state in steady rotation, a sentence: what is not alike to all
+// sides of the axis of a frame that turns, or of a part that spins. "" if a few load factors from 0 to 1, and
+// a few places and velocities, show none.
+std::string find_unsteady_action(const Model& model, const TurningFrame& frame);
 
 }  // namespace gxrod

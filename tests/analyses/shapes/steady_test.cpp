@@ -90,16 +90,48 @@ TEST_CASE("loads that do not turn with the frame are refused", "[analyses]") {
     model.springs.push_back(spring);
     CHECK_NOTHROW(make(model));
     model.springs[0].ends[0].arm.x() = 0.1;
-    CHECK_THROWS_WITH(make(model), Contains("spring.s is tied to the ground off the axis of rotation"));
+    CHECK_THROWS_WITH(
+        make(model),
+        Contains("spring.s is tied to the ground off the axis: in a frame that turns about [0, 0, 1]"));
     model.springs.clear();
     // Water at rest is the same from everywhere.
     model.surroundings.water = Water{.density = 1.0};
     CHECK_NOTHROW(make(model));
     model.surroundings.water->current.field = [](double, const Vec3&) { return Vec3(1.0, 0.0, 0.0); };
-    CHECK_THROWS_WITH(make(model), Contains("the current of fluid does not turn"));
+    CHECK_THROWS_WITH(make(model), Contains("the current of fluid is not alike to all sides"));
+    // Along the axis, and faster with the distance from it.
+    model.surroundings.water->current.field = [](double, const Vec3& r) {
+        return Vec3(0.0, 0.0, 1.0 + r.x() * r.x() + r.y() * r.y());
+    };
+    CHECK_NOTHROW(make(model));
+    model.surroundings.water->current.field = [](double, const Vec3& r) {
+        return Vec3(0.0, 0.0, 1.0 + r.x());
+    };
+    CHECK_THROWS_WITH(make(model), Contains("the current of fluid is not alike to all sides"));
+    model.surroundings.water->current = {};
+    model.surroundings.water->surface = 1.0;
+    CHECK_NOTHROW(make(model));
+    model.loads.clear();
+    CHECK_THROWS_WITH(
+        SteadyAnalysis(model, make_static_settings(1), ramped_frame(Vec3::UnitX(), 1.0)),
+        Contains("the surface of fluid is not alike to all sides of the axis of rotation [1, 0, 0]"));
     model.surroundings.water.reset();
     model.surroundings.seabed = Seabed{};
-    CHECK_THROWS_WITH(make(model), Contains("seabed does not turn"));
+    CHECK_NOTHROW(make(model));
+    model.surroundings.seabed->normal = Vec3(0.0, 0.6, 0.8);
+    CHECK_THROWS_WITH(make(model), Contains("seabed is not alike to all sides"));
+    model.surroundings.seabed.reset();
+    // Between the cross-coupled forces of a bearing and a spring along x.
+    add_ramp(model, last_node(model), Vec3::Zero(), Vec3::Zero());
+    model.loads.back().key = "load[0]";
+    model.loads.back().motion_force = [](double, const Vec3& r, const Vec3& v) {
+        return Vec3(-2.0 * r.y() - v.x(), 2.0 * r.x() - v.y(), 0.0);
+    };
+    CHECK_NOTHROW(make(model));
+    model.loads.back().motion_force = [](double, const Vec3& r, const Vec3&) {
+        return Vec3(-r.x(), 0.0, 0.0);
+    };
+    CHECK_THROWS_WITH(make(model), Contains("load[0] depends on where its point is"));
 }
 
 TEST_CASE("a mass on a spring to the axis goes to where the spring holds it", "[analyses][springs]") {
