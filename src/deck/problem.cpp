@@ -28,6 +28,7 @@
 #include "deck/output/history_table.hpp"
 #include "deck/output/output_table.hpp"
 #include "deck/places/plane.hpp"
+#include "deck/reading/copies.hpp"
 #include "deck/reading/validation.hpp"
 #include "deck/rods/build_connections.hpp"
 #include "deck/rods/build_rods.hpp"
@@ -196,8 +197,10 @@ CheckedTable check_with_tables(const DeckNode& tree,
                                const TableFiles& files,
                                std::vector<MeshRecord>& records,
                                FaultList& faults) {
-    if (!has_function_files(tree)) return check_deck(tree, faults);
+    if (!has_function_files(tree) && !has_copies(tree)) return check_deck(tree, faults);
     DeckNode filled = tree;
+    expand_copies(filled, faults);
+    faults.throw_if_any();
     fill_function_tables(filled, files, records, faults);
     return check_deck(filled, faults);
 }
@@ -278,7 +281,8 @@ Problem build_tree(DeckNode tree,
     try {
         return build_overridden(tree, source, overrides, before, faults);
     } catch (const DeckError& error) {
-        if (source.is_varied) throw;
+        // Keys of copies are not those of the tree.
+        if (source.is_varied || has_copies(tree)) throw;
         const auto build = [&](const DeckNode& rest) {
             FaultList further(source.file, overrides);
             build_overridden(rest, source, overrides, before, further);

@@ -114,6 +114,7 @@ const TableSpec& body_table() {
         .key("fluid", &T::fluid, fluid_of_body_table(),
              "What [fluid] and [air] see of it. Without it they pass it by. The ground does not touch bodies.")
             .also("hydro drag buoyancy volume")
+        .with(add_copies<T>)
         .not_here("force moment torque load", "a [[load]] at the body has its forces and moments")
         .at_most_one_of({"angular_velocity", "angular_velocity_material"})
         .at_most_one_of({"sphere", "capsule"})

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deck/places/build_context.hpp"
+#include "deck/reading/copies.hpp"
 
 namespace gxrod {
 
@@ -41,6 +42,7 @@ struct BodyTable : TableHead {
     std::optional<BodySphereTable> sphere;
     std::optional<BodyCapsuleTable> capsule;
     std::optional<BodyFluidTable> fluid;
+    Copies copies;
 };
 
 // Adds the bodies to the model, with nodes for those that are not on a rod, and their velocities to their

@@ -5,6 +5,7 @@
 #include "deck/drives/build_drives.hpp"
 #include "deck/loads/acting.hpp"
 #include "deck/places/part.hpp"
+#include "deck/reading/copies.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "model/element_means.hpp"
 
@@ -18,6 +19,7 @@ struct ActuationTable : ActingTable {
     std::optional<CheckedLineVector> curvature;
     std::optional<CheckedLineFunction> temperature;
     std::optional<CheckedLinePair> temperature_gradient;
+    Copies copies;
 };
 
 }  // namespace
@@ -44,6 +46,7 @@ const TableSpec& actuation_table() {
             .unit("1").otherwise(factor_default)
         .key("stages", &T::stages, "The stages in which it acts.")
             .otherwise("all").names_of({"stage"})
+        .with(add_copies<T>)
         .at_least_one_of({"stretch", "shear", "curvature", "temperature", "temperature_gradient"})
         .shown_by(
             "[[actuation]]\n"

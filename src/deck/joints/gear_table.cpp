@@ -4,6 +4,7 @@
 
 #include "deck/joints/joint_table.hpp"
 #include "deck/joints/joints.hpp"
+#include "deck/reading/copies.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "model/ties/joint_card.hpp"
 
@@ -13,6 +14,7 @@ namespace {
 struct GearTable : TableHead {
     JointNames joints;
     double ratio = 0.0;
+    Copies copies;
 };
 
 }  // namespace
@@ -29,6 +31,7 @@ const TableSpec& gear_table() {
              "of a turn and the slide of a rack the radius of the pinion.")
             .unit("second/first").required().remark("how far the second goes back while the first goes on by 1")
             .also("n i gear_ratio transmission radius")
+        .with(add_copies<T>)
         .shown_by(
             "[joint.shaft]\n"
             "type    = \"hinge\"\n"

@@ -184,6 +184,7 @@ const TableSpec& joint_table() {
             .only_for(types_that(has_free_coordinate))
         .key("limits", &T::limits, limits_table(), "Springs at the ends of a coordinate's range.")
             .only_for(types_that(has_free_coordinate)).also("limit stops stop range bounds")
+        .with(add_copies<T>)
         .shown_by(
             "[joint.pivot]\n"
             "type    = \"hinge\"\n"

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "deck/places/build_context.hpp"
+#include "deck/reading/copies.hpp"
 #include "deck/schema/schema_tables.hpp"
 
 // The tables [joint.NAME], what acts on the turn and the slide of a joint, and the places of its sides.
@@ -41,6 +42,7 @@ struct JointTable : TableHead {
     std::optional<CoordinateTable<JointSpringTable>> spring;
     std::optional<CoordinateTable<JointFrictionTable>> friction;
     std::optional<CoordinateTable<JointLimitsTable>> limits;
+    Copies copies;
 
     bool is_sleeve() const { return type == JointKind::sleeve; }
 };

@@ -1,6 +1,7 @@
 #include "deck/loads/acting.hpp"
 #include "deck/loads/loads.hpp"
 #include "deck/places/part.hpp"
+#include "deck/reading/copies.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/top_level.hpp"
 
@@ -14,6 +15,7 @@ struct LoadTable : ActingTable {
     std::optional<CheckedTimeVector> moment;
     std::optional<CheckedLineVector> force_per_length, moment_per_length;
     Frame frame = NodalLoad{}.frame;
+    Copies copies;
 };
 
 }  // namespace
@@ -48,6 +50,7 @@ const TableSpec& load_table() {
             .otherwise("nothing")
         .key("stages", &T::stages, "The stages in which the load acts.")
             .otherwise("all").names_of({"stage"})
+        .with(add_copies<T>)
         .exactly_one_of({"at", "on"})
         .at_least_one_of({"force", "moment"}, "at")
         .at_least_one_of({"force_per_length", "moment_per_length"}, "on")

@@ -55,6 +55,7 @@ const TableSpec& history_table() {
              "has a key fluid, forces per length of a rod and whole of a body.")
             .required().words(list_quantity_words())
             .also("variables outputs record output values fields")
+        .with(add_copies<T>)
         .shown_by(
             "[[history]]\n"
             "name = \"tip\"\n"

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "deck/places/build_context.hpp"
+#include "deck/reading/copies.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/table/kinds.hpp"
 #include "model/settings/settings.hpp"
@@ -26,6 +27,7 @@ struct HistoryKeys : TableHead {
     HistoryAxes axes = HistoryAxes::section;
     std::optional<Vec3> about;
     WordList quantities;
+    Copies copies;
 };
 
 // Builds the histories. Call it after build_supports.

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <set>
 
+#include "deck/reading/copies.hpp"
 #include "deck/schema/schema_tables.hpp"
 
 namespace gxrod {
@@ -15,6 +16,7 @@ namespace {
 
 struct ConnectTable : TableHead {
     PointList points;
+    Copies copies;
 };
 
 }  // namespace
@@ -26,6 +28,7 @@ const TableSpec& connect_table() {
             "connected otherwise.")
         .key("points", &ConnectTable::points, "Two or more, at one place. The node has the name of the first.")
             .required().also("at between nodes ends")
+        .with(add_copies<ConnectTable>)
         .shown_by(
             "[rod.tail]\n"
             "section  = \"tube\"\n"

@@ -148,6 +148,7 @@ const TableSpec& rod_table() {
              "in which it starts: its curvature, or a curve. Only the curve's shape counts, not where it is; fractions "
              "of its length are those of the rod, and the rod's arc length, mass and stiffness are by it. Left out, "
              "the rod starts free of stress, but for a catenary, which is straight then.")
+        .with(add_copies<T>)
         .not_here("force moment torque load",
                   "a [[load]] at a point of the rod, or on it, has its forces and moments")
         .exactly_one_of({"section", "sections"})

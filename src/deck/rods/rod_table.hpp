@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "deck/reading/copies.hpp"
 #include "deck/rods/curve_table.hpp"
 #include "deck/sections/section_tables.hpp"
 #include "deck/table/kinds.hpp"
@@ -41,6 +42,7 @@ struct RodTable : CurveTable {
     std::optional<Vec3> y_axis;
     NumberAlong twist = 0.0;
     std::optional<RestTable> rest;
+    Copies copies;
 
     // The table that names a file of sections; nullptr if there is none.
     const SectionFileTable* find_section_file() const {

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "deck/loads/acting.hpp"
+#include "deck/reading/copies.hpp"
 
 namespace gxrod {
 
@@ -32,6 +33,7 @@ struct SupportTable : ActingTable {
     std::optional<WordList> fix;
     std::optional<MoveTable> move;
     std::optional<Mat3> axes;
+    Copies copies;
 };
 
 // The supports of a deck at one node, together.

@@ -43,6 +43,7 @@ const TableSpec& support_table() {
         .key("stages", &T::stages, "The stages in which the support holds. What it fixes it holds where that is; a "
              "move begins where the point is.")
             .otherwise("all").names_of({"stage"})
+        .with(add_copies<T>)
         .at_least_one_of({"fix", "move"})
         .shown_by(
             "[[support]]\n"

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "deck/places/axes.hpp"
+#include "deck/reading/copies.hpp"
 #include "deck/sections/section_matrices.hpp"
 #include "deck/ties/ties.hpp"
 
@@ -22,6 +23,7 @@ struct BushingTable : TableHead {
     std::optional<Mat3> directions;
     std::optional<ComponentsTable> stiffness, damping;
     std::optional<Mat6> stiffness_matrix, damping_matrix;
+    Copies copies;
 };
 
 TableSpec components_table(const std::string& key, const char* along, const char* about) {
@@ -71,6 +73,7 @@ const TableSpec& bushing_table() {
             .also("c d viscosity kelvin_voigt")
         .key("damping_matrix", &T::damping_matrix, "The same as a full matrix, likewise.")
             .unit("of both")
+        .with(add_copies<T>)
         .at_least_one_of({"stiffness", "stiffness_matrix", "damping", "damping_matrix"})
         .at_most_one_of({"stiffness", "stiffness_matrix"})
         .at_most_one_of({"damping", "damping_matrix"})

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "deck/reading/copies.hpp"
 #include "deck/ties/ties.hpp"
 #include "model/spring_law.hpp"
 #include "model/ties/ties.hpp"
@@ -21,6 +22,7 @@ struct SpringTable : TableHead {
     double damping = 0.0;
     std::optional<CheckedSpringFunction> force;
     std::optional<double> length;
+    Copies copies;
 };
 
 }  // namespace
@@ -48,6 +50,7 @@ const TableSpec& spring_table() {
         .key("length", &T::length, "At which stiffness pulls and pushes nothing; 0 for one that always pulls.")
             .unit("length").at_least(0).otherwise("as it is at t = 0")
             .also("rest_length free_length natural_length unstretched_length l0 l")
+        .with(add_copies<T>)
         .at_least_one_of({"stiffness", "damping", "force"})
         .shown_by(
             "[spring.strut]\n"
