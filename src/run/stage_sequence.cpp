@@ -5,6 +5,7 @@
 
 #include "analyses/shapes/buckling.hpp"
 #include "analyses/shapes/eigenvalues.hpp"
+#include "analyses/shapes/gravity_excitation.hpp"
 #include "analyses/shapes/modes.hpp"
 #include "analyses/shapes/response.hpp"
 #include "assembly/touching_system.hpp"
@@ -124,14 +125,7 @@ FoundShapes StageSequence::find_shapes() const {
     if (const auto* modes = std::get_if<ModesSettings>(&settings()))
         return {stage, find_modes(system, state, state.time, *modes)};
     if (const auto* response = std::get_if<ResponseSettings>(&settings())) {
-        ResponseRecord found = find_response(system,
-                                             state,
-                                             state.time,
-                                             response->omegas,
-                                             sum_up(response->excitation, state.trial.size()),
-                                             analysis().frame());
-        found.points = response->points;
-        return {stage, std::move(found)};
+        return {stage, find_response_of(system, state, *response)};
     }
     const auto* eigenvalues = std::get_if<EigenvalueSettings>(&settings());
     if (eigenvalues != nullptr && eigenvalues->sweep) return {stage, find_sweep(*eigenvalues)};
@@ -139,6 +133,23 @@ FoundShapes StageSequence::find_shapes() const {
         return {stage, find_eigenvalues(system, state, state.time, *eigenvalues, analysis().frame())};
     const double load_time = moving_index_ == 0 && !has_steps(plan_.problem.analysis()) ? 1.0 : state.time;
     return {stage, find_buckling(system, state, load_time, std::get<BucklingSettings>(settings()))};
+}
+
+ResponseRecord StageSequence::find_response_of(const System& system,
+                                               const State& state,
+                                               const ResponseSettings& settings) const {
+    const FrameColumns* frame = analysis().frame();
+    std::vector<double> omegas = settings.omegas;
+    ComplexVectors excitation = sum_up(settings.excitation, state.trial.size());
+    if (settings.gravity && frame != nullptr) {
+        RevolvingLoad load =
+            compute_gravity_excitation(system, state, state.time, frame->frame(), *settings.gravity);
+        omegas = {load.omega};
+        excitation = std::move(load.forces);
+    }
+    ResponseRecord found = find_response(system, state, state.time, omegas, excitation, frame);
+    found.points = settings.points;
+    return found;
 }
 
 SweepRecord StageSequence::find_sweep(const EigenvalueSettings& settings) const {

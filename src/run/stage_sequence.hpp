@@ -98,6 +98,9 @@ class StageSequence {
         return plan_.problem.stages[stage].analysis;
     }
     Current build(std::size_t stage) const;
+    ResponseRecord find_response_of(const System& system,
+                                    const State& state,
+                                    const ResponseSettings& settings) const;
     SweepRecord find_sweep(const EigenvalueSettings& settings) const;
     void end_path(const std::string& cause);
     void prepare_path();

@@ -181,7 +181,9 @@ std::string describe_analysis(const AnalysisSettings& settings) {
                            eigenvalues->sweep->key);
     }
     if (eigenvalues != nullptr) return fmt::format("eigenvalues: the {} nearest to 0\n", eigenvalues->count);
-    if (const auto* response = std::get_if<ResponseSettings>(&settings))
+    const auto* response = std::get_if<ResponseSettings>(&settings);
+    if (response != nullptr && response->gravity) return "response to gravity, once a revolution\n";
+    if (response != nullptr)
         return fmt::format("response to forces at {} frequencies\n", response->omegas.size());
     if (std::holds_alternative<SteadySettings>(settings)) {
         return fmt::format("steady rotation: {} steps of the load factor t from 0 to 1\n",

@@ -161,7 +161,8 @@ Table<AnalysisTable> add_analysis_keys(Table<AnalysisTable> table) {
         .exactly_one_of({"time_step", "steps", "accuracy"}, {timed})
         .at_most_one_of({"adaptive", "accuracy"}, {timed})
         .at_most_one_of({"count", "below"}, {{"kind", {"modes"}}})
-        .exactly_one_of({"omega", "frequency"}, {{"kind", {"response"}}});
+        .exactly_one_of({"omega", "frequency", "gravity"}, {{"kind", {"response"}}})
+        .exactly_one_of({"excite", "gravity"}, {{"kind", {"response"}}});
 }
 
 }  // namespace

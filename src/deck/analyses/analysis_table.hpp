@@ -155,6 +155,7 @@ struct AnalysisTable : TableHead {
     // These are for responses.
     std::optional<NumbersTable> omega, frequency;
     std::vector<ExcitationTable> excite;
+    std::optional<Vec3> gravity;
 };
 
 // Declare the keys of one kind of analysis.

@@ -265,6 +265,24 @@ void check_stage_name(const AnalysisTable& table,
         context.add_fault(table, table.stage_name, fmt::format("\"{}\" names an earlier stage, too", name));
 }
 
+// Gravity is a load once a revolution only where a frame turns.
+void check_gravity(const StagePlan& stage,
+                   bool turns,
+                   const AnalysisTable& table,
+                   const BuildContext& context) {
+    const auto* response = std::get_if<ResponseSettings>(&stage.analysis);
+    if (response == nullptr || !response->gravity) return;
+    const std::vector<CheckedTable>& rotation = context.deck.tables("rotation");
+    if (!turns || rotation.empty())
+        return context.add_fault(
+            table, table.gravity, "acts once a revolution, and the stage before is not one of kind steady");
+    if (rotation.front().gives("spins"))
+        context.add_fault(
+            table,
+            table.gravity,
+            "what spins in a frame at rest has gravity as a load: expected the deck's key gravity");
+}
+
 // Modes and buckling know nothing of what turns with a frame.
 void check_rotation(const std::vector<StagePlan>& stages, const BuildContext& context) {
     const auto is_steady = [](const StagePlan& stage) {
@@ -279,6 +297,7 @@ void check_rotation(const std::vector<StagePlan>& stages, const BuildContext& co
     bool turns = false;
     for (std::size_t i = 0; i < stages.size(); ++i) {
         if (has_steps(stages[i].analysis)) turns = is_steady(stages[i]);
+        check_gravity(stages[i], turns, list_analyses(context.deck)[i], context);
         const std::string kind = kind_of(stages[i].analysis);
         if (!turns || (kind != "modes" && kind != "buckling")) continue;
         const AnalysisTable& table = list_analyses(context.deck)[i];

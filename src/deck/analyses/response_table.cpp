@@ -55,7 +55,10 @@ void add_response_keys(Table<AnalysisTable>& table) {
             .only_for({response_only})
         .key("excite", &T::excite, excitation_table(),
              "Forces that swing with the frequency; loads of the deck stay as they are.")
-            .required().only_for({response_only});
+            .only_for({response_only})
+        .key("gravity", &T::gravity, "Instead of a frequency, after a steady stage: gravity, global components when the "
+             "frame's axes are the global ones. What of it is across the axis acts once a revolution.")
+            .unit("length/time²").only_for({response_only}).also("g once_per_revolution weight");
     // clang-format on
 }
 
@@ -81,6 +84,8 @@ std::vector<double> list_frequencies(const NumbersTable& table, const BuildConte
 
 ResponseSettings build_response(const AnalysisTable& table, const BuildContext& context) {
     ResponseSettings settings;
+    settings.gravity = table.gravity;
+    if (table.gravity) return settings;
     settings.omegas = list_frequencies(table.omega ? *table.omega : *table.frequency, context);
     if (!table.omega) {
         for (double& omega : settings.omegas) omega *= 2.0 * std::numbers::pi;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,10 @@ struct ResponsePoint {
 
 // The response of the model to steady harmonic forces, about a state.
 struct ResponseSettings {
-    std::vector<double> omegas;  // rad per time, rising
+    std::vector<double> omegas;  // rad per time, rising; without any the speed of a steady rotation
     std::vector<Excitation> excitation;
+    // Gravity fixed in space, whose part across the axis of a steady rotation acts once a revolution.
+    std::optional<Vec3> gravity;
     std::vector<ResponsePoint> points;  // the points of the deck's histories at nodes
 };
 
