@@ -297,6 +297,30 @@ def bushing(deck, draw):
                                  "damping": {"z": 0.05}}}
 
 
+@feature("bushing", damped=True)
+def bearing(deck, draw):
+    """Alike to all sides of the x axis, which the ground carries: it lets the beam turn."""
+    stiffness = draw.uniform(1, 4)
+    deck["bushing"] = {"mount": {"between": ["ground", "beam.end"], "at": [1, 0, 0], "axes": "ground",
+                                 "stiffness": {"y": stiffness, "z": stiffness, "ry": 0.3, "rz": 0.3},
+                                 "damping": {"y": 0.05, "z": 0.05}}}
+
+
+@feature("ball-bearing")
+def ball_bearing(deck, draw):
+    """A joint to a point of the x axis, in which the end of the beam slides and turns."""
+    deck["joint"] = deck.get("joint", {}) | {"tail": {"type": "cylinder", "between": ["ground", "beam.end"], "at": [1, 0, 0],
+                                                      "axis": [1, 0, 0], "spring": {"slide": {"stiffness": draw.uniform(5, 50)}}}}
+
+
+@feature("copies")
+def copies(deck, draw):
+    """Three arms at the end of the beam, written once."""
+    deck["rod"]["arm"] = {"section": "bar", "line": {"from": [1, 0, 0], "to": [1, draw.uniform(0.2, 0.4), 0]}, "elements": 2, "order": 2,
+                          "y_axis": [1, 0, 0], "copies": {"count": 3, "about": [1, 0, 0]}}
+    deck["connect"] = deck.get("connect", []) + [{"points": ["beam.end", "arm.start"], "copies": "arm"}]
+
+
 def put_on_joint(deck, **joint):
     deck["support"] = [support for support in deck["support"] if support["at"] != "beam.start"]
     deck["joint"] = {"root": {"between": ["ground", "beam.start"], **joint}}
