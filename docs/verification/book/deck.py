@@ -7,9 +7,11 @@ import tomllib
 import numpy as np
 
 NAMES = {"pi": math.pi, **{name: getattr(math, name) for name in ("sin", "cos", "tan", "asin", "acos", "atan", "sqrt", "exp")},
-         "min": min, "max": max, "abs": abs}
+         "min": min, "max": max, "abs": abs,
+         **dict.fromkeys(("x", "y", "z", "vx", "vy", "vz"), 0.0)}  # of loads by place, which a sketch has no place for
 ARC_POINTS = 121
 SAMPLES = 6001  # of the time, to find the largest of a load
+TURNED = ("from", "to", "through", "centre", "at", "at_a", "at_b", "axis", "axis_b", "force", "moment")  # first the places
 FREE_AXES = ("rx", "ry", "rz")
 
 
@@ -33,9 +35,43 @@ class Deck:
             self.names[name] = self.number(value)
         for name, value in self.tree.get("function", {}).items():
             self.names[name] = self._function(value)
+        self._expand_copies()
         self.stages = self.tree.get("stage") or [self.tree["analysis"]]
         self.is_static = all(stage["kind"] != "dynamic" for stage in self.stages)
         self.rods = {name: self._curve(rod) for name, rod in self.tree.get("rod", {}).items()}
+
+    def _expand_copies(self):
+        """Tables with `copies` as many times, turned, with numbers after their names."""
+        tables = [self.tree.get(kind, {}) for kind in ("rod", "body", "joint", "spring", "bushing")]
+        copies = {name: table["copies"] for kind in tables for name, table in kind.items() if isinstance(table.get("copies"), dict)}
+
+        def turned(value, key, number, by):
+            if isinstance(value, dict):
+                return {inner: turned(entry, inner, number, by) for inner, entry in value.items() if inner != "copies"}
+            if key in TURNED and isinstance(value, list) and len(value) == 3:
+                angle = 2.0 * math.pi * number / by["count"]
+                axis, through = (self.vector(by.get(word, otherwise)) for word, otherwise in (("about", (0, 0, 1)), ("through", (0, 0, 0))))
+                axis, vector = axis / np.linalg.norm(axis), self.vector(value) - (through if key in TURNED[:7] else 0.0)
+                along = axis * (axis @ vector)
+                vector = along + np.cos(angle) * (vector - along) + np.sin(angle) * np.cross(axis, vector)
+                return list(vector + (through if key in TURNED[:7] else 0.0))
+            if isinstance(value, list):
+                return [turned(entry, key, number, by) for entry in value]
+            name = re.split(r"[.@]", value)[0] if isinstance(value, str) else None
+            is_named = key == "name" or (name in copies and key in ("at", "on", "between", "points"))
+            return f"{name}_{number + 1}{value[len(name):]}" if is_named else value
+
+        def expanded(table):
+            by = table.get("copies")
+            by = copies[by] if isinstance(by, str) else by
+            return [turned(table, "", number, by) for number in range(by["count"])] if by else [table]
+
+        for kind, entries in self.tree.items():
+            if isinstance(entries, list) and kind != "stage":
+                self.tree[kind] = [one for table in entries for one in (expanded(table) if isinstance(table, dict) else [table])]
+            elif kind in ("rod", "body", "joint", "spring", "bushing"):
+                self.tree[kind] = {f"{name}_{i + 1}" if "copies" in table else name: one
+                                   for name, table in entries.items() for i, one in enumerate(expanded(table))}
 
     def _function(self, value):
         if "table" in value:
@@ -191,6 +227,8 @@ class Deck:
             for kind in ("force", "moment"):
                 if kind in load:
                     vector, changes = self.largest(load[kind], load.get("factor", 1.0))
+                    if not vector.any():
+                        continue  # by place
                     if load.get("frame") == "body":
                         vector = self._section_axes(load["at"].partition(".")[0], tangent) @ vector
                     yield place, kind, vector, changes
