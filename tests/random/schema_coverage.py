@@ -55,7 +55,10 @@ def form_of_value(value):
 def list_used(value, schema, root, path=""):
     """Those of the items that a deck, or a part of it, uses."""
     schema = resolve(schema, root)
-    if "anyOf" in schema and not isinstance(value, dict):
+    if "anyOf" in schema and isinstance(value, dict):
+        options = (resolve(option, root) for option in schema["anyOf"])
+        schema = next((option for option in options if option.get("type") == "object"), schema)
+    elif "anyOf" in schema:
         yield from list_used_option(value, schema["anyOf"], root, path)
     if value in schema.get("enum", []):
         yield f"{path} = {value}"

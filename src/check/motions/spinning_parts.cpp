@@ -8,7 +8,6 @@
 
 #include "check/motions/turning_ties.hpp"
 #include "elements/carried_bushing_motion.hpp"
-#include "model/ties/joint_card.hpp"
 #include "model/ties/ties.hpp"
 #include "rotation/vector_text.hpp"
 
@@ -178,27 +177,13 @@ const char* find_flaw(const Bushing& bushing, const TurningFrame& frame) {
 }
 
 const char* find_flaw(const Joint& joint, bool do_both_spin, const TurningFrame& frame) {
-    const bool is_axial = is_along_axis(joint.a.axes.col(0), frame);
-    switch (joint.kind) {
-        case JointKind::ball:
-        case JointKind::distance:
-        case JointKind::sleeve:
-            return "";
-        case JointKind::weld:
-            return do_both_spin ? "" : "holds the spin. Take a hinge along the axis";
-        case JointKind::slider:
-        case JointKind::screw:
-            if (!do_both_spin) return "holds the spin. Take a hinge or a cylinder along the axis";
-            return is_axial ? "" : "has an axis other than that of the spin. Take a ball or a weld";
-        case JointKind::universal:
-            return "turns once a revolution between what spins. Take a ball or a weld";
-        case JointKind::hinge:
-        case JointKind::cylinder:
-        case JointKind::plane:
-        case JointKind::free:
-            break;
-    }
-    if (!is_axial) return "has an axis other than that of the spin. Take the axis of the spin, or a ball";
+    const TurningJointCard& card = turning_card_of(joint.kind);
+    if (card_of(joint.kind).has_axis_b)
+        return "turns once a revolution between what spins. Take a ball or a weld";
+    if (card.holds_turn && !do_both_spin) return "holds the spin. Take a hinge or a cylinder along the axis";
+    if (!card.has_axis) return "";
+    if (!is_along_axis(joint.a.axes.col(0), frame))
+        return "has an axis other than that of the spin. Take the axis of the spin, or a ball";
     if (!do_both_spin && depends_on_turn(joint.turn))
         return "has a spring, friction, limits or a motor on the turn against what spins. Leave a damping or "
                "a drive";

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "elements/carried_bushing_motion.hpp"
-#include "model/ties/joint_card.hpp"
 #include "model/ties/ties.hpp"
 #include "rotation/cross_products.hpp"
 #include "rotation/vector_text.hpp"
@@ -99,11 +98,17 @@ bool turns_about_axis(const Joint& joint) {
     return !card_of(joint.kind).has_axis_b || joint.a.anchor.is_ground();
 }
 
-// Of a joint whose axis must be the axis of rotation, if that is asked, and whose point must be on it.
-Cause find_cause_of_axis(const Joint& joint, const TurningFrame& frame, bool asks_axis, bool asks_point) {
+Cause find_cause(const Joint& joint, const TurningFrame& frame) {
+    if (!joint.has_ground()) return {};
+    const TurningJointCard& card = turning_card_of(joint.kind);
+    if (!card.holds_something && is_idle(joint.turn) && is_idle(joint.slide)) return {};
+    if (card.holds_turn)
+        return {"holds the turn about the axis against the ground",
+                fmt::format("Take a hinge or a cylinder along the axis instead of a {}",
+                            card_of(joint.kind).word)};
     const JointSide& ground = joint.a.anchor.is_ground() ? joint.a : joint.b;
-    if (asks_point && !is_on_axis(ground.anchor.arm, frame)) return off_axis;
-    if (!asks_axis) return {};
+    if (card.asks_place && !is_on_axis(ground.anchor.arm, frame)) return off_axis;
+    if (!card.has_axis) return {};
     if (!is_axis_of(frame, ground.axes.col(0)))
         return {fmt::format("is tied to the ground with the axis {}", in_brackets(ground.axes.col(0))),
                 "Give it the axis of rotation"};
@@ -111,32 +116,6 @@ Cause find_cause_of_axis(const Joint& joint, const TurningFrame& frame, bool ask
         return {"has a spring, friction, limits or a motor on the turn against the ground",
                 "Leave a damping or a drive"};
     return {};
-}
-
-Cause find_cause(const Joint& joint, const TurningFrame& frame) {
-    if (!joint.has_ground()) return {};
-    switch (joint.kind) {
-        case JointKind::ball:
-        case JointKind::distance:
-            return find_cause_of_axis(joint, frame, false, true);
-        case JointKind::hinge:
-        case JointKind::cylinder:
-        case JointKind::universal:
-            return find_cause_of_axis(joint, frame, true, true);
-        case JointKind::plane:
-            return find_cause_of_axis(joint, frame, true, false);
-        case JointKind::free:
-            if (is_idle(joint.turn) && is_idle(joint.slide)) return {};
-            return find_cause_of_axis(joint, frame, true, true);
-        case JointKind::slider:
-        case JointKind::screw:
-        case JointKind::weld:
-        case JointKind::sleeve:
-            break;
-    }
-    return {
-        "holds the turn about the axis against the ground",
-        fmt::format("Take a hinge or a cylinder along the axis instead of a {}", card_of(joint.kind).word)};
 }
 
 Cause find_cause(const Model& model, const Gear& gear) {

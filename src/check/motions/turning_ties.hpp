@@ -1,15 +1,44 @@
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "model/model.hpp"
 #include "model/settings/turning_frame.hpp"
+#include "model/ties/joint_card.hpp"
 
 namespace gxrod {
 
 // Returns the reason why a spring, a bushing or a joint is not steady in a frame that turns, a sentence: it
 // is tied to the ground, and is not alike to all sides of the axis of rotation. "" if all are.
 std::string find_unsteady_tie(const Model& model, const TurningFrame& frame);
+
+// What a kind of joint asks of a part that turns about an axis, against one that does not.
+struct TurningJointCard {
+    JointKind kind;
+    bool holds_turn = false;      // about its own axis, or any
+    bool has_axis = false;        // which must be that of the rotation
+    bool asks_place = true;       // whether its point must be on that axis
+    bool holds_something = true;  // otherwise only what acts on its coordinates counts
+};
+
+// In the order of JointKind.
+inline constexpr std::array<TurningJointCard, joint_cards.size()> turning_joint_cards{
+    {{.kind = JointKind::ball},
+     {.kind = JointKind::hinge, .has_axis = true},
+     {.kind = JointKind::cylinder, .has_axis = true},
+     {.kind = JointKind::slider, .holds_turn = true, .has_axis = true},
+     {.kind = JointKind::universal, .has_axis = true},
+     {.kind = JointKind::screw, .holds_turn = true, .has_axis = true},
+     {.kind = JointKind::plane, .has_axis = true, .asks_place = false},
+     {.kind = JointKind::weld, .holds_turn = true},
+     {.kind = JointKind::distance},
+     {.kind = JointKind::free, .has_axis = true, .holds_something = false},
+     {.kind = JointKind::sleeve}}};
+
+constexpr const TurningJointCard& turning_card_of(JointKind kind) {
+    return turning_joint_cards[static_cast<std::size_t>(kind)];
+}
 
 // Whether what acts on a joint's turn depends on the angle, or on more of its rate than a damping does.
 bool depends_on_turn(const JointCoordinate& turn);

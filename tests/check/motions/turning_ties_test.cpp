@@ -177,3 +177,8 @@ TEST_CASE("joints to the ground are steady in a turning frame along its axis", "
     const auto between = [](Joint& joint) { joint.a.anchor.node = 0; };
     CHECK(find(JointKind::weld, on_axis, y, between).empty());
 }
+
+TEST_CASE("what joints ask of what turns is listed in the order of their kinds", "[check]") {
+    for (std::size_t i = 0; i < turning_joint_cards.size(); ++i)
+        CHECK(static_cast<std::size_t>(turning_joint_cards[i].kind) == i);
+}
