@@ -23,7 +23,7 @@ const TableSpec& copies_table() {
         .key("count", &T::count, "How many, the first included: they are a turn divided by this apart.")
             .required().between(2, 1000)
         .key("about", &T::about, "The axis of the turn; any length. Numbers, not expressions.")
-            .unit("1").also("axis normal")
+            .unit("1")
         .key("through", &T::through, "A point of the axis. Numbers, not expressions.")
             .unit("length");
     // clang-format on
