@@ -80,7 +80,7 @@ std::vector<CouplingBlock> PairedMatrix::list_couplings() const {
 }
 
 bool PairedMatrix::wants_iterations() const {
-    return kind_ == LinearSolverKind::automatic && !has_failed_ &&
+    return kind_ == LinearSolverKind::automatic && !is_direct_ && !has_failed_ &&
            solver_->estimate_flops() > flops_for_iterations * static_cast<double>(system_->pattern().size());
 }
 

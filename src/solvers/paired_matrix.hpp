@@ -19,6 +19,9 @@ class PairedMatrix {
     // The system must outlive it.
     PairedMatrix(const System& system, LinearSolverKind kind) : system_(&system), kind_(kind) {}
 
+    // From now on solves directly, to rounding, where Newton's method does not correct what iterations leave.
+    void solve_directly() { is_direct_ = true; }
+
     // Starts a new step: the pattern becomes the pattern of these groups.
     void start(std::vector<NodeGroup> groups);
     // Sets the matrix from values on the system's pattern, and blocks of pairs in global axes.
@@ -56,6 +59,7 @@ class PairedMatrix {
     std::vector<PairBlock> blocks_;      // in the axes of the unknowns
     std::unique_ptr<CouplingSolver> coupling_;
     bool is_stale_ = false;      // whether the pattern lacks groups
+    bool is_direct_ = false;     // whether iterations are not wanted
     bool is_iterative_ = false;  // whether the last factorization was
     bool has_failed_ = false;    // whether iterations failed in this step
     int orderings_ = 0;

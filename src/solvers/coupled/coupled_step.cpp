@@ -319,10 +319,11 @@ EquilibriumReport solve_coupled_step(const System& system,
     StagesOfStep stages{
         system, scheme, step, state, system.joints().are_linear(), workspace.coupled->contacts};
     EquilibriumReport report = CoupledNewton(stages, settings, workspace).solve();
+    workspace.coupled->asks_for_positions = stages.asks_for_positions;
     if (report.converged() || stages.asks_for_positions) return report;
     // Where joints are redundant their accelerations can contradict each other; positions do not. Where bars
     // come into line the equations of joints change their rank within the step, and no common matrix serves.
-    stages.asks_for_positions = true;
+    stages.asks_for_positions = workspace.coupled->asks_for_positions = true;
     const int before = report.iterations;
     report = CoupledNewton(stages, settings, workspace).solve();
     report.iterations += before;

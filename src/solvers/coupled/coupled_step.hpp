@@ -13,6 +13,7 @@ struct CoupledWorkspace {
     std::unique_ptr<ExactMatrix> exact;               // from the first step on that needs it
     std::vector<ContactTrial> contacts;               // contact of each stage
     std::vector<Vec6> placement_errors, rate_errors;  // estimates for each node; of rates times Δt
+    bool asks_for_positions = true;                   // whether the last step met joints by positions
 
     CoupledWorkspace(const System& system, LinearSolverKind kind) : common(system, kind) {}
 };
