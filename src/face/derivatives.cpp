@@ -1,11 +1,16 @@
 #include "face/derivatives.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
+#include <utility>
 
+#include "analyses/contact_record.hpp"
+#include "assembly/contact/contacts.hpp"
 #include "assembly/system_measures.hpp"
 #include "assembly/system_values.hpp"
 #include "elements/tie_values.hpp"
+#include "model/settings/analysis_traits.hpp"
 #include "sensitivity/equilibrium_adjoint.hpp"
 #include "watch/history_watch.hpp"
 
@@ -74,17 +79,65 @@ std::vector<double> compute_history(const Problem& problem,
     if (std::holds_alternative<WatchedTendon>(requests.at(history).target))
         tendons = SystemValues(system).compute_tendon_values(state, load_factor);
     snapshot.tendons = tendons;
+    ContactRecord contacts;
+    if (part_of(asked) == SnapshotPart::contact) {
+        contacts = record_contacts(system, state, load_factor, list_contact_watches(requests), false);
+        contacts.show_in(snapshot);
+    }
     const HistoryRow row = HistoryWatch(problem.model, requests, history).compute(asked, snapshot);
     return {row.begin(), row.begin() + asked.columns};
 }
 
 Derivatives::Derivatives(const SteppedRun& run, std::vector<VariedNumber> variations)
     : run_(run), variations_(std::move(variations)) {
-    if (run.problem().stages.size() > 1)
-        throw std::invalid_argument("derivatives are there for analyses of one stage");
-    std::vector<VariedModels> models;
-    for (const VariedNumber& variation : variations_) models.push_back(variation.models());
-    sensitivities_ = std::make_unique<Sensitivities>(run.analysis(), run.problem().analysis(), models);
+    for (const StagePlan& stage : run.problem().stages) {
+        if (has_steps(stage.analysis)) Sensitivities::check_settings(stage.analysis);
+    }
+    for (const VariedNumber& variation : variations_) {
+        for (const Problem& problem : variation.problems) {
+            if (problem.stages.size() != run.problem().stages.size())
+                throw std::invalid_argument("it changes which stages there are");
+        }
+    }
+    now_ = build();
+}
+
+Derivatives::OfStage Derivatives::build() const {
+    OfStage built{run_.stages().moving_index(), {}, nullptr};
+    std::vector<VariedModels> varied;
+    for (const VariedNumber& variation : variations_) {
+        if (built.stage == 0) {
+            varied.push_back(variation.models());
+            continue;
+        }
+        for (const Problem& problem : variation.problems) {
+            built.models.push_back(std::make_unique<Model>(problem.model));
+            set_actions(problem.stages[built.stage].actions, *built.models.back());
+        }
+        const auto last = built.models.end();
+        varied.push_back({{**(last - 4), **(last - 3), variation.step},
+                          {**(last - 2), **(last - 1), 2.0 * variation.step}});
+    }
+    built.carried =
+        std::make_unique<Sensitivities>(run_.analysis(), run_.problem().stages[built.stage].analysis, varied);
+    return built;
+}
+
+void Derivatives::advance() {
+    if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+    if (is_known_) now_.carried->advance();
+}
+
+void Derivatives::enter_stage() {
+    if (!is_known_) return;
+    try {
+        OfStage next = build();
+        next.carried->start_after(*now_.carried);
+        std::swap(now_, next);
+    } catch (...) {
+        failure_ = std::current_exception();
+        is_known_ = false;
+    }
 }
 
 std::vector<std::string> Derivatives::numbers() const {
@@ -100,21 +153,36 @@ std::vector<double> Derivatives::differentiate(std::size_t number,
         throw std::logic_error(
             "derivatives are not known after a return to a state that was saved without "
             "them, as pickles are");
-    return sensitivities_->by(number).differentiate(
+    const HistoryRequest& request = run_.problem().output.histories.at(history);
+    if (part_of(*quantities_of(request).at(quantity)) == SnapshotPart::reactions &&
+        Contacts(run_.analysis().system()).are_impulses())
+        throw std::invalid_argument(
+            "there are no derivatives of reactions where contact is an impulse of a step; ask for the forces "
+            "in "
+            "the rod next to the support");
+    return now_.carried->by(number).differentiate(
         [&](const System& system, const State& state, std::size_t side) {
             return compute_history(variations_[number].problems.at(side), system, state, history, quantity);
         });
 }
 
 std::shared_ptr<const Sensitivities::Record> Derivatives::save() const {
-    return is_known_ ? std::make_shared<const Sensitivities::Record>(sensitivities_->record()) : nullptr;
+    if (!is_known_) return nullptr;
+    Sensitivities::Record record = now_.carried->record();
+    record.stage = now_.stage;
+    return std::make_shared<const Sensitivities::Record>(std::move(record));
 }
 
 void Derivatives::restore(const Sensitivities::Record* record) {
     is_known_ = record != nullptr;
     if (!is_known_) return;
-    sensitivities_->follow(run_.analysis());
-    sensitivities_->recall(*record);
+    if (record->stage == now_.stage) {
+        now_.carried->follow(run_.analysis());
+    } else {
+        OfStage then = build();
+        std::swap(now_, then);
+    }
+    now_.carried->recall(*record);
 }
 
 std::vector<double> find_gradient(const SteppedRun& run,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,12 +24,13 @@ class Derivatives {
     // `run` must outlive it, and so must its problem. Throws std::invalid_argument if the run has none.
     Derivatives(const SteppedRun& run, std::vector<VariedNumber> variations);
 
-    void start() { sensitivities_->start(); }
+    void start() { now_.carried->start(); }
     // Must be called before each step, and after it has been accepted.
-    void note_before() { sensitivities_->note_before(); }
-    void advance() {
-        if (is_known_) sensitivities_->advance();
-    }
+    void note_before() { now_.carried->note_before(); }
+    void advance();
+    // Must be called when the run has entered another stage, before its first step. If there is no derivative
+    // at its start, the next advance throws what this has found.
+    void enter_stage();
 
     std::vector<std::string> numbers() const;
     // Throws std::logic_error after a return to a state that was saved without derivatives.
@@ -40,10 +42,20 @@ class Derivatives {
     void restore(const Sensitivities::Record* record);
 
   private:
+    // What belongs to one stage; models of a later one than the first have its actions.
+    struct OfStage {
+        std::size_t stage = 0;
+        std::vector<std::unique_ptr<Model>> models;
+        std::unique_ptr<Sensitivities> carried;
+    };
+    // Makes derivatives of the stage at hand, not started yet.
+    OfStage build() const;
+
     const SteppedRun& run_;
     std::vector<VariedNumber> variations_;
-    std::unique_ptr<Sensitivities> sensitivities_;
-    bool is_known_ = true;  // whether derivatives of the accepted state are known
+    OfStage now_;
+    std::exception_ptr failure_;  // of the start of a stage
+    bool is_known_ = true;        // whether derivatives of the accepted state are known
 };
 
 // A quantity of a history, and what each of its numbers counts in a sum.

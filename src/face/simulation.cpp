@@ -39,6 +39,9 @@ Simulation::Simulation(Problem&& problem, Options options)
         request.examined = examine_stages(problem_.model, problem_.stages);
     }
     request.observe = [this](const Snapshot& snapshot, const LedgerRow& ledger) { note(snapshot, ledger); };
+    request.observe_stage = [this] {
+        if (derivatives_) derivatives_->enter_stage();
+    };
     run_ = std::make_unique<SteppedRun>(request);
     add_histories();
     if (!options.sensitivities.empty())

@@ -1,13 +1,19 @@
 #include "face/variation.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
+#include <type_traits>
+#include <utility>
 
+#include "contact/obstacle_distance.hpp"
 #include "deck/text/override_key.hpp"
 #include "deck/text/overrides.hpp"
 #include "face/deck.hpp"
 #include "face/unknown_name_error.hpp"
+#include "model/settings/analysis_traits.hpp"
 
 namespace gxrod {
 namespace {
@@ -62,13 +68,81 @@ std::pair<std::string, double> find_number(const Deck& deck, const std::string& 
     return {};
 }
 
+// Of the skin, by which a step of a number moves surfaces that touch: forces of contact are smooth on the
+// scale of the gap alone, and impacts leave a small part of the skin.
+constexpr double part_of_skin = 3e-5;
+
+double find_skin(const Model& model) {
+    double radius = std::numeric_limits<double>::infinity();
+    for (const double own : model.contact.radii) {
+        if (own > 0.0) radius = std::min(radius, own);
+    }
+    for (const ContactBody& body : model.contact.bodies) radius = std::min(radius, body.radius);
+    return model.contact.skin * radius;
+}
+
+// Bounds by how much the surfaces of an obstacle differ, as seen from within `extent` of the origin.
+double find_shift(const Obstacle& a, const Obstacle& b, double extent, double end_time) {
+    double shift = 0.0;
+    std::visit(
+        [&](const auto& shape) {
+            const auto& other = std::get<std::decay_t<decltype(shape)>>(b.shape);
+            const std::vector<Vec3> points = shape.points(), others = other.points();
+            for (std::size_t i = 0; i < std::min(points.size(), others.size()); ++i)
+                shift = std::max(shift, (points[i] - others[i]).norm());
+        },
+        a.shape);
+    if (a.plane() != nullptr) shift += extent * (a.plane()->normal - b.plane()->normal).norm();
+    if (a.round() != nullptr) shift += std::abs(a.round()->radius - b.round()->radius);
+    if (!a.motion || !b.motion) return shift;
+    constexpr int samples = 16;
+    double moved = 0.0;
+    for (int i = 0; i <= samples; ++i) {
+        const double time = end_time * i / samples;
+        const ObstaclePlacement here = place_obstacle(a, time), there = place_obstacle(b, time);
+        moved = std::max(moved,
+                         (here.displacement - there.displacement).norm() +
+                             extent * (here.rotation - there.rotation).norm());
+    }
+    return shift + moved;
+}
+
+// Bounds by how much surfaces that can touch differ.
+double find_shift(const Problem& a, const Problem& b) {
+    const Contact &one = a.model.contact, &other = b.model.contact;
+    double extent = 0.0, shift = 0.0;
+    for (const Node& node : a.model.nodes) extent = std::max(extent, node.position.norm());
+    for (std::size_t i = 0; i < std::min(one.radii.size(), other.radii.size()); ++i)
+        shift = std::max(shift, std::abs(one.radii[i] - other.radii[i]));
+    for (std::size_t i = 0; i < std::min(one.bodies.size(), other.bodies.size()); ++i) {
+        shift = std::max(shift, std::abs(one.bodies[i].radius - other.bodies[i].radius));
+        for (std::size_t end = 0; end < 2; ++end)
+            shift = std::max(shift, (one.bodies[i].ends[end] - other.bodies[i].ends[end]).norm());
+    }
+    const double end_time = end_of(a.stages.back().analysis);
+    for (std::size_t i = 0; i < std::min(one.obstacles.size(), other.obstacles.size()); ++i) {
+        if (one.obstacles[i].shape.index() == other.obstacles[i].shape.index())
+            shift = std::max(shift, find_shift(one.obstacles[i], other.obstacles[i], extent, end_time));
+    }
+    return shift;
+}
+
 }  // namespace
 
 VariedNumber vary(const Deck& deck, const std::string& number) {
     const auto [key, value] = find_number(deck, number);
-    const double step = relative_step * (value != 0.0 ? std::abs(value) : 1.0);
+    double step = relative_step * (value != 0.0 ? std::abs(value) : 1.0);
     const auto build = [&](double steps) { return Deck(deck).set(key, value + steps * step).build(); };
-    return {number, {build(1.0), build(-1.0), build(2.0), build(-2.0)}, step};
+    Problem up = build(1.0), down = build(-1.0);
+    if (!up.model.contact.is_empty()) {
+        const double shift = find_shift(up, down), most = 2.0 * part_of_skin * find_skin(up.model);
+        if (shift > most) {
+            step *= most / shift;
+            up = build(1.0);
+            down = build(-1.0);
+        }
+    }
+    return {number, {std::move(up), std::move(down), build(2.0), build(-2.0)}, step};
 }
 
 }  // namespace gxrod

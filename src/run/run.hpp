@@ -38,6 +38,8 @@ struct RunRequest {
     int threads = 1;                                              // their number changes no result
     // Called at each accepted state, t = 0 included, without values of elements for frames.
     std::function<void(const Snapshot&, const LedgerRow&)> observe = {};
+    // Called when another stage with steps has started, before its first step.
+    std::function<void()> observe_stage = {};
     // Findings of the checks of the model; their warnings are the first ones of the run.
     std::vector<Finding> examined = {};
 };

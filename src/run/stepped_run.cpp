@@ -203,6 +203,7 @@ bool SteppedRun::enter_next_stage() {
     schedule_output();
     if (!follows_time && !schedule_.is_empty() && schedule_.list_start().is_sample)
         file_->record_sample(take_snapshot(false));
+    if (request_.observe_stage) request_.observe_stage();
     return true;
 }
 

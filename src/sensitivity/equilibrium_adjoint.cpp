@@ -26,7 +26,9 @@ void check_memory(const Model& model) {
         throw std::invalid_argument(
             "an equilibrium of sections that remember depends on how it was reached: carry derivatives along "
             "instead");
-    if (!model.contact.is_empty()) throw std::invalid_argument("there are no derivatives with contact yet");
+    if (!model.contact.is_empty())
+        throw std::invalid_argument(
+            "there are no derivatives of contact by multipliers yet: carry derivatives along instead");
     const auto rubs_in_path = [](const Tendon& tendon) { return tendon.friction.has_value(); };
     const std::optional<Seabed>& seabed = model.surroundings.seabed;
     if ((seabed && seabed->has_friction()) || has_joint_friction(model) ||
@@ -65,6 +67,11 @@ EquilibriumAdjoint::EquilibriumAdjoint(const System& system,
         throw std::runtime_error("the tangent of the equilibrium is singular");
     multipliers_ = find_gradient(nodes, quantity);
     workspace.linear_solver->solve(multipliers_);
+    if (system.joints().empty()) return;
+    // What their regularization leaves, as in a second iteration of what is carried along.
+    Eigen::VectorXd rest = take_regularization(system, values_, multipliers_);
+    workspace.linear_solver->solve(rest);
+    multipliers_ += rest;
 }
 
 // (∂q/∂y)ᵀ in the system's unknowns.
@@ -96,27 +103,24 @@ Eigen::VectorXd EquilibriumAdjoint::find_gradient(const std::vector<int>& nodes,
 
 double EquilibriumAdjoint::differentiate(const VariedModels& models, const Quantity& quantity) const {
     ForwardSensitivity varied(system_, models);
-    // What supports hold goes with the reference shape, or where they move; all else is free to choose.
-    varied.start(LoadStepping(), {0.0, time_}, linear_solver_, false, false);
     varied.take_inputs(system_.model());
+    // Supports hold what they hold in the reference shape of each.
+    varied.place_in_reference(state_);
     Residual residual;
-    int side = 0;
     std::array<double, 4> values{};
-    varied.place_sides(state_);
-    if (VariedSystem& one = *varied.sides()[0]; one.held.has_kinks()) {
+    const std::array<VariedSystem*, 4> sides = varied.sides();
+    if (VariedSystem& one = *sides[0]; one.held.has_kinks()) {
         one.held.note();
         one.system.compute_residual(state_, time_, residual);
         const Pieces pieces = one.held.pieces();
-        for (VariedSystem* side_system : varied.sides()) side_system->held.hold(pieces);
+        for (VariedSystem* side : sides) side->held.hold(pieces);
     }
-    for (VariedSystem* one : varied.sides()) {
-        undo_trial(one->state);
-        one->system.supports().place(time_, one->state);
-        one->system.compute_residual(one->state, time_, residual);
-        values[static_cast<std::size_t>(side)] =
-            quantity(one->system, one->state, side) -
-            multipliers_.dot(gather_residual(one->system, residual, values_));
-        ++side;
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        VariedSystem& one = *sides[i];
+        place_next_to(state_, time_, one);
+        one.system.compute_residual(one.state, time_, residual);
+        values[i] = quantity(one.system, one.state, static_cast<int>(i)) -
+                    multipliers_.dot(gather_residual(one.system, residual, values_));
     }
     const double near = (values[0] - values[1]) / (2.0 * models.near.step);
     const double far = (values[2] - values[3]) / (2.0 * models.far.step);

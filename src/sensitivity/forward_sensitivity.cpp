@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "analyses/start_velocities.hpp"
+#include "assembly/contact/contacts.hpp"
 #include "rotation/rotation_map.hpp"
 
 namespace gxrod {
@@ -40,12 +41,13 @@ void take_inputs(const Model& from, const System& to) {
 
 }  // namespace
 
-ForwardSensitivity::ForwardSensitivity(const System& base, const VariedModels& models)
+ForwardSensitivity::ForwardSensitivity(const System& base, const VariedModels& models, bool resolves_contact)
     : sides_{VariedSystem{models.near.up, models.near.step},
              VariedSystem{models.near.down, -models.near.step},
              VariedSystem{models.far.up, models.far.step},
              VariedSystem{models.far.down, -models.far.step}} {
-    for (const VariedSystem& side : sides_) {
+    for (VariedSystem& side : sides_) {
+        if (resolves_contact) resolve_contact(side.system);
         if (!have_equal_forms(base.model(), side.system.model()))
             throw std::invalid_argument("it changes which nodes and elements there are");
         if (base.equations().count() != side.system.equations().count())
@@ -53,44 +55,70 @@ ForwardSensitivity::ForwardSensitivity(const System& base, const VariedModels& m
     }
 }
 
-void ForwardSensitivity::start_one(VariedSystem& side,
-                                   const Integrator& integrator,
-                                   const TimeSpan& first_step,
-                                   LinearSolverKind solver,
-                                   bool projects_start,
-                                   bool settles) {
-    const System& system = side.system;
-    State& state = side.state;
-    state = system.initial_state();
-    system.supports().place(0.0, state);
-    SolverWorkspace workspace(system, solver);
-    const bool has_inertia = !integrator.is_static() && system.model().has_inertia;
+void start_system(const System& system, const StartOfAnalysis& start, State& state, State& ended) {
+    const bool has_inertia = !start.integrator.is_static() && system.model().has_inertia;
     for (NodeMotion& motion : state.trial) {
         if (has_inertia) break;
         motion.v.setZero();
         motion.omega.setZero();
+        motion.a.setZero();
+        motion.alpha.setZero();
     }
+    Contacts(system).search(state);
     if (has_inertia) {
-        fit_start_velocities(system, 0.0, first_step, projects_start, workspace, state);
-        if (!solve_accelerations(system, 0.0, first_step, workspace, state).converged())
+        SolverWorkspace workspace(system, start.linear_solver);
+        fit_start_velocities(system, 0.0, start.first_step, start.projects, workspace, state);
+        if (!solve_accelerations(system, 0.0, start.first_step, workspace, state).converged())
             throw std::runtime_error("the derivative of the accelerations at t = 0 cannot be found");
     }
-    integrator.start(state);
-    system.joints().start(state);
-    side.ended = state;
+    start.integrator.start(state);
+    ended = state;
     system.commit(state, 0.0);
-    if (settles)  // as DynamicAnalysis does
-        std::ranges::copy(system.memory_within_rods().of(side.ended),
+    if (start.settles)  // as DynamicAnalysis does
+        std::ranges::copy(system.memory_within_rods().of(ended),
                           system.memory_within_rods().of(state).begin());
 }
 
-void ForwardSensitivity::start(const Integrator& integrator,
-                               const TimeSpan& first_step,
-                               LinearSolverKind solver,
-                               bool projects_start,
-                               bool settles) {
-    for (VariedSystem& side : sides_)
-        start_one(side, integrator, first_step, solver, projects_start, settles);
+void take_over_stage(const System& system, const State& end, State& state) {
+    state = system.initial_state();
+    take_over(end, state);
+    for (std::size_t i = 0; i < state.trial.size(); ++i)
+        system.equations().hold_rates(static_cast<int>(i), state.trial[i]);
+    state.previous = state.trial;
+}
+
+// With the difference of the reference shapes, of which supports take what they hold.
+void ForwardSensitivity::place_in_reference(const State& state) {
+    for (VariedSystem& side : sides_) {
+        side.state = side.system.initial_state();
+        side.system.supports().place(0.0, side.state);
+        side.state.previous = side.state.trial;
+    }
+    direction_ = extrapolate(gxrod::differentiate(sides_[0].state, sides_[1].state, sides_[0].amount),
+                             gxrod::differentiate(sides_[2].state, sides_[3].state, sides_[2].amount));
+    place_sides(state);
+    for (VariedSystem& side : sides_) undo_trial(side.state);
+}
+
+void ForwardSensitivity::start(const StartOfAnalysis& start) {
+    for (VariedSystem& side : sides_) {
+        side.state = side.system.initial_state();
+        side.system.supports().place(0.0, side.state);
+        side.system.joints().start(side.state);
+        start_system(side.system, start, side.state, side.ended);
+    }
+    take_sides();
+}
+
+void ForwardSensitivity::start_after(const State& end,
+                                     const StateDirection& direction,
+                                     const StartOfAnalysis& start) {
+    for (VariedSystem& side : sides_) {
+        State moved = end;
+        move_along(direction, side.amount, moved);
+        take_over_stage(side.system, moved, side.state);
+        start_system(side.system, start, side.state, side.ended);
+    }
     take_sides();
 }
 
@@ -130,10 +158,12 @@ State take_trial(const State& state) {
 void ForwardSensitivity::straighten_ends(const State& centre) {
     std::array<State, 4> ends;
     for (std::size_t i = 0; i < sides_.size(); ++i) ends[i] = take_trial(sides_[i].ended);
-    const StateDirection direction = extrapolate(gxrod::differentiate(ends[0], ends[1], sides_[0].amount),
-                                                 gxrod::differentiate(ends[2], ends[3], sides_[2].amount));
+    const State middle = take_trial(centre);
+    const StateDirection direction =
+        extrapolate(gxrod::differentiate(ends[0], ends[1], sides_[0].amount, &middle),
+                    gxrod::differentiate(ends[2], ends[3], sides_[2].amount, &middle));
     for (VariedSystem& side : sides_) {
-        State end = take_trial(centre);
+        State end = middle;
         move_along(direction, side.amount, end);
         for (std::size_t i = 0; i < end.previous.size(); ++i)
             end.previous[i].theta = log(end.previous[i].Lambda * side.ended.previous[i].Lambda.conjugate());

@@ -29,20 +29,35 @@ struct VariedModels {
 using Quantities =
     std::function<std::vector<double>(const System& system, const State& state, std::size_t side)>;
 
+// How an analysis starts.
+struct StartOfAnalysis {
+    const Integrator& integrator;
+    TimeSpan first_step;
+    LinearSolverKind linear_solver;
+    bool projects;  // whether initial velocities are projected onto the joints
+    bool settles;   // whether it settles at its start
+};
+
+// Starts a system from its trial motions, as an analysis does.
+void start_system(const System& system, const StartOfAnalysis& start, State& state, State& ended);
+// Sets the trial motions to the last accepted step of an earlier stage, as an analysis that follows it does.
+void take_over_stage(const System& system, const State& end, State& state);
+
 // The derivative of an analysis' accepted states by a number p of its deck, and the varied systems by which
 // it is found (docs/theory/sensitivities.md).
 class ForwardSensitivity {
   public:
-    // Throws std::invalid_argument if the models do not fit each other.
-    ForwardSensitivity(const System& base, const VariedModels& models);
+    // Throws std::invalid_argument if the models do not fit each other. Contact acts at the stages of the
+    // scheme if it resolves it.
+    ForwardSensitivity(const System& base, const VariedModels& models, bool resolves_contact = true);
 
-    // Finds the derivative at the start of an analysis with this integrator; initial velocities are projected
-    // onto the joints if the analysis does so.
-    void start(const Integrator& integrator,
-               const TimeSpan& first_step,
-               LinearSolverKind solver,
-               bool projects_start,
-               bool settles);
+    // Finds the derivative at the start of an analysis.
+    void start(const StartOfAnalysis& start);
+    // Does the same for a stage that follows another one, which ended in this state with this derivative.
+    void start_after(const State& end, const StateDirection& direction, const StartOfAnalysis& start);
+    // Moves the varied systems to the reference shapes of their models, and then in all but what supports
+    // hold to this state.
+    void place_in_reference(const State& state);
     // Takes over the values of the inputs of the model at p.
     void take_inputs(const Model& base);
     // Moves the varied systems to the states next to this one. sides() lists them: near up, near down, far
@@ -50,6 +65,11 @@ class ForwardSensitivity {
     void place_sides(const State& before);
     std::array<VariedSystem*, 4> sides();
     void take_sides();
+    // There is no derivative from then on, for this reason.
+    void end(const std::string& reason) {
+        if (kink_.empty()) kink_ = reason;
+    }
+    const std::string& kink() const { return kink_; }
     // Checks that the varied states lie about this state of the analysis as they do if it depends smoothly on
     // p. If not, there is no derivative from then on. `time_step` is the length of the last step.
     void check_smoothness(const State& centre, double time_step);
@@ -73,13 +93,6 @@ class ForwardSensitivity {
     std::vector<double> differentiate(const Quantities& quantities) const;
 
   private:
-    static void start_one(VariedSystem& side,
-                          const Integrator& integrator,
-                          const TimeSpan& first_step,
-                          LinearSolverKind solver,
-                          bool projects_start,
-                          bool settles);
-
     std::array<VariedSystem, 4> sides_;
     StateDirection direction_;
     std::string kink_;  // why there is no longer a derivative; "" if there is one

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
-#include "assembly/contact/contacts.hpp"
 #include "integrators/load_stepping.hpp"
 #include "integrators/quasi_static.hpp"
 #include "model/path_dependence.hpp"
+#include "model/sections/kinked_law.hpp"
+#include "model/sticking.hpp"
 #include "sensitivity/sensitivity_error.hpp"
 
 namespace gxrod {
@@ -23,30 +25,64 @@ std::unique_ptr<Integrator> make_step_integrator(const AnalysisSettings& setting
     return make_integrator(*dynamic);
 }
 
+bool yields(const Model& model) {
+    const auto has_kinks = [](const Section& section) {
+        return section.law && as_kinked(*section.law) != nullptr;
+    };
+    const auto any_at = [&](const Rod& rod) { return std::ranges::any_of(rod.varying.at_forces, has_kinks); };
+    return std::ranges::any_of(model.sections, has_kinks) || std::ranges::any_of(model.rods, any_at);
+}
+
+bool is_at_same_places(const State& a, const State& b) {
+    constexpr double same = 1e-12;
+    double size = 0.0, distance = 0.0, angle = 0.0;
+    for (std::size_t i = 0; i < a.previous.size(); ++i) {
+        size = std::max(size, a.previous[i].r.norm());
+        distance = std::max(distance, (a.previous[i].r - b.previous[i].r).norm());
+        angle = std::max(angle, a.previous[i].Lambda.angularDistance(b.previous[i].Lambda));
+    }
+    return distance <= same * size && angle <= 1e-7;
+}
+
+void check_model(const Model& model, const Integrator& integrator) {
+    const std::vector<std::string> frictions = list_frictions(model);
+    if (std::ranges::find(frictions, "contact") != frictions.end())
+        throw std::invalid_argument(
+            "there are no derivatives of contact with friction yet: take friction = 0, or a difference of "
+            "whole "
+            "runs");
+    if (integrator.coupled() != nullptr && (yields(model) || !frictions.empty()))
+        throw std::invalid_argument(
+            "derivatives of friction and of sections that yield are not carried along by schemes that find "
+            "the stages of a step together: take integrator \"sdirk-4\"");
+}
+
 }  // namespace
+
+void Sensitivities::check_settings(const AnalysisSettings& settings) {
+    const std::unique_ptr<Integrator> integrator = make_step_integrator(settings);
+    if (!integrator)
+        throw std::invalid_argument("derivatives are there for static, quasi-static and dynamic analyses");
+    if (integrator->conserves())
+        throw std::invalid_argument(
+            "derivatives are not carried along by energy-momentum: take integrator \"newmark-simplified\"");
+}
 
 Sensitivities::Sensitivities(const SteppedAnalysis& analysis,
                              const AnalysisSettings& settings,
                              const std::vector<VariedModels>& models)
     : analysis_(&analysis), integrator_(make_step_integrator(settings)) {
-    if (!integrator_)
-        throw std::invalid_argument("derivatives are there for static, quasi-static and dynamic analyses");
-    if (integrator_->coupled() != nullptr)
-        throw std::invalid_argument(
-            "derivatives are not carried along by schemes that find the stages of a step together: take "
-            "integrator \"sdirk-4\"");
-    if (integrator_->conserves())
-        throw std::invalid_argument(
-            "derivatives are not carried along by energy-momentum: take integrator \"newmark-simplified\"");
-    if (Contacts(analysis.system()).are_possible())
-        throw std::invalid_argument("there are no derivatives with contact yet");
+    check_settings(settings);
+    check_model(analysis.system().model(), *integrator_);
     if (const auto* statics = std::get_if<StaticSettings>(&settings)) linear_solver_ = statics->linear_solver;
     if (const auto* dynamic = std::get_if<DynamicSettings>(&settings)) {
         linear_solver_ = dynamic->linear_solver;
         projects_start_ = dynamic->projects_start;
+        has_time_ = true;
     }
     follow(analysis);
-    for (const VariedModels& varied : models) all_.emplace_back(analysis.system(), varied);
+    for (const VariedModels& varied : models)
+        all_.emplace_back(analysis.system(), varied, integrator_->resolves_contact());
 }
 
 Sensitivities::~Sensitivities() = default;
@@ -57,14 +93,16 @@ void Sensitivities::follow(const SteppedAnalysis& analysis) {
         analysis.system(), *integrator_, analysis.newton(), linear_solver_);
 }
 
+StartOfAnalysis Sensitivities::find_start() const {
+    return {*integrator_,
+            {0.0, analysis_->steps().time_step()},
+            step_->linear_solver(),
+            projects_start_,
+            has_time_ && analysis_->settled() != nullptr};
+}
+
 void Sensitivities::start() {
-    const TimeSpan first_step{0.0, analysis_->steps().time_step()};
-    for (ForwardSensitivity& one : all_)
-        one.start(*integrator_,
-                  first_step,
-                  step_->linear_solver(),
-                  projects_start_,
-                  analysis_->settled() != nullptr);
+    for (ForwardSensitivity& one : all_) one.start(find_start());
     if (analysis_->settled() == nullptr) return;
     State before = analysis_->system().initial_state();
     for (NodeMotion& motion : before.previous) {
@@ -72,6 +110,34 @@ void Sensitivities::start() {
         motion.omega.setZero();
     }
     settle(before);
+}
+
+void Sensitivities::start_after(const Sensitivities& earlier) {
+    const System& system = analysis_->system();
+    if (earlier.have_ended()) {
+        for (std::size_t i = 0; i < all_.size(); ++i) all_[i].end(earlier.by(i).kink());
+        return;
+    }
+    // Velocities that fit at the end of a stage still do, to first order: a projection changes none of them.
+    StartOfAnalysis start = find_start();
+    start.projects = true;
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+        all_[i].take_inputs(system.model());
+        all_[i].start_after(earlier.before_, earlier.by(i).direction(), start);
+        all_[i].end(earlier.by(i).kink());
+    }
+    State before, ended;
+    take_over_stage(system, earlier.before_, before);
+    start_system(system, start, before, ended);
+    if (analysis_->settled() != nullptr) {
+        settle(before);
+    } else if (!is_at_same_places(before, analysis_->state())) {
+        for (ForwardSensitivity& one : all_)
+            one.end(
+                "there is none from the start of this stage on, where what acts at once was brought on in "
+                "parts; let it grow over a time");
+    }
+    note_before();
 }
 
 void Sensitivities::settle(const State& before) {
@@ -102,7 +168,22 @@ void Sensitivities::carry(const State& before, const Take& take) {
     for (ForwardSensitivity& one : all_) one.take_sides();
 }
 
+bool Sensitivities::have_ended() const {
+    return std::ranges::none_of(all_, [](const ForwardSensitivity& one) { return one.kink().empty(); });
+}
+
 void Sensitivities::advance() {
+    if (have_ended()) return;
+    try {
+        take_step();
+    } catch (const ClosedGapError& error) {
+        for (ForwardSensitivity& one : all_)
+            one.end(fmt::format(
+                "there is none from t = {:.6g} on, where {}", analysis_->state().time, error.what()));
+    }
+}
+
+void Sensitivities::take_step() {
     const State& after = analysis_->state();
     for (ForwardSensitivity& one : all_) one.take_inputs(analysis_->system().model());
     if (analysis_->settled() != nullptr) {
@@ -116,6 +197,11 @@ void Sensitivities::advance() {
     for (ForwardSensitivity& one : all_) {
         one.straighten_ends(step_->centre().ended);
         one.check_smoothness(step_->centre().state, stage.time_step);
+        if (!step_->has_reproduced(after))
+            one.end(fmt::format(
+                "there is none from t = {:.6g} on, where energy was taken from velocities so that contact "
+                "gains none; take shorter steps",
+                after.time));
     }
 }
 

@@ -23,6 +23,8 @@ class Sensitivities {
     void follow(const SteppedAnalysis& analysis);
 
     void start();
+    // Starts a stage that follows another one, whose derivatives were carried along to its end.
+    void start_after(const Sensitivities& earlier);
     // Call these before each step, and after it has been accepted.
     void note_before() { before_ = analysis_->state(); }
     void advance();
@@ -33,11 +35,19 @@ class Sensitivities {
     struct Record {
         std::vector<ForwardSensitivity::Record> all;
         Pieces pieces;
+        std::size_t stage = 0;  // of the deck
     };
     Record record() const;
     void recall(const Record& record);
 
+    // Throws std::invalid_argument, as the constructor, if steps by these settings cannot be differentiated.
+    static void check_settings(const AnalysisSettings& settings);
+
   private:
+    StartOfAnalysis find_start() const;
+    // Whether there is no derivative by any number anymore.
+    bool have_ended() const;
+    void take_step();
     // Carries the derivatives along while the analysis settles from this accepted state.
     void settle(const State& before);
     // Moves the varied systems to the states next to this one, lets `take` advance them, and takes over the
@@ -50,6 +60,7 @@ class Sensitivities {
     std::unique_ptr<TangentLinearStep> step_;
     std::deque<ForwardSensitivity> all_;
     bool projects_start_ = false;
+    bool has_time_ = false;  // whether it is not static
     LinearSolverKind linear_solver_ = LinearSolverKind::automatic;
     State before_;
     Pieces pieces_;  // pieces at the end of the last step

@@ -10,4 +10,10 @@ class SensitivityError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+// A small change of a number closes a gap of contact, whose forces are not defined there.
+class ClosedGapError : public SensitivityError {
+  public:
+    using SensitivityError::SensitivityError;
+};
+
 }  // namespace gxrod

@@ -46,15 +46,21 @@ void move_along(const StateDirection& direction, double amount, State& state) {
     }
 }
 
-StateDirection differentiate(const State& up, const State& down, double step) {
+StateDirection differentiate(const State& up, const State& down, double step, const State* centre) {
     const double half = 0.5 / step;
+    const auto spin_of_node = [&](std::size_t i) -> Vec3 {
+        const Quat &a = up.previous[i].Lambda, &b = down.previous[i].Lambda;
+        if (centre == nullptr) return spin_between(b, a);
+        const Quat& c = centre->previous[i].Lambda;
+        return spin_between(c, a) - spin_between(c, b);
+    };
     StateDirection direction;
     direction.nodes.resize(up.previous.size());
     for (std::size_t i = 0; i < up.previous.size(); ++i) {
         const NodeMotion& a = up.previous[i];
         const NodeMotion& b = down.previous[i];
         direction.nodes[i] = {half * (a.r - b.r),
-                              half * spin_between(b.Lambda, a.Lambda),
+                              half * spin_of_node(i),
                               half * (a.v - b.v),
                               half * (a.omega - b.omega),
                               half * (a.a - b.a),

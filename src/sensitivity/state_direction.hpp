@@ -28,8 +28,9 @@ struct StateDirection {
 // Moves the accepted state along a direction by `amount`.
 void move_along(const StateDirection& direction, double amount, State& state);
 
-// Computes (up − down)/(2 step) from accepted states.
-StateDirection differentiate(const State& up, const State& down, double step);
+// Computes (up − down)/(2 step) from accepted states. Rotations of nodes are compared with those of `centre`,
+// if given: what both sides add to their spins from there then drops out, and with it all of even order.
+StateDirection differentiate(const State& up, const State& down, double step, const State* centre = nullptr);
 // Computes (4 near − far)/3, extrapolated from the differences with a step and with twice the step.
 StateDirection extrapolate(StateDirection near, const StateDirection& far);
 

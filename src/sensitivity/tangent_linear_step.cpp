@@ -1,12 +1,15 @@
 #include "sensitivity/tangent_linear_step.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "linear/eigen/pencil.hpp"
 #include "rotation/rotation_map.hpp"
 #include "sensitivity/sensitivity_error.hpp"
+#include "solvers/coupled/coupled_step.hpp"
 #include "solvers/hidden_constraints.hpp"
 #include "solvers/newton_steps.hpp"
+#include "solvers/paired_matrix.hpp"
 #include "solvers/trial_rates.hpp"
 #include "state/increment.hpp"
 
@@ -19,11 +22,86 @@ namespace {
                            "; take a difference of whole runs");
 }
 
+// Forces of contact are not defined where a gap is closed.
+void check_gaps(double time, const VariedSystem& varied) {
+    const Contacts contacts(varied.system);
+    if (contacts.are_possible() && !contacts.describe_overlap(varied.state, time).empty())
+        throw ClosedGapError("a small change of the number closes a gap of contact");
+}
+
 void check(const EquilibriumReport& report, const char* what) {
     if (!report.converged()) fail("Newton's method does not find " + std::string(what) + " anew");
 }
 
 }  // namespace
+
+Eigen::VectorXd take_regularization(const System& system,
+                                    const std::vector<double>& values,
+                                    const Eigen::VectorXd& vector) {
+    Eigen::VectorXd taken = Eigen::VectorXd::Zero(vector.size());
+    const std::vector<AttachedUnknowns>& attached = system.joints().attached();
+    for (std::size_t i = 0; i < attached.size(); ++i) {
+        const std::int64_t first = system.equations().of_attached(i);
+        for (std::int64_t row = first; row < first + attached[i].count; ++row)
+            taken[row] = values[static_cast<std::size_t>(system.pattern().slot(row, row))] * vector[row];
+    }
+    return taken;
+}
+
+// Where the base is, but for what supports hold, which is where the varied model has it. All else is moved by
+// the mean of what that changes, so that a model that is moved as a whole is not strained.
+void place_next_to(const State& base, double time, VariedSystem& varied) {
+    State& state = varied.state;
+    const Supports& supports = varied.system.supports();
+    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+        NodeMotion& trial = state.trial[i];
+        trial.r = base.trial[i].r;
+        trial.Lambda = base.trial[i].Lambda;
+        trial.theta = log(trial.Lambda * state.previous[i].Lambda.conjugate());
+    }
+    const std::vector<Support>& all = varied.system.model().supports;
+    for (const Support& support : all) {
+        const auto node = static_cast<std::size_t>(support.node);
+        const NodeMotion& from = state.previous[node];
+        const auto still = [&](const Vec3& change, std::size_t first) {
+            Vec3 own = supports.axes(support.node).transpose() * change;
+            for (std::size_t i = 0; i < 3; ++i) {
+                if (supports.held(support.node)[first + i]) own[static_cast<Eigen::Index>(i)] = 0.0;
+            }
+            return Vec3(supports.axes(support.node) * own);
+        };
+        const HeldComponents& held = supports.held(support.node);
+        const Vec3 r = from.r + still(state.trial[node].r - from.r, 0);
+        // The axis about which a node can turn is held, where a single one is left.
+        const bool is_hinged = held[3] + held[4] + held[5] >= 2;
+        place(from,
+              r,
+              is_hinged ? still(state.trial[node].theta, 3) : state.trial[node].theta,
+              state.trial[node]);
+    }
+    supports.place(time, state);
+    if (Contacts(varied.system).are_possible()) {
+        // Obstacles do not move along, and gaps are small.
+        state.contact = {};
+        Contacts(varied.system).search(state);
+        check_gaps(time, varied);
+        return;
+    }
+    Vec3 shift = Vec3::Zero();
+    for (const Support& support : all) {
+        const auto node = static_cast<std::size_t>(support.node);
+        shift += (state.trial[node].r - base.trial[node].r) / static_cast<double>(all.size());
+    }
+    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+        const auto node = static_cast<int>(i);
+        const HeldComponents& held = supports.held(node);
+        Vec3 own = supports.axes(node).transpose() * shift;
+        for (int k = 0; k < 3; ++k) {
+            if (held[static_cast<std::size_t>(k)]) own[k] = 0.0;
+        }
+        state.trial[i].r += supports.axes(node) * own;
+    }
+}
 
 TangentLinearStep::TangentLinearStep(const System& base,
                                      const Integrator& integrator,
@@ -33,8 +111,12 @@ TangentLinearStep::TangentLinearStep(const System& base,
       base_system_(centre_.system),
       integrator_(integrator),
       newton_(newton),
+      contacts_(base_system_),
       workspace_(base_system_, linear_solver),
-      has_hidden_constraints_(gxrod::has_hidden_constraints(base) && !integrator.is_static()) {}
+      has_hidden_constraints_(gxrod::has_hidden_constraints(base) && !integrator.is_static()) {
+    if (integrator.resolves_contact()) resolve_contact(centre_.system);
+    if (workspace_.paired) workspace_.paired->solve_directly();
+}
 
 void TangentLinearStep::advance(const Stage& first_stage,
                                 const State& before,
@@ -54,7 +136,11 @@ void TangentLinearStep::advance(const Stage& first_stage,
     const bool is_known =
         integrator_.stage_count() == 1 && !has_hidden_constraints_ && base_system_.joints().empty();
     Stage stage = first_stage;
-    for (stage.index = 0; stage.index < integrator_.stage_count(); ++stage.index) {
+    if (const CoupledStages* scheme = integrator_.coupled()) {
+        solve_together(*scheme, first_stage, varied);
+        stage.index = integrator_.stage_count();
+    }
+    for (; stage.index < integrator_.stage_count(); ++stage.index) {
         release();
         if (integrator_.is_explicit()) {
             solve_stage_explicitly(stage, varied);
@@ -66,11 +152,14 @@ void TangentLinearStep::advance(const Stage& first_stage,
                 base_.carried_trial = after.carried_previous;
                 for (std::size_t i = 0; i < base_.trial.size(); ++i)
                     base_.trial[i].theta = log(base_.trial[i].Lambda * base_.previous[i].Lambda.conjugate());
-                if (is_settling_) update_trial_rates(base_system_, integrator_, stage, base_);
+                // Accepted accelerations are those without impulses.
+                if (is_settling_ || contacts_.are_impulses())
+                    update_trial_rates(base_system_, integrator_, stage, base_);
             } else {
                 check(solve_equilibrium({base_system_, integrator_, newton_}, stage, workspace_, base_),
                       "its equilibrium");
             }
+            place_contact(integrator_.stage_time(stage));
             hold(integrator_.stage_time(stage), varied);
             solve_stage(stage, varied);
         }
@@ -82,6 +171,7 @@ void TangentLinearStep::advance(const Stage& first_stage,
         meet_velocities(stage.end_time, step, varied);
         find_accelerations(stage.end_time, step, varied);
     }
+    split_contact(stage, varied);
     for (VariedSystem* one : varied) {
         one->ended = one->state;
         one->system.commit(one->state, after.time);
@@ -129,13 +219,42 @@ void TangentLinearStep::settle(const Stage& stage,
 void TangentLinearStep::solve_stage(const Stage& stage, std::span<VariedSystem* const> varied) {
     base_.resultants.clear();  // the consistent tangent
     compute_matrix(stage, base_system_, base_, workspace_.values);
-    EquilibriumReport report;
-    if (!factorize(base_system_, workspace_, report)) fail("the tangent is singular");
-    const bool is_last = stage.index + 1 == integrator_.stage_count();
-    for (VariedSystem* one : varied) {
-        follow_equilibrium(stage, *one);
-        if (is_last && has_hidden_constraints_) compute_matrix(stage, one->system, one->state, one->values);
+    linearizations_ = workspace_.linearizations;
+    if (workspace_.paired) {
+        workspace_.paired->start(contacts_.list_groups(base_));
+        workspace_.paired->set_values(
+            workspace_.values,
+            contacts_.compute_tangents(base_, integrator_.contact_weight(), linearizations_));
+        workspace_.is_paired = true;
     }
+    EquilibriumReport report;
+    const bool is_regular = factorize(base_system_, workspace_, report);
+    for (VariedSystem* one : varied) {
+        if (is_regular) follow_equilibrium(stage, *one);
+    }
+    workspace_.is_paired = false;
+    if (!is_regular) fail("the tangent is singular");
+    if (stage.index + 1 < integrator_.stage_count() || !has_hidden_constraints_) return;
+    if (workspace_.paired && !factorize(base_system_, workspace_, report)) fail("the tangent is singular");
+    for (VariedSystem* one : varied) {
+        check_gaps(integrator_.stage_time(stage), *one);
+        compute_matrix(stage, one->system, one->state, one->values);
+    }
+}
+
+void TangentLinearStep::place_contact(double time) {
+    if (!contacts_.are_possible()) return;
+    if (base_.contact.drag > 0.0) fail("rods that touch were braked so as not to gain energy");
+    base_.contact = {};
+    contacts_.search(base_);
+    // A drag of the step itself is not known anymore, but its force would be missing.
+    constexpr double balanced = 1e-6;
+    EquilibriumReport report;
+    ConstraintRequest request;
+    request.contact_weight = integrator_.contact_weight();
+    base_system_.compute_residual(base_, time, workspace_.residual, request);
+    measure_residual(base_system_, workspace_.residual, report);
+    if (report.residual > balanced) fail("rods that touch were braked so as not to gain energy");
 }
 
 void TangentLinearStep::compute_matrix(const Stage& stage,
@@ -149,84 +268,216 @@ void TangentLinearStep::compute_matrix(const Stage& stage,
     system.compute_tangent(state, integrator_.stage_time(stage), workspace_.linearizations, values, request);
 }
 
-// Where the base is, but for what supports hold, which is where the varied model has it. All else is moved by
-// the mean of what that changes, so that a model that is moved as a whole is not strained.
-void TangentLinearStep::place_next_to_base(double time, VariedSystem& varied) const {
-    State& state = varied.state;
-    const Supports& supports = varied.system.supports();
-    for (std::size_t i = 0; i < state.trial.size(); ++i) {
-        NodeMotion& trial = state.trial[i];
-        trial.r = base_.trial[i].r;
-        trial.Lambda = base_.trial[i].Lambda;
-        trial.theta = log(trial.Lambda * state.previous[i].Lambda.conjugate());
-    }
-    const std::vector<Support>& all = varied.system.model().supports;
-    for (const Support& support : all) {
-        const auto node = static_cast<std::size_t>(support.node);
-        const NodeMotion& from = state.previous[node];
-        const auto still = [&](const Vec3& change, std::size_t first) {
-            Vec3 own = supports.axes(support.node).transpose() * change;
-            for (std::size_t i = 0; i < 3; ++i) {
-                if (supports.held(support.node)[first + i]) own[static_cast<Eigen::Index>(i)] = 0.0;
-            }
-            return Vec3(supports.axes(support.node) * own);
-        };
-        const HeldComponents& held = supports.held(support.node);
-        const Vec3 r = from.r + still(state.trial[node].r - from.r, 0);
-        // The axis about which a node can turn is held, where a single one is left.
-        const bool is_hinged = held[3] + held[4] + held[5] >= 2;
-        place(from,
-              r,
-              is_hinged ? still(state.trial[node].theta, 3) : state.trial[node].theta,
-              state.trial[node]);
-    }
-    supports.place(time, state);
-    Vec3 shift = Vec3::Zero();
-    for (const Support& support : all) {
-        const auto node = static_cast<std::size_t>(support.node);
-        shift += (state.trial[node].r - base_.trial[node].r) / static_cast<double>(all.size());
-    }
-    for (std::size_t i = 0; i < state.trial.size(); ++i) {
-        const auto node = static_cast<int>(i);
-        const HeldComponents& held = supports.held(node);
-        Vec3 own = supports.axes(node).transpose() * shift;
-        for (int k = 0; k < 3; ++k) {
-            if (held[static_cast<std::size_t>(k)]) own[k] = 0.0;
-        }
-        state.trial[i].r += supports.axes(node) * own;
-    }
-}
-
 void TangentLinearStep::follow_equilibrium(const Stage& stage, VariedSystem& varied) {
     State& state = varied.state;
     const System& system = varied.system;
     integrator_.begin_stage(state, stage);
     const double time = integrator_.stage_time(stage);
-    place_next_to_base(time, varied);
+    place_next_to(base_, time, varied);
     for (std::size_t i = 0; i < state.joints_trial.size(); ++i)
         state.joints_trial[i].multipliers = base_.joints_trial[i].multipliers;
     update_trial_rates(system, integrator_, stage, state);
 
     ConstraintRequest request = find_request(base_system_, integrator_, stage);
     if (request.level != ConstraintLevel::position)
-        request.factor = 1.0 / workspace_.linearizations.front().acceleration;
-    for (int i = 0; i < count_iterations(request); ++i) {
+        request.factor = 1.0 / linearizations_.front().acceleration;
+    const bool refines = is_linear(request);
+    constexpr int otherwise = 3;
+    for (int i = 0; i < (refines ? 1 : otherwise); ++i) {
+        if (i > 0) check_gaps(time, varied);
         system.compute_residual(state, time, workspace_.residual, request);
-        iterate(system, state);
-        update_trial_rates(system, integrator_, stage, state);
+        iterate(system, state, refines);
+        if (advances_rates()) {
+            advance_rates(stage, system, state);
+        } else {
+            update_trial_rates(system, integrator_, stage, state);
+        }
     }
 }
 
-int TangentLinearStep::count_iterations(const ConstraintRequest& request) const {
-    if (base_system_.joints().empty() && !centre_.held.has_kinks()) return 1;
-    return request.level == ConstraintLevel::position && !centre_.held.has_kinks() ? 2 : 3;
+// Where the scheme carries more than rates, or nothing has any, they are the scheme's own.
+bool TangentLinearStep::advances_rates() const {
+    return !is_settling_ && !integrator_.is_static() && integrator_.carried_count() == 0 &&
+           base_system_.model().has_inertia;
+}
+
+void TangentLinearStep::advance_rates(const Stage& stage, const System& system, State& state) const {
+    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+        const NodeLinearization& by = linearizations_[i];
+        const Vec6& increment = workspace_.increments[i];
+        NodeMotion& trial = state.trial[i];
+        trial.v += by.rate * increment.head<3>();
+        trial.a += by.acceleration * increment.head<3>();
+        trial.omega += by.d_omega * increment.tail<3>();
+        trial.alpha += by.d_alpha * increment.tail<3>();
+    }
+    system.supports().set_rates(
+        integrator_.stage_time(stage), {stage.step_time, stage.time_step}, state.trial);
+}
+
+void TangentLinearStep::solve_together(const CoupledStages& scheme,
+                                       const Stage& step,
+                                       std::span<VariedSystem* const> varied) {
+    release();
+    check(solve_coupled_step(base_system_, scheme, newton_, step, workspace_, base_), "its stages");
+    StagesOfStep stages{
+        base_system_, scheme, step, base_, workspace_.coupled->asks_for_positions, base_contacts_};
+    base_contacts_.clear();
+    if (contacts_.are_possible()) {
+        base_contacts_.resize(stages.count());
+        for (std::size_t j = 0; j < stages.count(); ++j)
+            stages.with_stage(j, [&] { contacts_.search(base_); });
+    }
+    if (!exact_)
+        exact_ = std::make_unique<ExactMatrix>(base_system_, scheme, workspace_.linear_solver->kind());
+    if (!exact_->factorize(stages, workspace_)) fail("the tangent of its stages is singular");
+    const std::size_t count = stages.count();
+    stage_linearizations_.resize(count * count);
+    for (std::size_t i = 0; i < count * count; ++i)
+        scheme.linearize(base_,
+                         step.time_step,
+                         static_cast<int>(i / count),
+                         static_cast<int>(i % count),
+                         stage_linearizations_[i],
+                         base_system_.team());
+    for (VariedSystem* one : varied) follow_stages(stages, *one);
+    base_.contact = {};
+    base_.trial_time = step.end_time;
+    contacts_.search(base_);
+    if (scheme.ends_with_stage() && !has_hidden_constraints_) return;
+    const TimeSpan span{step.step_time, step.time_step};
+    const auto place = [&](const System& system, State& state) {
+        system.supports().place(step.end_time, state);
+        system.supports().set_rates(step.end_time, span, state.trial);
+    };
+    place(base_system_, base_);
+    for (VariedSystem* one : varied) place(one->system, one->state);
+    find_accelerations(step.end_time, span, varied);
+    if (has_hidden_constraints_) meet_positions(step.end_time, varied);
+}
+
+// Newton's method with the matrix of the base, whose equations of joints are those of positions.
+void TangentLinearStep::follow_stages(const StagesOfStep& base, VariedSystem& varied) {
+    State& state = varied.state;
+    const System& system = varied.system;
+    varied_contacts_.assign(base_contacts_.size(), {});
+    const StagesOfStep stages{
+        system, base.scheme, base.step, state, base.asks_for_positions, varied_contacts_};
+    state.stage_motions = base_.stage_motions;
+    state.stage_joints.assign(stages.count(), state.joints_previous);
+    for (std::size_t j = 0; j < stages.count(); ++j) {
+        for (std::size_t i = 0; i < state.joints_previous.size(); ++i)
+            state.stage_joints[j][i].multipliers = base_.stage_joints[j][i].multipliers;
+        base.with_stage(
+            j, [&] { stages.with_stage(j, [&] { place_next_to(base_, stages.time_of(j), varied); }); });
+    }
+    const auto set_rates = [&] {
+        for (std::size_t j = 0; j < stages.count(); ++j)
+            system.supports().set_rates(stages.time_of(j), stages.span(), state.stage_motions[j]);
+    };
+    base.scheme.update_stages(state, base.step, system.team());
+    set_rates();
+    std::vector<Residual> residuals(stages.count());
+    std::vector<Eigen::VectorXd> solutions;
+    std::vector<std::vector<Vec6>> increments(stages.count());
+    constexpr int with_joints = 8;
+    const int iterations = system.joints().empty() ? 1 : base.asks_for_positions ? 2 : with_joints;
+    for (int iteration = 0; iteration < iterations; ++iteration) {
+        for (std::size_t j = 0; j < stages.count(); ++j) {
+            stages.with_stage(j, [&] {
+                if (iteration > 0) check_gaps(stages.time_of(j), varied);
+                system.compute_residual(state, stages.time_of(j), residuals[j], stages.request());
+            });
+        }
+        const std::vector<std::vector<double>> rows = stages.convert_rows(residuals);
+        for (std::size_t j = 0; j < stages.count(); ++j) residuals[j].rows = rows[j];
+        exact_->solve(stages, residuals, workspace_, solutions);
+        for (std::size_t j = 0; j < stages.count(); ++j) {
+            if (!solutions[j].allFinite()) fail("a solution is not finite");
+            increments[j].resize(state.previous.size());
+            for (std::size_t i = 0; i < state.previous.size(); ++i)
+                increments[j][i] = system.equations().increment_of(static_cast<int>(i), solutions[j]);
+            stages.with_stage(j, [&] {
+                system.joints().advance_multipliers(increments[j], solutions[j], exact_->values_of(j), state);
+                for (std::size_t i = 0; i < state.trial.size(); ++i)
+                    apply_spin(state.previous[i],
+                               increments[j][i].head<3>(),
+                               increments[j][i].tail<3>(),
+                               state.trial[i]);
+            });
+        }
+        advance_stage_rates(increments, state);
+        set_rates();
+    }
+    base.scheme.end_step(state, base.step, system.team());
+    state.joints_trial = state.stage_joints.back();
+    if (!varied_contacts_.empty()) state.contact = varied_contacts_.back();
+}
+
+// As advance_rates, of all stages.
+void TangentLinearStep::advance_stage_rates(const std::vector<std::vector<Vec6>>& increments,
+                                            State& state) const {
+    for (std::size_t j = 0; j < increments.size(); ++j) {
+        for (std::size_t k = 0; k < increments.size(); ++k) {
+            for (std::size_t i = 0; i < state.previous.size(); ++i) {
+                const NodeLinearization& by = stage_linearizations_[j * increments.size() + k][i];
+                NodeMotion& motion = state.stage_motions[j][i];
+                motion.v += by.rate * increments[k][i].head<3>();
+                motion.a += by.acceleration * increments[k][i].head<3>();
+                motion.omega += by.d_omega * increments[k][i].tail<3>();
+                motion.alpha += by.d_alpha * increments[k][i].tail<3>();
+            }
+        }
+    }
+}
+
+// As split_contact of solve_step.
+void TangentLinearStep::split_contact(const Stage& stage, std::span<VariedSystem* const> varied) {
+    if (integrator_.is_static() || !base_system_.model().has_inertia || !contacts_.are_impulses() ||
+        !contacts_.have_forces(base_, stage.end_time))
+        return;
+    std::vector<std::vector<Vec6>> shocked;
+    for (const VariedSystem* one : varied) {
+        std::vector<Vec6>& accelerations = shocked.emplace_back(one->state.trial.size());
+        for (std::size_t i = 0; i < accelerations.size(); ++i)
+            accelerations[i] << one->state.trial[i].a, one->state.trial[i].alpha;
+    }
+    find_accelerations(stage.end_time, {stage.step_time, stage.time_step}, varied);
+    for (std::size_t i = 0; i < varied.size(); ++i)
+        integrator_.split_impulses(varied[i]->state, stage, shocked[i]);
+}
+
+bool TangentLinearStep::has_reproduced(const State& after) const {
+    constexpr double same = 1e-6;  // of the largest velocity
+    if (!contacts_.are_possible() || integrator_.is_static()) return true;
+    const double length = base_system_.length_scale();
+    double speed = 0.0, difference = 0.0;
+    for (std::size_t i = 0; i < after.previous.size(); ++i) {
+        const NodeMotion &here = centre_.state.previous[i], &there = after.previous[i];
+        speed = std::max({speed, there.v.norm(), length * there.omega.norm()});
+        difference =
+            std::max({difference, (here.v - there.v).norm(), length * (here.omega - there.omega).norm()});
+    }
+    return difference <= same * speed;
+}
+
+bool TangentLinearStep::is_linear(const ConstraintRequest& request) const {
+    return request.level == ConstraintLevel::position &&
+           (contacts_.are_possible() || !centre_.held.has_kinks());
 }
 
 // Of the residual in the workspace.
-void TangentLinearStep::iterate(const System& system, State& state) {
+void TangentLinearStep::iterate(const System& system, State& state, bool refines) {
     const Eigen::VectorXd residual = gather_residual(system, workspace_.residual, workspace_.values);
     EquilibriumReport report;
     if (!solve_increment(system, residual, workspace_, report)) fail("a solution is not finite");
+    if (refines && !system.joints().empty()) {
+        const Eigen::VectorXd found = workspace_.vector;
+        if (!solve_increment(
+                system, -take_regularization(base_system_, workspace_.values, found), workspace_, report))
+            fail("a solution is not finite");
+        workspace_.vector += found;
+    }
     workspace_.increments.resize(state.trial.size());
     for (std::size_t i = 0; i < state.trial.size(); ++i)
         workspace_.increments[i] = system.equations().increment_of(static_cast<int>(i), workspace_.vector);
@@ -259,13 +510,20 @@ void TangentLinearStep::find_accelerations(double time,
     release();
     check(solve_accelerations(base_system_, time, step, workspace_, base_), "its accelerations");
     hold(time, varied);
-    const ConstraintRequest request{ConstraintLevel::acceleration, step};
+    const ConstraintRequest request = request_accelerations(step);
+    const bool is_projected = integrator_.is_explicit() || integrator_.coupled() != nullptr;
     for (VariedSystem* one : varied) {
         follow_accelerations(time, step, *one);
-        if (!has_hidden_constraints_ || !integrator_.is_explicit()) continue;
+        if (!has_hidden_constraints_ || !is_projected) continue;
         one->system.compute_tangent(
             one->state, time, mass_linearizations(one->state.trial.size()), one->values, request);
     }
+}
+
+ConstraintRequest TangentLinearStep::request_accelerations(const TimeSpan& step) const {
+    ConstraintRequest request{ConstraintLevel::acceleration, step};
+    if (contacts_.are_impulses()) request.contact_weight = 0.0;
+    return request;
 }
 
 void TangentLinearStep::follow_accelerations(double time, const TimeSpan& step, VariedSystem& varied) {
@@ -280,7 +538,7 @@ void TangentLinearStep::follow_accelerations(double time, const TimeSpan& step, 
     system.supports().set_rates(time, step, state.trial);
     EquilibriumReport report;
     for (int i = 0; i <= count_corrections(base_system_); ++i) {
-        system.compute_residual(state, time, workspace_.residual, {ConstraintLevel::acceleration, step});
+        system.compute_residual(state, time, workspace_.residual, request_accelerations(step));
         const Eigen::VectorXd residual = gather_residual(system, workspace_.residual, workspace_.values);
         if (!solve_increment(system, residual, workspace_, report)) fail("a solution is not finite");
         add_accelerations(system, workspace_, state);

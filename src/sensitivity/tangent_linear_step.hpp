@@ -3,10 +3,12 @@
 #include <span>
 #include <vector>
 
+#include "assembly/contact/contacts.hpp"
 #include "assembly/system.hpp"
 #include "integrators/integrator.hpp"
 #include "sensitivity/held_friction.hpp"
 #include "sensitivity/held_model.hpp"
+#include "solvers/coupled/exact_matrix.hpp"
 #include "solvers/equilibrium.hpp"
 
 namespace gxrod {
@@ -27,6 +29,15 @@ struct VariedSystem {
     // Joints and law memory of State at the start of stages.
     std::vector<double> memory_before;
 };
+
+// Returns the part of the matrix with these values, times a vector, that is the regularization of joints: the
+// equations of joints themselves are without it.
+Eigen::VectorXd take_regularization(const System& system,
+                                    const std::vector<double>& values,
+                                    const Eigen::VectorXd& vector);
+
+// Sets the trial motions of a varied system to those of the base at `time`, but for what its supports hold.
+void place_next_to(const State& base, double time, VariedSystem& varied);
 
 // Repeats a step of an analysis together with the same step of varied systems. For each equation that the
 // analysis solves, they solve their own by one Newton iteration from the analysis' solution with its matrix
@@ -55,6 +66,10 @@ class TangentLinearStep {
                 const State& after,
                 std::span<VariedSystem* const> varied);
 
+    // Whether the step repeated here ended with these velocities. If not, energy was taken from them when it
+    // was accepted.
+    bool has_reproduced(const State& after) const;
+
     LinearSolverKind linear_solver() const { return workspace_.linear_solver->kind(); }
     // Return the analysis itself after the same step as the varied systems, and the pieces of its laws at the
     // end.
@@ -68,19 +83,34 @@ class TangentLinearStep {
     void hold(double time, std::span<VariedSystem* const> varied);
     void solve_stage(const Stage& stage, std::span<VariedSystem* const> varied);
     void solve_stage_explicitly(const Stage& stage, std::span<VariedSystem* const> varied);
+    // Solves all stages of a step that are found together.
+    void solve_together(const CoupledStages& scheme,
+                        const Stage& step,
+                        std::span<VariedSystem* const> varied);
+    void follow_stages(const StagesOfStep& base, VariedSystem& varied);
+    // Finds accelerations without contact after a step with impulses.
+    void split_contact(const Stage& stage, std::span<VariedSystem* const> varied);
+    // Takes the base as it is found, with the pairs of pieces that are near, as the place of tangents.
+    void place_contact(double time);
     // Finds accelerations; the varied systems have the matrices of the equilibrium.
     void find_accelerations(double time, const TimeSpan& step, std::span<VariedSystem* const> varied);
     void meet_positions(double time, std::span<VariedSystem* const> varied);
     void meet_velocities(double time, const TimeSpan& step, std::span<VariedSystem* const> varied);
 
-    void place_next_to_base(double time, VariedSystem& varied) const;
     // Solves the equilibrium of one varied system from the solution of base_.
     void follow_equilibrium(const Stage& stage, VariedSystem& varied);
-    // Counts the solutions with the one matrix. Joints need more for their regularization, and for rates of
-    // their equations, which the matrix of accelerations leaves out; laws that yield because their response
-    // is strongly curved.
-    int count_iterations(const ConstraintRequest& request) const;
-    void iterate(const System& system, State& state);
+    // Whether one solution with the matrix is enough, refined where joints are regularized: it is linear in
+    // the residual, and no gap of contact closes. Others take more, for rates of the equations of joints,
+    // which the matrix of accelerations leaves out, and for laws that yield because their response is
+    // strongly curved.
+    bool is_linear(const ConstraintRequest& request) const;
+    void iterate(const System& system, State& state, bool refines);
+    // Moves rates with the increments of an iteration, to first order. Rates from positions would have the
+    // rounding of these over Δt², and stages pass it on.
+    void advance_rates(const Stage& stage, const System& system, State& state) const;
+    bool advances_rates() const;
+    void advance_stage_rates(const std::vector<std::vector<Vec6>>& increments, State& state) const;
+    ConstraintRequest request_accelerations(const TimeSpan& step) const;
     void follow_accelerations(double time, const TimeSpan& step, VariedSystem& varied);
     // Applies `total`, the solution of the base's projection, and corrects it: compute_rows(rows) finds the
     // equations, move(node, increment) moves a node.
@@ -98,8 +128,14 @@ class TangentLinearStep {
     const System& base_system_;
     const Integrator& integrator_;
     const NewtonSettings& newton_;
+    Contacts contacts_;
     SolverWorkspace workspace_;
     bool has_hidden_constraints_;
+    std::vector<NodeLinearization> linearizations_;  // of the base at the present stage
+    // Of stage j by stage k, one row after the other.
+    std::vector<std::vector<NodeLinearization>> stage_linearizations_;
+    std::unique_ptr<ExactMatrix> exact_;                         // of stages that are found together
+    std::vector<ContactTrial> base_contacts_, varied_contacts_;  // of these stages
     bool is_settling_ = false;
     State base_;
     std::vector<double> memory_before_;

@@ -234,3 +234,77 @@ def test_the_adjoint_is_there_for_equilibria(sim):
         bend.adjoint({"tip.displacement": [0, 0, 1]}, ["EJ"])
     with pytest.raises(gxrod.UnknownNameError):
         bend.adjoint({"tip.place": [0, 0, 1]}, ["EI"])
+
+
+# Of all stages.
+
+STAGES = """gravity = [0, 0, -9.81]
+[parameters]
+EI = 6.0
+F = 3.0
+hang = 0.4
+rho = 1.0
+[section.s]
+stiffness = { EA = 1e3, GAy = 1e3, GAz = 1e3, GJ = 5, EIy = "EI", EIz = 7 }
+inertia = { rhoA = "rho", rhoJ = 0.2, rhoIy = 0.1, rhoIz = 0.1 }
+damping = { kelvin_voigt = 0.02 }
+[rod.r]
+section = "s"
+line = { from = [0, 0, 0], to = [2, 0, 0] }
+elements = 4
+element = "ELEMENT"
+[body.b]
+mass = "hang"
+inertia = [0.1, 0.2, 0.2]
+at = [2, 0, 0]
+[joint.pin]
+type = "hinge"
+between = ["r.end", "b"]
+axis = [0, 1, 0]
+spring = { stiffness = 3 }
+[[support]]
+at = "r.start"
+fix = "all"
+[[stage]]
+name = "bend"
+kind = "static"
+steps = 3
+newton = { tolerance = 1e-12 }
+[[stage]]
+name = "swing"
+kind = "dynamic"
+end_time = 0.2
+time_step = 0.02
+integrator = "INTEGRATOR"
+newton = { tolerance = 1e-12 }
+[[stage]]
+name = "on"
+kind = "dynamic"
+end_time = 0.1
+time_step = 0.02
+newton = { tolerance = 1e-12 }
+[[load]]
+at = "r.end"
+force = [0, "F", 0]
+[[load]]
+at = "r.end"
+force = [0, 0, "F"]
+factor = { on = "sin(9*t)" }
+[[support]]
+at = "r@0.5"
+fix = "z"
+stages = ["bend"]
+[[history]]
+name = "tip"
+at = "r.end"
+quantities = ["position", "velocity", "moment"]
+"""
+
+
+@pytest.mark.parametrize("element", ["objective", "simo"])
+@pytest.mark.parametrize("integrator", ["newmark-simplified", "generalized-alpha", "sdirk-4", "radau-5"])
+def test_derivatives_go_through_all_stages(element, integrator):
+    deck = gxrod.Deck.from_text(STAGES.replace("ELEMENT", element).replace("INTEGRATOR", integrator))
+    for quantity in ("tip.position", "tip.velocity"):
+        for row in gxrod.check_gradient(deck, ["EI", "F", "hang", "rho"], quantity, step=2e-3):
+            assert row["distance"] < 1e-7, (quantity, row)

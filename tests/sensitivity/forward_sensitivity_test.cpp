@@ -40,19 +40,30 @@ Eigen::VectorXd run_with(const std::string& deck, const std::string& name, doubl
     return list_end(simulation.analysis().state(), has_rates);
 }
 
-Eigen::VectorXd extrapolate(const std::string& deck, const std::string& name, bool has_rates) {
+// Steps relative to a number: of differences of whole runs, and of the models next to the analysed one.
+struct Steps {
+    double whole_runs = 1e-2, models = 5e-4;
+};
+
+Eigen::VectorXd extrapolate(const std::string& deck,
+                            const std::string& name,
+                            bool has_rates,
+                            const Steps& steps) {
     const double p = value_of(deck, name);
     const auto difference = [&](double h) -> Eigen::VectorXd {
         return (run_with(deck, name, p + h, has_rates) - run_with(deck, name, p - h, has_rates)) / (2.0 * h);
     };
-    const double h = 1e-2 * p;
+    const double h = steps.whole_runs * std::abs(p);
     const Eigen::VectorXd coarse = difference(h), middle = difference(0.5 * h), fine = difference(0.25 * h);
     return (64.0 * fine - 20.0 * middle + coarse) / 45.0;
 }
 
-Eigen::VectorXd carry_along(const std::string& deck, const std::string& name, bool has_rates) {
+Eigen::VectorXd carry_along(const std::string& deck,
+                            const std::string& name,
+                            bool has_rates,
+                            const Steps& steps) {
     const Problem base = read(deck);
-    const Variation varied(deck, name);
+    const Variation varied(deck, name, steps.models);
     SteppedRun simulation(request_of(base));
     REQUIRE(simulation.start());
     Sensitivities sensitivities(simulation.analysis(), base.analysis(), {varied.models()});
@@ -62,6 +73,7 @@ Eigen::VectorXd carry_along(const std::string& deck, const std::string& name, bo
         REQUIRE(simulation.step());
         sensitivities.advance();
     }
+    CHECK(sensitivities.by(0).kink().empty());
     const StateDirection::OfNode& node = sensitivities.by(0).direction().nodes[tip];
     Eigen::VectorXd derivative(has_rates ? 12 : 3);
     derivative.head<3>() = node.r;
@@ -72,11 +84,12 @@ Eigen::VectorXd carry_along(const std::string& deck, const std::string& name, bo
 void check_all(const std::string& deck,
                const std::vector<std::string>& names,
                bool has_rates,
-               double tolerance) {
+               double tolerance,
+               const Steps& steps = {}) {
     for (const std::string& name : names) {
         INFO(name);
-        const Eigen::VectorXd expected = extrapolate(deck, name, has_rates);
-        const Eigen::VectorXd derivative = carry_along(deck, name, has_rates);
+        const Eigen::VectorXd expected = extrapolate(deck, name, has_rates, steps);
+        const Eigen::VectorXd derivative = carry_along(deck, name, has_rates, steps);
         for (Eigen::Index i = 0; i < expected.size(); i += 3) {
             CAPTURE(i);
             // Round-off of accelerations is that of positions over Δt².
@@ -87,8 +100,11 @@ void check_all(const std::string& deck,
     }
 }
 
-// Stages have more round-off: those of a quarter of Δt divide it by their square.
-constexpr double with_stages = 1e-7;
+// Whole runs by an explicit scheme and of creep have more round-off.
+constexpr double with_round_off = 1e-7;
+// Newton's tolerance shows in differences of whole runs by schemes of several stages, the more the smaller
+// their steps.
+const Steps of_stages{.whole_runs = 2e-2};
 const std::vector<std::string> all_names{"EI", "rho", "F", "L", "c", "angle"};
 
 }  // namespace
@@ -99,17 +115,19 @@ TEST_CASE("derivatives of motions are those of whole runs", "[sensitivity]") {
     check_all(with_integrator(make_carried(), scheme), all_names, true, 1e-8);
 }
 
-TEST_CASE("derivatives of motions by a scheme of several stages are those of whole runs", "[sensitivity]") {
-    check_all(with_integrator(make_carried(), "sdirk-4"), all_names, true, with_stages);
+TEST_CASE("derivatives of motions by schemes of several stages are those of whole runs", "[sensitivity]") {
+    const std::string scheme = GENERATE("sdirk-4", "radau-5", "gauss-4");
+    INFO(scheme);
+    check_all(with_integrator(make_carried(), scheme), all_names, true, 1e-8, of_stages);
 }
 
 TEST_CASE("derivatives of motions by an explicit scheme are those of whole runs", "[sensitivity]") {
-    check_all(as_explicit(make_carried()), {"EI", "rho", "L"}, true, with_stages);
+    check_all(as_explicit(make_carried()), {"EI", "rho", "L"}, true, with_round_off);
 }
 
 TEST_CASE("derivatives of creep are those of whole runs", "[sensitivity]") {
     const std::string deck = replaced(make_carried(), "kind = \"dynamic\"", "kind = \"quasi-static\"");
-    check_all(deck, {"EI", "F", "L", "c"}, false, with_stages);
+    check_all(deck, {"EI", "F", "L", "c"}, false, with_round_off);
 }
 
 TEST_CASE("derivatives of motions of mechanisms are those of whole runs", "[sensitivity]") {
@@ -118,16 +136,14 @@ TEST_CASE("derivatives of motions of mechanisms are those of whole runs", "[sens
     check_all(with_integrator(swinging_rod + hinged_end, scheme), {"EI", "rho", "L", "angle"}, true, 1e-8);
 }
 
-TEST_CASE("derivatives of mechanisms by a scheme of several stages are those of whole runs",
-          "[sensitivity]") {
-    check_all(with_integrator(swinging_rod + hinged_end, "sdirk-4"),
-              {"EI", "rho", "L", "angle"},
-              true,
-              with_stages);
+TEST_CASE("derivatives of mechanisms by schemes of several stages are those of whole runs", "[sensitivity]") {
+    const std::string scheme = GENERATE("sdirk-4", "radau-5", "gauss-4");
+    INFO(scheme);
+    check_all(with_integrator(swinging_rod + hinged_end, scheme), {"EI", "rho", "L", "angle"}, true, 1e-8);
 }
 
 TEST_CASE("derivatives of mechanisms by an explicit scheme are those of whole runs", "[sensitivity]") {
-    check_all(as_explicit(swinging_rod + hinged_end), {"EI", "rho", "L"}, true, with_stages);
+    check_all(as_explicit(swinging_rod + hinged_end), {"EI", "rho", "L"}, true, with_round_off);
 }
 
 TEST_CASE("derivatives of motions of elements with memory and of higher order", "[sensitivity]") {
@@ -144,6 +160,112 @@ TEST_CASE("derivatives of motions of sections that remember", "[sensitivity]") {
     };
     check_all(with_law("viscoelastic = { prony = [[0.5, 0.1], [0.2, 2]] }"), {"EI", "rho", "L"}, true, 1e-8);
     check_all(with_law("plastic = { yield = { Mz = 0.3 }, kinematic = 0.3 }"), {"EI", "F"}, true, 1e-8);
+}
+
+TEST_CASE("derivatives of sections that remember by schemes of several stages", "[sensitivity]") {
+    const std::string scheme = GENERATE("sdirk-4", "radau-5", "gauss-4");
+    INFO(scheme);
+    const std::string law = "law = { viscoelastic = { prony = [[0.5, 0.1], [0.2, 2]] } }\n[rod.r]";
+    check_all(with_integrator(replaced(make_carried(), "[rod.r]", law), scheme),
+              {"EI", "rho", "L"},
+              true,
+              1e-8,
+              of_stages);
+    check_all(
+        with_integrator(replaced(make_carried(), "elements = 4", "elements = 4\nelement = \"simo\""), scheme),
+        {"EI", "L"},
+        true,
+        1e-8,
+        of_stages);
+}
+
+TEST_CASE("derivatives of sections that yield are refused by stages that are found together",
+          "[sensitivity]") {
+    const Problem base = read(with_integrator(
+        replaced(make_carried(), "[rod.r]", "law = { plastic = { yield = { Mz = 0.3 } } }\n[rod.r]"),
+        "radau-5"));
+    SteppedRun simulation(request_of(base));
+    REQUIRE(simulation.start());
+    CHECK_THROWS_WITH(Sensitivities(simulation.analysis(), base.analysis(), {vary(base, base)}),
+                      Contains("take integrator \"sdirk-4\""));
+}
+
+namespace {
+
+// A cantilever that falls onto a floor; with `hinge` a ball hangs at its end.
+std::string make_touching(const std::string& analysis, bool has_hinge = false) {
+    const std::string ball = has_hinge ? R"([body.b]
+mass = 0.5
+inertia = [0.01, 0.02, 0.02]
+at = ["L", 0, 0]
+sphere = { radius = 0.12 }
+[joint.pin]
+type = "hinge"
+between = ["r.end", "b"]
+axis = [0, 1, 0]
+spring = { stiffness = 3 }
+)"
+                                       : "";
+    return R"(gravity = [0, 0, -9.81]
+[parameters]
+EI = 6
+rho = 1.2
+F = 3
+L = 2
+floor = -0.3
+[section.s]
+stiffness = { EA = 1e3, GAy = 1e3, GAz = 1e3, GJ = 5, EIy = "EI", EIz = 7 }
+inertia = { rhoA = "rho", rhoJ = 0.2, rhoIy = 0.1, rhoIz = 0.1 }
+damping = { kelvin_voigt = 0.02, mass_proportional = 0.1 }
+radius = 0.1
+[rod.r]
+section = "s"
+line = { from = [0, 0, 0], to = ["L", 0, 0] }
+elements = 4
+[[support]]
+at = "r.start"
+fix = "all"
+[[load]]
+at = "r.end"
+force = [0, "F*t", 0]
+[obstacle.floor]
+plane = { point = [0, 0, "floor"], normal = [0, 0, 1] }
+[contact]
+)" + ball + "[analysis]\nnewton = { tolerance = 1e-12 }\n" +
+           analysis;
+}
+
+// Gaps bound both steps: of runs, which must not open others, and of models, if they move the floor.
+constexpr Steps next_to_floor{.whole_runs = 1e-4};
+constexpr Steps of_floor{.whole_runs = 3e-5, .models = 7e-7};
+
+}  // namespace
+
+TEST_CASE("derivatives of what lies on an obstacle are those of whole runs", "[sensitivity]") {
+    const bool has_hinge = GENERATE(false, true);
+    CAPTURE(has_hinge);
+    const std::string deck = make_touching("kind = \"static\"\nsteps = 20\n", has_hinge);
+    check_all(deck, {"EI", "F", "L"}, false, 1e-8, next_to_floor);
+    check_all(deck, {"floor"}, false, 1e-8, of_floor);
+}
+
+TEST_CASE("derivatives of impacts are those of whole runs", "[sensitivity]") {
+    const bool has_hinge = GENERATE(false, true);
+    CAPTURE(has_hinge);
+    const std::string deck = make_touching(
+        fmt::format("kind = \"dynamic\"\ntime_step = 0.01\nend_time = {}\n", has_hinge ? 0.36 : 0.6),
+        has_hinge);
+    check_all(deck, {"EI", "rho", "L"}, true, 1e-7, next_to_floor);
+    check_all(deck, {"floor"}, true, 1e-7, of_floor);
+}
+
+TEST_CASE("contact with friction has no derivatives", "[sensitivity]") {
+    const Problem base =
+        read(replaced(make_touching("kind = \"static\"\n"), "[contact]", "friction = 0.2\n[contact]"));
+    SteppedRun simulation(request_of(base));
+    REQUIRE(simulation.start());
+    CHECK_THROWS_WITH(Sensitivities(simulation.analysis(), base.analysis(), {vary(base, base)}),
+                      Contains("contact with friction"));
 }
 
 TEST_CASE("derivatives of equilibria of mechanisms are those of whole runs", "[sensitivity]") {
@@ -164,8 +286,11 @@ TEST_CASE("derivatives by numbers that move a support are those of whole runs", 
                                       "from = [\"0.3*L\", 0, 0], to = [\"0.3*L + L*cos(angle)\"");
     check_all(as_static(deck), {"L"}, false, 1e-8);
     check_all(deck, {"L"}, true, 1e-8);
-    check_all(with_integrator(deck, "sdirk-4"), {"L"}, true, with_stages);
-    check_all(as_explicit(deck), {"L"}, true, with_stages);
+    for (const char* scheme : {"sdirk-4", "radau-5", "gauss-4"}) {
+        INFO(scheme);
+        check_all(with_integrator(deck, scheme), {"L"}, true, 1e-8);
+    }
+    check_all(as_explicit(deck), {"L"}, true, with_round_off);
 }
 
 TEST_CASE("what cannot be differentiated is refused", "[sensitivity]") {
