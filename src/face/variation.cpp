@@ -71,6 +71,8 @@ std::pair<std::string, double> find_number(const Deck& deck, const std::string& 
 // Of the skin, by which a step of a number moves surfaces that touch: forces of contact are smooth on the
 // scale of the gap alone, and impacts leave a small part of the skin.
 constexpr double part_of_skin = 3e-5;
+// And by which it moves nodes, which equilibria then move back.
+constexpr double part_of_skin_of_nodes = 5e-2;
 
 double find_skin(const Model& model) {
     double radius = std::numeric_limits<double>::infinity();
@@ -107,11 +109,14 @@ double find_shift(const Obstacle& a, const Obstacle& b, double extent, double en
     return shift + moved;
 }
 
-// Bounds by how much surfaces that can touch differ.
-double find_shift(const Problem& a, const Problem& b) {
+// Bounds by how much surfaces that can touch and nodes differ, relative to what is small enough.
+double find_excess(const Problem& a, const Problem& b) {
     const Contact &one = a.model.contact, &other = b.model.contact;
-    double extent = 0.0, shift = 0.0;
-    for (const Node& node : a.model.nodes) extent = std::max(extent, node.position.norm());
+    double extent = 0.0, shift = 0.0, moved = 0.0;
+    for (std::size_t i = 0; i < std::min(a.model.nodes.size(), b.model.nodes.size()); ++i) {
+        extent = std::max(extent, a.model.nodes[i].position.norm());
+        moved = std::max(moved, (a.model.nodes[i].position - b.model.nodes[i].position).norm());
+    }
     for (std::size_t i = 0; i < std::min(one.radii.size(), other.radii.size()); ++i)
         shift = std::max(shift, std::abs(one.radii[i] - other.radii[i]));
     for (std::size_t i = 0; i < std::min(one.bodies.size(), other.bodies.size()); ++i) {
@@ -124,7 +129,7 @@ double find_shift(const Problem& a, const Problem& b) {
         if (one.obstacles[i].shape.index() == other.obstacles[i].shape.index())
             shift = std::max(shift, find_shift(one.obstacles[i], other.obstacles[i], extent, end_time));
     }
-    return shift;
+    return 0.5 * std::max(shift / part_of_skin, moved / part_of_skin_of_nodes) / find_skin(a.model);
 }
 
 }  // namespace
@@ -135,9 +140,9 @@ VariedNumber vary(const Deck& deck, const std::string& number) {
     const auto build = [&](double steps) { return Deck(deck).set(key, value + steps * step).build(); };
     Problem up = build(1.0), down = build(-1.0);
     if (!up.model.contact.is_empty()) {
-        const double shift = find_shift(up, down), most = 2.0 * part_of_skin * find_skin(up.model);
-        if (shift > most) {
-            step *= most / shift;
+        const double excess = find_excess(up, down);
+        if (excess > 1.0) {
+            step /= excess;
             up = build(1.0);
             down = build(-1.0);
         }

@@ -308,3 +308,158 @@ def test_derivatives_go_through_all_stages(element, integrator):
     for quantity in ("tip.position", "tip.velocity"):
         for row in gxrod.check_gradient(deck, ["EI", "F", "hang", "rho"], quantity, step=2e-3):
             assert row["distance"] < 1e-7, (quantity, row)
+
+
+# Of contact.
+
+BALL = """gravity = [0, 0, -9.81]
+[parameters]
+v = 0.7
+obstacle = 0.3
+[body.ball]
+mass = 0.5
+inertia = [5e-4, 5e-4, 5e-4]
+at = [0.05, 0, 0.4]
+sphere = { radius = 0.05, force = 40 }
+[obstacle.o]
+sphere = { centre = [0, 0, 0], radius = "obstacle" }
+[spring.s]
+between = ["ground", "ball"]
+at_a = [0, 0, 0.9]
+stiffness = 30
+damping = 2
+[contact]
+[[initial]]
+on = "ball"
+velocity = ["v", 0.1, -1]
+[analysis]
+kind = "dynamic"
+end_time = 0.12
+time_step = 0.002
+newton = { tolerance = 1e-13 }
+[[history]]
+name = "tip"
+at = "ball"
+quantities = ["position", "velocity"]
+"""
+
+
+@pytest.mark.parametrize("integrator, damping, by_speed, by_obstacle", [
+    ("newmark-simplified", 0, 3e-4, 1e-5), ("newmark-ibrahimbegovic", 0, 3e-4, 1e-5), ("generalized-alpha", 1.4, 1e-4, None), ("sdirk-4", 0, 3e-4, 1e-5),
+    ("radau-5", 0, 1e-4, 1e-5)])
+def test_impacts_have_derivatives(integrator, damping, by_speed, by_obstacle):
+    deck = gxrod.Deck.from_text(BALL).build({"analysis.integrator": integrator, "contact.damping": damping})
+    for name, step in ("v", by_speed), ("obstacle", by_obstacle):
+        if step is not None:
+            [row] = gxrod.check_gradient(deck, [name], "tip.velocity", step=step)
+            assert row["distance"] < 1e-6, row
+
+
+def test_impacts_from_which_energy_is_taken_have_no_derivatives():
+    sim = gxrod.Simulation(gxrod.Deck.from_text(BALL).build({"analysis.integrator": "generalized-alpha"}), sensitivities=["v"])
+    sim.run()
+    with pytest.raises(gxrod.Error, match="the derivative of history tip by v: there is none from t = 0.058 on, where energy was taken from velocities"):
+        sim["tip"].derivative("v").position
+
+
+CROSSING = """[parameters]
+E = 1e6
+x = 0.5
+[section.rubber]
+shape = { circle = { radius = 0.02 } }
+material = { E = "E", nu = 0.3, density = 1000 }
+damping = { kelvin_voigt = 0.001 }
+[rod.lower]
+section = "rubber"
+line = { from = [0, 0, 0], to = [1, 0, 0] }
+elements = 6
+[rod.upper]
+section = "rubber"
+line = { from = ["x", -0.5, 0.06], to = ["x", 0.5, 0.06] }
+elements = 6
+[[support]]
+at = "lower.start"
+fix = "all"
+[[support]]
+at = "lower.end"
+fix = "position"
+[[initial]]
+on = "upper"
+velocity = [0, 0, -2]
+[contact]
+[analysis]
+kind = "dynamic"
+end_time = 0.06
+time_step = 0.001
+newton = { tolerance = 1e-12 }
+[[history]]
+name = "middle"
+at = "upper@0.5"
+quantities = ["position"]
+[[history]]
+name = "root"
+at = "lower.start"
+quantities = ["reaction_force"]
+"""
+
+
+def test_rods_that_hit_each_other_have_derivatives():
+    deck = gxrod.Deck.from_text(CROSSING)
+    for name, step in ("E", 1e-4), ("x", 3e-5):
+        [row] = gxrod.check_gradient(deck, [name], "middle.position", step=step)
+        assert row["distance"] < 1e-6, row
+
+
+def test_what_contact_has_no_derivatives_of_is_said():
+    with pytest.raises(gxrod.Error, match="contact with friction"):
+        gxrod.Simulation(gxrod.Deck.from_text(CROSSING).build({"contact.friction": 0.2}), sensitivities=["E"])
+    sim = gxrod.Simulation(gxrod.Deck.from_text(CROSSING), sensitivities=["E"])
+    sim.step()
+    with pytest.raises(gxrod.Error, match="reactions where contact is an impulse"):
+        sim["root"].derivative("E").reaction_force
+
+
+LYING = """gravity = [0, 0, -9.81]
+[parameters]
+EI = 6
+floor = -0.3
+[section.s]
+stiffness = { EA = 1e3, GAy = 1e3, GAz = 1e3, GJ = 5, EIy = "EI", EIz = 7 }
+inertia = { rhoA = 1.2, rhoJ = 0.2, rhoIy = 0.1, rhoIz = 0.1 }
+radius = 0.1
+[rod.r]
+section = "s"
+line = { from = [0, 0, 0], to = [2, 0, 0] }
+elements = 4
+[[support]]
+at = "r.start"
+fix = "all"
+[obstacle.floor]
+plane = { point = [0, 0, "floor"], normal = [0, 0, 1] }
+[contact]
+[analysis]
+kind = "static"
+steps = 20
+newton = { tolerance = 1e-12 }
+[[history]]
+name = "floor"
+at = "floor"
+quantities = ["contact_force", "least_gap"]
+[[history]]
+name = "root"
+at = "r.start"
+quantities = ["reaction_force"]
+"""
+
+
+def test_forces_of_contact_have_derivatives():
+    deck = gxrod.Deck.from_text(LYING)
+    [row] = gxrod.check_gradient(deck, ["EI"], "floor.contact_force", step=3e-4)
+    assert row["distance"] < 1e-8, row
+    [row] = gxrod.check_gradient(deck, ["EI"], "floor.least_gap", step=3e-4)
+    assert row["distance"] < 1e-6, row
+    sim = gxrod.Simulation(deck, sensitivities=["EI", "floor"])
+    sim.run()
+    for name in ("EI", "floor"):  # what the floor no longer carries, the support does
+        by = sim["root"].derivative(name).reaction_force, sim["floor"].derivative(name).contact_force
+        assert by[0] == pytest.approx(by[1], abs=1e-5 * np.abs(by[1]).max())
