@@ -7,7 +7,7 @@ import numpy as np
 
 deck = gxrod.Deck("docs/examples/python/gradients/swing.toml")
 NAMES = list(deck.tree()["parameters"])
-SCHEMES = ["newmark-simplified", "newmark-ibrahimbegovic", "generalized-alpha", "sdirk-4"]
+SCHEMES = ["newmark-simplified", "newmark-ibrahimbegovic", "generalized-alpha", "sdirk-4", "radau-5", "gauss-4"]
 STATIC = {"kind": "static", "steps": 5, "newton": {"tolerance": 1e-12}}
 
 # %% What is varied besides the parameters: {title: overrides}
@@ -23,7 +23,7 @@ distances = np.array([[row["distance"] for row in gxrod.check_gradient(deck.buil
 print(f"{distances.size} derivatives, at most {distances.max():.1e} from those of whole runs, half of them less than {np.median(distances):.1e}")
 
 # %% The picture
-figure, axes = plt.subplots(figsize=(9, 4.5), layout="constrained")
+figure, axes = plt.subplots(figsize=(11, 4.5), layout="constrained")
 shown = axes.imshow(np.log10(np.maximum(distances, 1e-16)), aspect="auto", cmap="viridis_r", vmin=-13, vmax=-5)
 axes.set_xticks(range(len(variants)), variants, rotation=30, ha="right", fontsize=8)
 axes.set_yticks(range(len(NAMES)), NAMES)
