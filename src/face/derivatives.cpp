@@ -156,7 +156,7 @@ std::vector<double> Derivatives::differentiate(std::size_t number,
     const HistoryRequest& request = run_.problem().output.histories.at(history);
     if (part_of(*quantities_of(request).at(quantity)) == SnapshotPart::reactions &&
         Contacts(run_.analysis().system()).are_impulses())
-        throw std::invalid_argument(
+        throw std::runtime_error(
             "there are no derivatives of reactions where contact is an impulse of a step; ask for the forces "
             "in "
             "the rod next to the support");
