@@ -26,7 +26,7 @@ const char* name_of(Outcome outcome) {
         case Outcome::error_too_large:
             return "the estimated error of a step was above the tolerance";
         case Outcome::energy_out_of_reach:
-            return "vibrations could not take up what the energy of a step was off";
+            return "the energy of a step was off by more than vibrations could take up";
         case Outcome::joints_open:
             return "velocities could not be made to fit the joints";
         case Outcome::control_turned:

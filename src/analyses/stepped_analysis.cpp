@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "analyses/impact_gain.hpp"
 #include "analyses/start_velocities.hpp"
 #include "assembly/contact/contacts.hpp"
 #include "assembly/lanes/frame_columns.hpp"
@@ -66,29 +67,6 @@ std::string find_shrunk_spring(const System& system, const State& state) {
     return "";
 }
 
-// Whether a step raises the energy, though contact acts at its stages: they did not resolve an impact.
-bool gains_by_contact(const System& system,
-                      const Ledger& ledger,
-                      const State& state,
-                      const Ledger::Step& step,
-                      bool is_shortened) {
-    constexpr double tolerable = 1e-4;
-    State start = state;
-    undo_trial(start);
-    State end = state;
-    Ledger books = ledger;
-    books.add_step(state, step);
-    system.commit(end, step.time);
-    const LedgerRow before = ledger.row(start), after = books.row(end);
-    if (!is_shortened && before.contact_energy == 0.0 && after.contact_energy == 0.0) return false;
-    const double scale = std::max(before.kinetic_energy + before.strain_energy + before.contact_energy,
-                                  after.kinetic_energy + after.strain_energy + after.contact_energy);
-    return after.energy_error - before.energy_error > tolerable * scale;
-}
-
-// How often a step is cut for that.
-constexpr int most_cuts_for_gain = 8;
-
 // Of the model's length, or in rad: how near a support's move is to where its node was left.
 constexpr double same_place = 1e-6;
 // Of the largest velocity: a rate that goes on.
@@ -114,7 +92,9 @@ SteppedAnalysis::SteppedAnalysis(const Model& model,
       workspace_(system_, linear_solver),
       steps_(std::move(steps)),
       state_(system_.initial_state()) {
-    if (integrator_->resolves_contact()) resolve_contact(system_);
+    if (!integrator_->resolves_contact()) return;
+    resolve_contact(system_);
+    resolves_impacts_ = model.has_inertia && Contacts(system_).are_possible();
 }
 
 void SteppedAnalysis::refuse_overlaps(double time) {
@@ -384,18 +364,21 @@ bool SteppedAnalysis::take_step(EquilibriumReport& report) {
     // Of schemes of one stage only where steps are chosen by it: there it costs as much as a step's update.
     const bool is_estimated = steps_->needs_error() || integrator_->stage_count() > 1;
     if (report.converged() && is_estimated && integrator_->error_order() > 0) check_error(report);
-    if (report.converged() && integrator_->resolves_contact() && system_.model().has_inertia &&
-        Contacts(system_).are_possible() && solver_row_.rejected_steps < most_cuts_for_gain &&
-        gains_by_contact(system_,
-                         *ledger_,
-                         state_,
-                         {trial_time(), next_stage().time_step, workspace_.residual, workspace_.stage_powers},
-                         report.shortened > 0))
-        report.outcome = Outcome::error_too_large;
+    if (report.converged() && resolves_impacts_) check_impact(report);
     if (report.converged()) judge_equilibrium(report);
     if (report.converged() && ledger_->limits_energy()) limit_energy(report);
     if (!report.converged()) undo();
     return report.converged();
+}
+
+void SteppedAnalysis::check_impact(EquilibriumReport& report) {
+    constexpr int most_cuts = 8;
+    if (solver_row_.rejected_steps >= most_cuts) return;
+    const Ledger::Step step{
+        trial_time(), next_stage().time_step, workspace_.residual, workspace_.stage_powers};
+    if (!gains_by_contact(system_, *ledger_, state_, step, report.shortened > 0)) return;
+    report.outcome = Outcome::energy_out_of_reach;
+    report.worst_node = report.worst_component = -1;
 }
 
 void SteppedAnalysis::limit_energy(EquilibriumReport& report) {
@@ -579,7 +562,7 @@ Failure SteppedAnalysis::explain(const EquilibriumReport& report) {
     failure.iterations = report.iterations;
     failure.residual = report.residual;
     failure.step_error = report.step_error;
-    failure.limits_energy = ledger_ && ledger_->limits_energy();
+    failure.limits_energy = resolves_impacts_ || (ledger_ && ledger_->limits_energy());
     constexpr double open = 1e-9;
     if (report.joint_gap.joint >= 0 && report.joint_gap.size > open) {
         failure.open_joint = system_.joints().name(report.joint_gap.joint);

@@ -114,7 +114,7 @@ std::string describe_outcome(const Failure& failure) {
                 "the estimated error of the step, {:.2e}, is above the tolerance{}", failure.step_error, at);
         case Outcome::energy_out_of_reach:
             return failure.limits_energy
-                       ? "the step gains energy, more than can be taken from its vibrations again"
+                       ? "the step gains energy by contact, more than can be taken from its vibrations"
                        : "the energy of the step is off by more than the vibrations of the model can take up";
         case Outcome::joints_open:
             return fmt::format(
