@@ -2,6 +2,7 @@
 
 #include "deck/decks.hpp"
 #include "deck/round_trips.hpp"
+#include "laws/fibre_law.hpp"
 #include "laws/layered_law.hpp"
 #include "laws/moment_curvature_law.hpp"
 #include "laws/plastic_law.hpp"
@@ -103,6 +104,10 @@ std::vector<RoundTrip> law_trips() {
          sees<LayeredLaw>([](const LayeredLaw& law) {
              return law.layers().size() == 117 && law.layers()[0].limit == 0.01 * M_PI;
          })});
+    trips.push_back(
+        {"section.NAME.material.interaction",
+         replaced(trips.back().deck, "yield_stress = 0.01", "yield_stress = 0.01, interaction = true"),
+         sees<FibreLaw>([](const FibreLaw& law) { return law.fibre_count() == 576; })});
     return trips;
 }
 

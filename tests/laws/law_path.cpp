@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "laws/fibre_law.hpp"
 #include "laws/mixed_law.hpp"
 #include "laws/moment_curvature_law.hpp"
 #include "laws/moved_law.hpp"
@@ -86,6 +87,18 @@ void add_layers(std::vector<NamedLaw>& laws) {
                     std::make_shared<LayeredLaw>(strain_along(1, 30.0).asDiagonal().toDenseMatrix(),
                                                  make_tube_layers(1.0, 0.7, {1.0, 0.4, 0.01})),
                     scale_of(0.01, 0.02)});
+    const Mat6 shear = strain_along(1, 30.0).asDiagonal().toDenseMatrix();
+    const std::vector<Layer> torsion{{StrainPart::torsion, 3.0, 0.01}};
+    // Few, so that not all blocks are full and derivatives meet few kinks.
+    laws.push_back(
+        {"fibres, few",
+         std::make_shared<FibreLaw>(
+             LayeredLaw(shear, torsion),
+             std::vector<Fibre>{
+                 {1.0, 0.3, 1.0}, {-1.0, 0.3, 1.0}, {0.2, -1.0, 0.5}, {0.0, 1.0, 0.7}, {0.1, 0.1, 2.0}},
+             1.0,
+             0.01),
+         scale_of(0.01, 0.02)});
 }
 
 void add_curves(std::vector<NamedLaw>& laws) {

@@ -9,6 +9,7 @@
 #include "laws/layered_law.hpp"
 #include "laws/moment_curvature_law.hpp"
 #include "laws/moved_law.hpp"
+#include "laws/shape_fibres.hpp"
 #include "laws/shape_layers.hpp"
 #include "laws/trapeze_law.hpp"
 #include "laws/viscoelastic_law.hpp"
@@ -301,7 +302,7 @@ SharedLaw make_viscoelastic_law(const ViscoelasticTable& given, const Mat6& C, c
     return std::make_shared<ViscoelasticLaw>(C, std::move(branches), on);
 }
 
-// Makes layers in place of all stiffness but that of shear.
+// Makes layers or fibres in place of all stiffness but that of shear.
 SharedLaw make_shape_law(const SectionTable& given,
                          const Mat6& C,
                          const SectionPlace& at,
@@ -322,18 +323,27 @@ SharedLaw make_shape_law(const SectionTable& given,
             yielding.yield_stress / E));
     }
     std::vector<Layer> layers;
+    std::vector<Fibre> fibres;
     if (const auto& circle = given.shape->circle) {
-        layers = make_tube_layers(find(*circle, circle->radius), 0.0, yielding);
+        const double radius = find(*circle, circle->radius);
+        layers = make_tube_layers(radius, 0.0, yielding);
+        fibres = make_tube_fibres(radius, 0.0);
     } else if (const auto& tube = given.shape->tube) {
-        layers = make_tube_layers(find(*tube, tube->outer_radius), find(*tube, tube->inner_radius), yielding);
+        const double outer = find(*tube, tube->outer_radius), inner = find(*tube, tube->inner_radius);
+        layers = make_tube_layers(outer, inner, yielding);
+        fibres = make_tube_fibres(outer, inner);
     } else {
         const RectangleTable& rectangle = *given.shape->rectangle;
-        layers = make_rectangle_layers(
-            find(rectangle, rectangle.width_y), find(rectangle, rectangle.height_z), C(3, 3) / G, yielding);
+        const double width = find(rectangle, rectangle.width_y), height = find(rectangle, rectangle.height_z);
+        layers = make_rectangle_layers(width, height, C(3, 3) / G, yielding);
+        fibres = make_rectangle_fibres(width, height);
     }
     Mat6 shear = Mat6::Zero();
     shear.block<2, 2>(1, 1) = C.block<2, 2>(1, 1);
-    return std::make_shared<LayeredLaw>(shear, std::move(layers));
+    if (!material.interaction.value_or(false)) return std::make_shared<LayeredLaw>(shear, std::move(layers));
+    std::erase_if(layers, [](const Layer& layer) { return layer.on != StrainPart::torsion; });
+    return std::make_shared<FibreLaw>(
+        LayeredLaw(shear, std::move(layers)), std::move(fibres), E, yielding.yield_stress);
 }
 
 SharedLaw make_law(const LawTable& law, const Mat6& C, const SectionPlace& at, const BuildContext& context) {

@@ -124,6 +124,9 @@ const TableSpec& material_table() {
         .key("yield_stress", &T::yield_stress, "Beyond it the material yields perfectly, and at 1/√3 of it in shear: "
              "bending, torsion and tension each by itself ([materials](guide/materials.md#yield-stress-of-a-material)).")
             .unit(of_stress).above(0).also("stress yield yield_strength strength sigma_y fy")
+        .key("interaction", &T::interaction, "true: axial force and bending moments yield together, by 192 to 768 "
+             "fibres; more exact for columns, and slower.")
+            .only_with("yield_stress").also("fibres fibers interact")
         .key("density", &T::density, "Mass per volume.")
             .unit("mass/length³").above(0).otherwise("none if static, else required")
             .also("rho mass_density specific_mass")

@@ -43,6 +43,7 @@ struct MaterialTable : TableHead {
     ArcNumber E;
     std::optional<ArcNumber> nu, G;
     std::optional<ArcNumber> yield_stress, density, shear_factor;
+    std::optional<bool> interaction;
 };
 
 struct DampingTable : TableHead {

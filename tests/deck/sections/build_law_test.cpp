@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "deck/decks.hpp"
+#include "laws/fibre_law.hpp"
 #include "laws/layered_law.hpp"
 #include "laws/trapeze_law.hpp"
 #include "tools/catch.hpp"
@@ -114,7 +115,7 @@ TEST_CASE("A section with a law has the stiffness of small strains after a long 
               .law == nullptr);
 }
 
-TEST_CASE("A material that yields gives its shape layers of the same stiffness", "[deck]") {
+TEST_CASE("A material that yields gives its shape layers or fibres of the same stiffness", "[deck]") {
     for (const std::string shape : {"circle = { radius = 1 }",
                                     "tube = { outer_radius = 1, inner_radius = 0.9 }",
                                     "rectangle = { width_y = 1, height_z = 2 }"}) {
@@ -124,6 +125,11 @@ TEST_CASE("A material that yields gives its shape layers of the same stiffness",
         REQUIRE(yielding.law != nullptr);
         CHECK(elastic.law == nullptr);
         CHECK(yielding.stiffness.isApprox(elastic.stiffness, 1e-13));
+        const std::string together = replaced(of_shape(shape), "0.3 }", "0.3, interaction = true }");
+        const Section fibres = read(together).model.sections[0];
+        REQUIRE(dynamic_cast<const FibreLaw*>(fibres.law.get()) != nullptr);
+        CHECK(fibres.stiffness.isApprox(elastic.stiffness, 1e-13));
+        CHECK(dynamic_cast<const LayeredLaw*>(yielding.law.get()) != nullptr);
     }
 }
 
