@@ -136,6 +136,7 @@ EquilibriumReport SteppedAnalysis::start_at_rest() {
 
 EquilibriumReport SteppedAnalysis::start_after(const SteppedAnalysis& before) {
     take_over(before.state_, state_);
+    system_.joints().begin_stage(state_, steps_->time());
     totals_before_ = before.ledger_->totals(before.state_);
     for (int i = 0; i < static_cast<int>(state_.trial.size()); ++i)
         system_.equations().hold_rates(i, state_.trial[i]);
@@ -424,7 +425,8 @@ EquilibriumReport SteppedAnalysis::advance() {
     section_values_ = std::vector<SectionValues>();  // large compared with what a step needs
     settled_.reset();
     int iterations = 0;  // of settling
-    if (settles_here()) {
+    const bool has_rates = !integrator_->is_static() && system_.model().has_inertia;
+    if (settles_here() || (!has_rates && system_.joints().has_just_broken(state_))) {
         report = settle();
         if (!report.converged()) return report;
         iterations = report.iterations;

@@ -23,6 +23,7 @@ enum class JointKind {
     weld,       // nothing
     distance,   // all but a change of the distance of two points
     free,       // everything
+    generic,    // what Joint::held does not name
     sleeve      // a point, the slide along a rod and all turns: a Sleeve, not a Joint
 };
 
@@ -65,6 +66,15 @@ struct JointCoordinate {
     CoordinateLimits limits;
 };
 
+// What a joint can hold: it breaks at the end of a step in which it holds more, and holds nothing from then
+// on.
+struct JointStrength {
+    std::optional<double> force;   // of the rows that are lengths
+    std::optional<double> moment;  // of the others
+
+    bool is_limited() const { return force || moment; }
+};
+
 // A joint between two points A and B of rods, bodies or the ground.
 struct Joint {
     std::string name;
@@ -73,6 +83,11 @@ struct Joint {
     JointCoordinate turn, slide;
     double lead = 0.0;    // for a screw: slide per turn
     double length = 0.0;  // for a distance joint
+    // For a generic joint: whether it holds the displacements along A's axes, and the turns about them. Of
+    // turns that are not held two are those of a universal joint.
+    std::array<bool, 6> held{};
+    JointStrength strength;
+    bool acts = true;  // in the stage at hand; otherwise it holds nothing
 
     bool has_ground() const { return a.anchor.is_ground() || b.anchor.is_ground(); }
     // Returns B's anchor, or A's if B is on the ground.

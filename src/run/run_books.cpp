@@ -95,6 +95,11 @@ void RunBooks::sum_up_stage(const StageSequence& stages, std::int64_t stage_coun
     summed_up_ = stages.moving_index();
     const std::string prefix = stage_count > 1 ? "stage " + stages.name_of(stages.moving_index()) + ": " : "";
     note_pivots(stages, prefix);
+    const JointAssembly& joints = stages.analysis().system().joints();
+    for (const JointAssembly::Break& one : joints.list_breaks(stages.analysis().state())) {
+        summary_.findings.push_back(fmt::format(
+            "{}{} broke at t = {:.6g}", prefix, joints.name(static_cast<int>(one.joint)), one.time));
+    }
     if (!is_path(stages.settings())) {
         for (const std::string& finding : stages.analysis().list_findings())
             summary_.findings.push_back(prefix + finding);

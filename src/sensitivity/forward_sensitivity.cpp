@@ -82,6 +82,7 @@ void start_system(const System& system, const StartOfAnalysis& start, State& sta
 void take_over_stage(const System& system, const State& end, State& state) {
     state = system.initial_state();
     take_over(end, state);
+    system.joints().begin_stage(state, 0.0);
     for (std::size_t i = 0; i < state.trial.size(); ++i)
         system.equations().hold_rates(static_cast<int>(i), state.trial[i]);
     state.previous = state.trial;

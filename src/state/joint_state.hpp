@@ -19,8 +19,21 @@ struct JointSlips {
     double slide = 0.0;
 };
 
-// As numbers in State::memory.
-inline constexpr std::size_t numbers_of_slips = 2;
+// Whether a joint holds.
+enum class JointHold {
+    holds,
+    rests,       // does not act in this stage
+    has_broken,  // in this stage
+    is_broken    // from before
+};
+
+// The numbers of a joint in State::memory: its slips, its hold, and the time at which it broke.
+inline constexpr std::size_t numbers_of_joint = 4;
+inline JointHold read_hold(std::span<const double> memory) { return static_cast<JointHold>(memory[2]); }
+inline void write(JointHold hold, double time, std::span<double> memory) {
+    memory[2] = static_cast<double>(hold);
+    memory[3] = time;
+}
 inline JointSlips read_slips(std::span<const double> memory) { return {memory[0], memory[1]}; }
 inline void write(const JointSlips& slips, std::span<double> memory) {
     memory[0] = slips.turn;

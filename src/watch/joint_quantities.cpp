@@ -86,7 +86,9 @@ constexpr Quantity joint_lines[]{
              [](const Sight& see) { return see.joint().friction; })
         .sized(Size::unknown).unless(lacks_friction).measured(dimension_of_friction),
     Quantity("gap", "how far the joint's equations are from being satisfied", "length", Axes::none,
-             [](const Sight& see) { return see.joint().gap; })};
+             [](const Sight& see) { return see.joint().gap; }),
+    Quantity("holds", "1 while the joint holds, 0 where it does not act or is broken", "1", Axes::none,
+             [](const Sight& see) { return see.joint().holds ? 1.0 : 0.0; })};
 
 constexpr Quantity gear_lines[]{
     Quantity("drive",

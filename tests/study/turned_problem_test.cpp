@@ -183,7 +183,7 @@ quantities = ["displacement", "rotation_vector", "force", "moment", "force_spati
 [[history]]
 name = "pin"
 at = "pin"
-quantities = ["angle", "angle_rate", "force", "moment", "force_a", "moment_a", "gap"]
+quantities = ["angle", "angle_rate", "force", "moment", "force_a", "moment_a", "gap", "holds"]
 [[history]]
 name = "driven"
 at = "driven"

@@ -1,8 +1,11 @@
 #include "assembly/joints/joint_assembly.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <stdexcept>
 
 #include "assembly/scatter.hpp"
 #include "constraints/joints/joint_motors.hpp"
@@ -89,7 +92,8 @@ std::vector<NodeGroup> JointAssembly::node_groups() const {
 }
 
 bool JointAssembly::have_friction_by_multipliers() const {
-    return std::ranges::any_of(forces_, [](const JointForces& forces) { return forces.follows_held(); });
+    return wide_.have_friction_by_multipliers() ||
+           std::ranges::any_of(forces_, [](const JointForces& forces) { return forces.follows_held(); });
 }
 
 void JointAssembly::lay_out(const Layout& layout) {
@@ -209,13 +213,15 @@ void JointAssembly::compute_rows(const State& state,
         const JointMotors motors = compute_motors(model_->joints[i], time, request.step, request.level);
         const JointVector values = joints_[i].compute_values(
             motions(state.trial, i), state.joints_previous[i].turn, motors, request.level);
+        const double factor = holds(state, i) ? request.factor : 0.0;
         for (int row = 0; row < joints_[i].count(); ++row)
-            rows[static_cast<std::size_t>(first_rows_[i] + row)] = request.factor * values[row];
+            rows[static_cast<std::size_t>(first_rows_[i] + row)] = factor * values[row];
     }
     wide_.compute_rows(state, time, request, rows);
 }
 
 PairVector JointAssembly::compute_force(const State& state, double time, std::size_t index) const {
+    if (!holds(state, index)) return PairVector::Zero();
     const JointMotions at = motions(state.trial, index);
     const JointRows& rows = joints_[index];
     PairVector force =
@@ -298,10 +304,15 @@ void JointAssembly::add_tangents(const State& state,
                                            : scales[i].of(joints_[i].is_length(row));
             }
             if (request.level == ConstraintLevel::acceleration) D *= acceleration_scale;
-            add_equations(i, state, linearizations, request, D, matrix);
-            if (forces_[i].follows_held()) add_held_tangent(i, state, time, D, matrix);
+            if (!holds(state, i)) {
+                for (int row = 0; row < joints_[i].count(); ++row)
+                    matrix(12 + row, 12 + row) = -regularization * D[row];
+            } else {
+                add_equations(i, state, linearizations, request, D, matrix);
+                if (forces_[i].follows_held()) add_held_tangent(i, state, time, D, matrix);
+            }
         }
-        if (!forces_[i].is_empty()) {
+        if (!forces_[i].is_empty() && holds(state, i)) {
             const JointState& before = state.joints_previous[i];
             matrix.topLeftCorner<12, 12>() -=
                 forces_[i].compute_tangent(motions(state.trial, i),
@@ -398,6 +409,7 @@ void JointAssembly::advance_multipliers(const std::vector<Vec6>& increments,
                                         const std::vector<double>& values,
                                         State& state) const {
     for (std::size_t i = 0; i < joints_.size(); ++i) {
+        if (!holds(state, i)) continue;
         const Joint& joint = model_->joints[i];
         PairRow delta;
         delta << increment_at(increments, joint.a.anchor.node).transpose(),
@@ -431,11 +443,73 @@ void JointAssembly::start(State& state) const {
     state.joints_previous.resize(count());
     for (std::size_t i = 0; i < joints_.size(); ++i)
         write(forces_[i].compute_first_slips(motions(state.trial, i), 0.0), memory_of(i).of(state));
-    wide_.start(state);
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        if (!model_->joints[i].acts) write(JointHold::rests, 0.0, memory_of(i).of(state));
+    }
     state.joints_trial = state.joints_previous;
+    wide_.start(state);
 }
 
-void JointAssembly::commit(State& state, double /*time*/) const {
+void JointAssembly::begin_stage(State& state, double time) const {
+    constexpr double closed = 1e-6;  // of the model's length, or in rad
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        const Joint& joint = model_->joints[i];
+        const std::span<double> memory = memory_of(i).of(state);
+        const JointHold before = read_hold(memory);
+        if (before == JointHold::has_broken) write(JointHold::is_broken, memory[3], memory);
+        if (before == JointHold::has_broken || before == JointHold::is_broken) continue;
+        if (!joint.acts) {
+            write(JointHold::rests, 0.0, memory);
+            state.joints_trial[i].multipliers.fill(0.0);
+        } else if (before == JointHold::rests) {
+            const JointMotions at = motions(state.trial, i);
+            const double turn = state.joints_previous[i].turn;
+            const JointMotors motors = compute_motors(joint, time, {}, ConstraintLevel::position);
+            const JointGap gap = joints_[i].compute_gap(at, turn, motors);
+            if (gap.length > closed * length_ || gap.angle > closed) {
+                throw std::runtime_error(
+                    fmt::format("joint {} is to hold from here on, and is open by a distance of {:.3g} and "
+                                "an angle of {:.3g}; "
+                                "let supports, springs or motors close it before",
+                                joint.name,
+                                gap.length,
+                                gap.angle));
+            }
+            write(JointHold::holds, 0.0, memory);
+            write(forces_[i].compute_first_slips(at, turn), memory);
+        }
+    }
+    state.joints_previous = state.joints_trial;
+}
+
+std::vector<JointAssembly::Break> JointAssembly::list_breaks(const State& state) const {
+    std::vector<Break> all;
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        const std::span<const double> memory = memory_of(i).of(state);
+        if (read_hold(memory) == JointHold::has_broken) all.push_back({i, memory[3]});
+    }
+    return all;
+}
+
+bool JointAssembly::has_just_broken(const State& state) const {
+    return std::ranges::any_of(list_breaks(state), [&](const Break& one) { return one.time == state.time; });
+}
+
+bool JointAssembly::breaks(const State& state, std::size_t index) const {
+    const JointStrength& strength = model_->joints[index].strength;
+    if (!strength.is_limited() || !holds(state, index)) return false;
+    const JointRows& rows = joints_[index];
+    double forces = 0.0, moments = 0.0;
+    for (int row = 0; row < rows.count(); ++row) {
+        if (row == rows.slide_motor_row() || row == rows.turn_motor_row()) continue;
+        const double multiplier = state.joints_trial[index].multipliers[static_cast<std::size_t>(row)];
+        double& size = rows.is_length(row) ? forces : moments;
+        size = std::hypot(size, multiplier);
+    }
+    return (strength.force && forces > *strength.force) || (strength.moment && moments > *strength.moment);
+}
+
+void JointAssembly::commit(State& state, double time) const {
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         const JointState& before = state.joints_previous[i];
         JointState& after = state.joints_trial[i];
@@ -443,6 +517,9 @@ void JointAssembly::commit(State& state, double /*time*/) const {
         if (!forces_[i].is_empty())
             write(forces_[i].compute_slips(motions(state.trial, i), before.turn, slips_before(state, i)),
                   memory_of(i).of(state));
+        if (!breaks(state, i)) continue;
+        write(JointHold::has_broken, time, memory_of(i).of(state));
+        after.multipliers.fill(0.0);
     }
     wide_.commit(state);
     state.joints_previous = state.joints_trial;

@@ -59,9 +59,13 @@ class JointAssembly : public Contribution {
     // Whether all equations are linear in positions, so that velocities meet them where positions do.
     bool are_linear() const { return are_linear_; }
 
-    // The numbers in State::memory: slip points, two a joint.
-    std::size_t memory_count() const override { return numbers_of_slips * count(); }
-    MemorySlice memory_of(std::size_t joint) const { return memory_.piece(joint, numbers_of_slips); }
+    // The numbers in State::memory: slip points, and whether the joint holds.
+    std::size_t memory_count() const override { return numbers_of_joint * count(); }
+    MemorySlice memory_of(std::size_t joint) const { return memory_.piece(joint, numbers_of_joint); }
+    // Whether a joint holds in the last accepted state: it acts in the stage, and is not broken.
+    bool holds(const State& state, std::size_t joint) const {
+        return joint >= joints_.size() || read_hold(memory_of(joint).of(state)) == JointHold::holds;
+    }
     // Prepares the equations, once, when they are numbered.
     void lay_out(const Layout& layout) override;
 
@@ -117,8 +121,20 @@ class JointAssembly : public Contribution {
     bool is_damped() const { return is_damped_; }
     // Whether any friction depends on the force that a joint holds.
     bool have_friction_by_multipliers() const;
-    // Starts friction at the beginning of a run: it slips where the joint moves.
+    // Starts friction at the beginning of a run: it slips where the joint moves. Joints that do not act in
+    // the stage hold nothing.
     void start(State& state) const;
+    // Releases the joints that do not act in the stage that begins, and lets others hold again. Throws
+    // std::runtime_error if one of these is open.
+    void begin_stage(State& state, double time) const;
+    // The joints that have broken in this stage, with the time; and whether one did in the step that ended
+    // with this state.
+    struct Break {
+        std::size_t joint;
+        double time;
+    };
+    std::vector<Break> list_breaks(const State& state) const;
+    bool has_just_broken(const State& state) const;
 
     // Computes the values of each joint at the trial motions.
     std::vector<JointValues> compute_joint_values(const State& state, double time) const;
@@ -161,6 +177,8 @@ class JointAssembly : public Contribution {
         JointVector by_multipliers;
     };
     HeldForce find_held_force(const State& state, std::size_t joint) const;
+    // Whether the joint breaks when the trial state is accepted.
+    bool breaks(const State& state, std::size_t joint) const;
     // Adds the contribution of friction that depends on this force to the joint's matrix.
     void add_held_tangent(
         std::size_t joint, const State& state, double time, const JointVector& D, Matrix& matrix) const;

@@ -11,6 +11,7 @@ std::vector<Vec6> JointAssembly::compute_driving_forces(const State& state, doub
     std::vector<Vec6> forces(joints_.size(), Vec6::Zero());
     const std::vector<Vec6> coordinates = compute_coordinates(state.trial, time, state);
     for (std::size_t i = 0; i < joints_.size(); ++i) {
+        if (!holds(state, i)) continue;
         const Joint& joint = model_->joints[i];
         const JointRows& rows = joints_[i];
         const auto exerted = [&](const JointCoordinate& laws, int motor_row) {
@@ -74,6 +75,7 @@ JointAssembly::JointPlace JointAssembly::place_of(const std::vector<NodeMotion>&
 double JointAssembly::compute_strain_energy(const State& state, double time) const {
     double energy = 0.0;
     for (std::size_t i = 0; i < joints_.size() && have_forces_; ++i) {
+        if (!holds(state, i) || breaks(state, i)) continue;
         // Of the last accepted step, and also of one that has not been committed.
         const JointState& before = state.joints_previous[i];
         const JointMotions at = motions(state.trial, i);
@@ -85,14 +87,17 @@ double JointAssembly::compute_strain_energy(const State& state, double time) con
 
 double JointAssembly::compute_damping_power(const State& state) const {
     double power = 0.0;
-    for (std::size_t i = 0; i < joints_.size() && is_damped_; ++i)
+    for (std::size_t i = 0; i < joints_.size() && is_damped_; ++i) {
+        if (!holds(state, i)) continue;
         power += forces_[i].compute_damping_power(motions(state.trial, i), state.joints_previous[i].turn);
+    }
     return power + wide_.compute_damping_power(state);
 }
 
 double JointAssembly::compute_damping_action(const State& state) const {
     double action = 0.0;
     for (std::size_t i = 0; i < joints_.size() && is_damped_; ++i) {
+        if (!holds(state, i)) continue;
         const Joint& joint = model_->joints[i];
         const JointPlace before = place_of(state.previous, i, state);
         JointPlace after = place_of(state.trial, i, state);
@@ -106,11 +111,18 @@ double JointAssembly::compute_damping_action(const State& state) const {
 
 double JointAssembly::compute_slip_dissipation(const State& state) const {
     double dissipated = 0.0;
-    for (std::size_t i = 0; i < joints_.size() && is_damped_; ++i) {
+    for (std::size_t i = 0; i < joints_.size() && have_forces_; ++i) {
+        if (!holds(state, i)) continue;
+        const JointMotions at = motions(state.trial, i);
+        const double turn = state.joints_previous[i].turn;
         const JointSlips before = slips_before(state, i);
-        const JointSlips after =
-            forces_[i].compute_slips(motions(state.trial, i), state.joints_previous[i].turn, before);
-        dissipated += forces_[i].compute_dissipation(inputs_at(i, state, state.time), before, after);
+        const JointSlips after = forces_[i].compute_slips(at, turn, before);
+        if (is_damped_)
+            dissipated += forces_[i].compute_dissipation(inputs_at(i, state, state.time), before, after);
+        // What a joint stores that breaks is lost.
+        if (breaks(state, i))
+            dissipated +=
+                forces_[i].compute_strain_energy(at, turn, inputs_at(i, state, state.trial_time), after);
     }
     return dissipated + wide_.compute_slip_dissipation(state);
 }
@@ -137,6 +149,8 @@ std::vector<JointValues> JointAssembly::compute_joint_values(const State& state,
         const Mat3 axes = at.a.Lambda.toRotationMatrix() * joint.a.axes;
         values.force_in_joint = axes.transpose() * values.force;
         values.moment_in_joint = axes.transpose() * values.moment;
+        values.holds = holds(state, i);
+        if (!values.holds) continue;
         const auto drive = [&](const JointCoordinate& laws, int motor_row) {
             return motor_row < 0 ? laws.drive(time) : state.joints_trial[i].multipliers[motor_row];
         };

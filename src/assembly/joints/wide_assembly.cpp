@@ -50,6 +50,10 @@ bool WideAssembly::are_driven() const {
     return std::ranges::any_of(rows_, [](const auto& rows) { return rows->is_driven(); });
 }
 
+bool WideAssembly::have_friction_by_multipliers() const {
+    return std::ranges::any_of(rows_, [](const auto& rows) { return rows->held_rows() > 0; });
+}
+
 bool WideAssembly::are_damped() const {
     return std::ranges::any_of(rows_, [](const auto& rows) { return rows->is_damped(); });
 }
@@ -246,12 +250,29 @@ void WideAssembly::add_tangents(const State& state,
         const std::vector<int> nodes = rows.list_nodes(at);
         const Eigen::Index columns = columns_of(nodes);
         Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(columns + rows.count(), columns + rows.count());
-        if (has_equations)
-            matrix =
-                compute_equations(at, i, linearizations, request, compute_regularization(i, request, scales));
+        if (has_equations) {
+            const Eigen::VectorXd D = compute_regularization(i, request, scales);
+            matrix = compute_equations(at, i, linearizations, request, D);
+            if (at.held > 0.0) add_held_tangent(i, at, D, matrix);
+        }
         if (rows.has_laws())
             matrix.topLeftCorner(columns, columns) -= rows.compute_law_tangent(at, linearizations);
         add_matrix(i, nodes, matrix, values);
+    }
+}
+
+void WideAssembly::add_held_tangent(std::size_t index,
+                                    const WidePlace& at,
+                                    const Eigen::VectorXd& D,
+                                    Eigen::MatrixXd& matrix) const {
+    const Eigen::MatrixXd G = rows_[index]->compute_gradient(at);
+    const Eigen::VectorXd by_held = rows_[index]->compute_held_derivative(at);
+    const Eigen::VectorXd by_multipliers = kept_multipliers(at.state, index) / at.held;
+    const Eigen::Index columns = G.cols();
+    for (int row = 0; row < rows_[index]->held_rows(); ++row) {
+        const Eigen::VectorXd column = D[row] * by_multipliers[row] * by_held;
+        matrix.col(columns + row).head(columns) -= column;
+        matrix.topLeftCorner(columns, columns) += column * G.row(row);
     }
 }
 

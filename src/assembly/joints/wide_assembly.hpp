@@ -34,6 +34,7 @@ class WideAssembly {
     bool have_laws() const;
     bool are_driven() const;
     bool are_damped() const;
+    bool have_friction_by_multipliers() const;
 
     // Appends the multipliers, each at the node that carries the fewest; `carried` counts by node.
     void attach(std::vector<int>& carried, std::vector<AttachedUnknowns>& attached) const;
@@ -102,7 +103,12 @@ class WideAssembly {
 
   private:
     MemorySlice memory_of(std::size_t index) const {
-        return {first_memory_ + numbers_of_slips * index, numbers_of_slips};
+        return {first_memory_ + numbers_of_joint * index, numbers_of_joint};
+    }
+    // Returns the size of the force that friction follows; 0 if none does.
+    double held_force(const State& state, std::size_t index) const {
+        const int held = rows_[index]->held_rows();
+        return held == 0 ? 0.0 : kept_multipliers(state, index).head(held).norm();
     }
     WidePlace place(std::size_t index,
                     const std::vector<NodeMotion>& nodes,
@@ -112,7 +118,8 @@ class WideAssembly {
                 state,
                 state.joints_previous[first_ + index],
                 read_slips(memory_of(index).of(state)),
-                time};
+                time,
+                held_force(state, index)};
     }
     WidePlace place(std::size_t index, const State& state, double time) const {
         return place(index, state.trial, time, state);
@@ -141,6 +148,11 @@ class WideAssembly {
                                       const std::vector<NodeLinearization>& linearizations,
                                       const ConstraintRequest& request,
                                       const Eigen::VectorXd& D) const;
+    // Adds the contribution of friction that follows the force held, as JointAssembly::add_held_tangent.
+    void add_held_tangent(std::size_t index,
+                          const WidePlace& place,
+                          const Eigen::VectorXd& D,
+                          Eigen::MatrixXd& matrix) const;
     void add_matrix(std::size_t index,
                     const std::vector<int>& nodes,
                     Eigen::MatrixXd& matrix,

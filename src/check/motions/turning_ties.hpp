@@ -20,6 +20,7 @@ struct TurningJointCard {
     bool has_axis = false;        // which must be that of the rotation
     bool asks_place = true;       // whether its point must be on that axis
     bool holds_something = true;  // otherwise only what acts on its coordinates counts
+    bool is_alike = true;         // whether what it holds can be alike to all sides
 };
 
 // In the order of JointKind.
@@ -34,6 +35,7 @@ inline constexpr std::array<TurningJointCard, joint_cards.size()> turning_joint_
      {.kind = JointKind::weld, .holds_turn = true},
      {.kind = JointKind::distance},
      {.kind = JointKind::free, .has_axis = true, .holds_something = false},
+     {.kind = JointKind::generic, .is_alike = false},
      {.kind = JointKind::sleeve}}};
 
 constexpr const TurningJointCard& turning_card_of(JointKind kind) {

@@ -11,11 +11,29 @@
 namespace gxrod {
 namespace {
 
+// "y, z".
+std::string list_held(const Joint& joint) {
+    std::vector<std::string_view> words;
+    for (std::size_t i = 0; i < joint.held.size(); ++i) {
+        if (joint.held[i]) words.push_back(component_names[i]);
+    }
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::string describe_strength(const JointStrength& strength) {
+    std::string text;
+    if (strength.force) text += fmt::format("; breaks at a force of {:.6g}", *strength.force);
+    if (strength.moment)
+        text += fmt::format("{} a moment of {:.6g}", text.empty() ? "; breaks at" : " or", *strength.moment);
+    return text;
+}
+
 // The axes of a joint, or the length of a distance, with what it has to do with them.
 std::string describe_axes(const Joint& joint) {
     return fmt::format(fmt::runtime(card_of(joint.kind).summary),
                        fmt::arg("axis", in_parentheses(joint.a.axes.col(0))),
                        fmt::arg("axis_b", in_parentheses(joint.b.axes.col(0))),
+                       fmt::arg("held", list_held(joint)),
                        fmt::arg("lead", joint.lead),
                        fmt::arg("length", joint.length));
 }
@@ -64,7 +82,8 @@ std::string describe_joint(const Model& model, const Joint& joint) {
                             describe_anchor(model, joint.a.anchor),
                             describe_anchor(model, joint.b.anchor));
     }
-    return text + describe_actions("turn", joint.turn) + describe_actions("slide", joint.slide) + "\n";
+    return text + describe_actions("turn", joint.turn) + describe_actions("slide", joint.slide) +
+           describe_strength(joint.strength) + "\n";
 }
 
 std::string describe_sleeve(const Model& model, const Sleeve& sleeve) {

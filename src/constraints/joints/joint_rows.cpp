@@ -23,6 +23,10 @@ bool is_at_node(const Anchor& anchor) { return anchor.is_ground() || anchor.arm.
 }  // namespace
 
 JointRows::JointRows(const Joint& joint) : arms_(arms_of(joint)), coordinates_(joint) {
+    if (!joint.acts) {
+        is_linear_ = true;
+        return;
+    }
     is_linear_ = (joint.kind == JointKind::ball || joint.kind == JointKind::weld) &&
                  is_at_node(joint.a.anchor) && is_at_node(joint.b.anchor);
     add_kind(joint);
@@ -61,6 +65,8 @@ void JointRows::add_kind(const Joint& joint) {
             return add_equal_axes(joint);
         case JointKind::distance:  // (d·d/L − L)/2 = 0
             return add_distance(joint.length);
+        case JointKind::generic:
+            return add_held(joint);
         case JointKind::sleeve:
             assert(!"a sleeve has equations of its own");
             return;
@@ -96,6 +102,31 @@ void JointRows::add_distance(double length) {
          .factor = 0.5 / length,
          .product = {separation(), separation()},
          .constant = -0.5 * length});
+}
+
+// aᵢ·d = 0 for each displacement that is held. A turn that alone is free is that of a hinge, about aₖ; two
+// that are free are those of a universal joint, about aᵢ, which A carries, and bⱼ, which B carries.
+void JointRows::add_held(const Joint& joint) {
+    const auto& held = joint.held;
+    if (held[0] && held[1] && held[2]) {
+        add_points();
+    } else {
+        for (int i = 0; i < 3; ++i) {
+            if (held[i]) add({.is_length = true, .product = {carry_on_a(joint, i), separation()}});
+        }
+    }
+    const auto turns = std::count(held.begin() + 3, held.end(), true);
+    if (turns == 3) return add_equal_axes(joint);
+    for (int k = 0; k < 3; ++k) {
+        const int next = (k + 1) % 3, last = (k + 2) % 3;
+        if (turns == 2 && !held[3 + k]) {
+            add({.product = {carry_on_a(joint, k), carry_on_b(joint, next)}});
+            add({.product = {carry_on_a(joint, k), carry_on_b(joint, last)}});
+        }
+        if (turns == 1 && held[3 + k])
+            add({.product = {carry_on_a(joint, std::min(next, last)),
+                             carry_on_b(joint, std::max(next, last))}});
+    }
 }
 
 void JointRows::add_motors(const Joint& joint) {

@@ -37,7 +37,8 @@ struct JointGap {
 // The equations Φ = 0 of one joint, docs/theory/joints.md (J6) to (J11), each with a multiplier λ: the joint
 // exerts Gᵀλ on the nodes of A and B, G = ∂Φ/∂(δr, δφ); for a point's equations λ is the force of A on B.
 // Lengths are in the deck's unit, turns and products of unit vectors are not scaled. Turns of any number are
-// possible: `turn_before` is the turn at the last accepted step.
+// possible: `turn_before` is the turn at the last accepted step. A joint that does not act in the stage has
+// no equations.
 class JointRows {
   public:
     explicit JointRows(const Joint& joint);
@@ -109,6 +110,7 @@ class JointRows {
     void add_equal_axes(const Joint& joint);
     void add_across(const Joint& joint);
     void add_distance(double length);
+    void add_held(const Joint& joint);
     void add_motors(const Joint& joint);
     double compute_prescribed(const Row& row, const JointMotors& motors, ConstraintLevel level) const;
 

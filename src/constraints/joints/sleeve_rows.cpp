@@ -229,7 +229,7 @@ CoordinateForce SleeveRows::compute_law(const Situation& at, const WidePlace& pl
     const JointCoordinate& laws = sleeve_->slide;
     return compute_coordinate_force(laws,
                                     compute_slide(at, ConstraintLevel::velocity),
-                                    {laws.rest(place.time), laws.drive(place.time)},
+                                    {laws.rest(place.time), laws.drive(place.time), place.held},
                                     place.slips_before.slide);
 }
 
@@ -276,13 +276,20 @@ Eigen::MatrixXd SleeveRows::compute_law_tangent(const WidePlace& place,
     return tangent + force.by_rate * gradient * rate.row(SleeveMotion::slide);
 }
 
+Eigen::VectorXd SleeveRows::compute_held_derivative(const WidePlace& place) const {
+    const Situation at = find_situation(place);
+    const SleeveMotion::Gradient gradient = at.motion().compute_gradient();
+    return compute_law(at, place).by_held *
+           pull_back(at, place, gradient.row(SleeveMotion::slide).transpose());
+}
+
 double SleeveRows::compute_strain_energy(const WidePlace& place) const {
     if (!has_laws()) return 0.0;
     const JointCoordinate& laws = sleeve_->slide;
     const double slide = compute_slide(find_situation(place), ConstraintLevel::position).value;
     return compute_coordinate_energy(laws,
                                      slide,
-                                     {laws.rest(place.time), laws.drive(place.time)},
+                                     {laws.rest(place.time), laws.drive(place.time), place.held},
                                      compute_slip(laws.friction, slide, place.slips_before.slide));
 }
 
@@ -303,10 +310,11 @@ double SleeveRows::compute_damping_action(const WidePlace& place) const {
 
 double SleeveRows::compute_slip_dissipation(const WidePlace& place) const {
     const Friction& friction = sleeve_->slide.friction;
-    if (friction.force == 0.0) return 0.0;
+    if (!friction.acts()) return 0.0;
     const double slide = compute_slide(find_situation(place), ConstraintLevel::position).value;
     const double before = place.slips_before.slide;
-    return gxrod::compute_slip_dissipation(friction, 0.0, before, compute_slip(friction, slide, before));
+    return gxrod::compute_slip_dissipation(
+        friction, place.held, before, compute_slip(friction, slide, before));
 }
 
 bool SleeveRows::is_driven() const { return is_driven_by(sleeve_->slide); }
@@ -363,7 +371,7 @@ JointValues SleeveRows::compute_joint_values(const WidePlace& place,
     values.drive_slide =
         sleeve_->slide.motion ? multipliers[SleeveMotion::slide] : sleeve_->slide.drive(place.time);
     values.friction =
-        compute_friction_force(sleeve_->slide.friction, 0.0, slide.value, place.slips_before.slide);
+        compute_friction_force(sleeve_->slide.friction, place.held, slide.value, place.slips_before.slide);
     return values;
 }
 

@@ -38,6 +38,8 @@ class SleeveRows : public WideRows {
     Eigen::VectorXd compute_law_force(const WidePlace& place) const override;
     Eigen::MatrixXd compute_law_tangent(const WidePlace& place,
                                         const std::vector<NodeLinearization>& linearizations) const override;
+    int held_rows() const override { return sleeve_->slide.friction.lever > 0.0 ? 2 : 0; }
+    Eigen::VectorXd compute_held_derivative(const WidePlace& place) const override;
     double compute_strain_energy(const WidePlace& place) const override;
     bool is_damped() const override;
     double compute_damping_power(const WidePlace& place) const override;

@@ -19,6 +19,7 @@ struct WidePlace {
     const JointState& before;              // state of these equations at the last accepted step
     JointSlips slips_before;               // likewise
     double time;
+    double held = 0.0;  // size of the force that the equations hold, for friction that follows it
 };
 
 // Up to six equations Φ = 0 that couple several nodes, each with a multiplier λ: they exert Gᵀλ on the nodes,
@@ -79,6 +80,11 @@ class WideRows {
         const WidePlace& /*place*/, const std::vector<NodeLinearization>& /*linearizations*/) const {
         return {};
     }
+    // The number of rows, the first ones, whose multipliers are the force that friction follows; 0 if none
+    // does.
+    virtual int held_rows() const { return 0; }
+    // Computes the derivative of the force of laws on the nodes by the size of that force.
+    virtual Eigen::VectorXd compute_held_derivative(const WidePlace& /*place*/) const { return {}; }
     // Computes the energy of springs, limits and sticking friction.
     virtual double compute_strain_energy(const WidePlace& /*place*/) const { return 0.0; }
     virtual bool is_damped() const { return false; }

@@ -7,6 +7,8 @@
 
 #include "deck/joints/ends.hpp"
 #include "deck/joints/joint_table.hpp"
+#include "deck/supports/components.hpp"
+#include "model/settings/analysis_traits.hpp"
 
 namespace gxrod {
 namespace {
@@ -29,11 +31,31 @@ void build_joint(const JointTable& given, double size, BuildContext& context) {
     if (joint.kind == JointKind::screw && joint.lead == 0.0)
         context.add_fault(
             given, given.lead, "a screw of lead 0 does not slide; expected a hinge, or another lead");
+    if (given.holds) {
+        for (const CheckedWord& word : given.holds->words) {
+            const std::array<bool, 6> components = components_of(word.word);
+            for (std::size_t i = 0; i < components.size(); ++i)
+                joint.held[i] = joint.held[i] || components[i];
+        }
+    }
+    if (given.breaks) joint.strength = {given.breaks->force, given.breaks->moment};
     check_coordinates(given, context);
     if (joint.kind == JointKind::free) check_action(given, context);
     if (!place_joint(given, size, joint, context)) return;
     note_coordinates(given, joint, size, context);
     context.model.joints.push_back(std::move(joint));
+}
+
+// A joint that breaks leaves no equilibrium behind, from which a path or a steady motion could go on.
+void check_breaks(const JointTable& given, const BuildContext& context) {
+    const AnalysisSettings& analysis = context.stages[context.stage].analysis;
+    if (!given.breaks || !(is_path(analysis) || std::holds_alternative<SteadySettings>(analysis))) return;
+    context.add_fault(
+        given,
+        given.breaks,
+        fmt::format("a stage of kind {} cannot go on from a joint that breaks; expected static, quasi-static "
+                    "or dynamic stages",
+                    kind_of(analysis)));
 }
 
 // Of nodes and joints.
@@ -87,6 +109,8 @@ void build_joint_actions(BuildContext& context) {
         while (table->get().name != joint.name) ++table;
         const JointTable& given = *table;
         set_coordinates(given, size, joint, context);
+        joint.acts = acts_in_stage(given, context);
+        check_breaks(given, context);
         check_sides(given, joint, held, context);
         check_motors(given, size, context);
     }

@@ -89,7 +89,11 @@ class GearBuilder {
         }
         const std::string given = dot == std::string::npos ? "" : word.word.substr(dot + 1);
         const std::string coordinate = given.empty() ? std::string(plain_coordinate(table->type)) : given;
-        const std::string reason = explain_coordinate(name, table->type, coordinate);
+        std::string reason = explain_coordinate(name, table->type, coordinate);
+        if (reason.empty() && (table->breaks || table->stages))
+            reason = fmt::format("joint {} does not hold all the time ({}), and a gear needs it",
+                                 name,
+                                 table->breaks ? "breaks" : "stages");
         if (!reason.empty()) {
             add(word, reason);
             return std::nullopt;

@@ -157,12 +157,7 @@ class CoordinateCheck {
     // The friction of a turn needs a radius at which its force acts, and that of a slide none.
     void check_coefficient(const JointFrictionTable& friction, bool is_turn) const {
         if (!friction.coefficient) return;
-        if (given_.is_sleeve()) {
-            context_.add_fault(
-                friction,
-                friction.coefficient,
-                "the friction of a sleeve does not depend on the force that it holds; expected force");
-        } else if (given_.type == JointKind::free) {
+        if (given_.type == JointKind::free) {
             context_.add_fault(
                 friction, friction.coefficient, "a free joint holds no force; expected moment or force");
         } else if (is_turn && !friction.radius) {

@@ -142,23 +142,44 @@ Mat3 axes_about(const Vec3& axis) {
     return axes;
 }
 
-// Of a universal joint: A's axes are axis, axis_b and their product, B's axis_b, axis and theirs.
-bool set_crossed_axes(const JointTable& given, const Vec3& a, Joint& joint, const BuildContext& context) {
-    const std::optional<Vec3> across = find_axis(given, given.axis_b, context);
-    if (!across) return false;
-    const double dot = a.dot(*across);
+// A direction of length 1 at right angles to the axis; nullopt, with a fault, of another one.
+std::optional<Vec3> find_across(const JointTable& given,
+                                const std::optional<Vec3>& direction,
+                                const Vec3& axis,
+                                const BuildContext& context) {
+    const std::optional<Vec3> across = find_axis(given, direction, context);
+    if (!across) return std::nullopt;
+    const double dot = axis.dot(*across);
     if (std::abs(dot) > right_angle) {
         context.add_fault(
             given,
-            given.axis_b,
+            direction,
             fmt::format("expected a direction at right angles to axis; the product of both, as unit vectors, "
                         "is {:.6g}",
                         dot));
-        return false;
+        return std::nullopt;
     }
-    const Vec3 b = (*across - dot * a).normalized();
-    joint.a.axes << a, b, a.cross(b);
-    joint.b.axes << b, a, b.cross(a);
+    return (*across - dot * axis).normalized();
+}
+
+// Of a universal joint: A's axes are axis, axis_b and their product, B's axis_b, axis and theirs.
+bool set_crossed_axes(const JointTable& given, const Vec3& a, Joint& joint, const BuildContext& context) {
+    const std::optional<Vec3> b = find_across(given, given.axis_b, a, context);
+    if (!b) return false;
+    joint.a.axes << a, *b, a.cross(*b);
+    joint.b.axes << *b, a, b->cross(a);
+    return true;
+}
+
+// A generic joint's x axis is `axis`; its y axis may be given.
+bool set_three_axes(const JointTable& given, const Vec3& x, Joint& joint, const BuildContext& context) {
+    joint.a.axes = axes_about(x);
+    if (given.y_axis) {
+        const std::optional<Vec3> y = find_across(given, given.y_axis, x, context);
+        if (!y) return false;
+        joint.a.axes << x, *y, x.cross(*y);
+    }
+    joint.b.axes = joint.a.axes;
     return true;
 }
 
@@ -167,6 +188,7 @@ bool set_axes(const JointTable& given, Joint& joint, const BuildContext& context
     const std::optional<Vec3> axis = find_axis(given, given.axis, context);
     if (!axis) return false;
     if (joint.kind == JointKind::universal) return set_crossed_axes(given, *axis, joint, context);
+    if (joint.kind == JointKind::generic) return set_three_axes(given, *axis, joint, context);
     joint.a.axes = joint.b.axes = axes_about(*axis);
     return true;
 }

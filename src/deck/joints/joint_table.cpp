@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+#include "deck/supports/components.hpp"
 #include "model/ties/joint_card.hpp"
 
 namespace gxrod {
@@ -115,9 +116,26 @@ const TableSpec& limits_table() {
     });
 }
 
+const TableSpec& break_table() {
+    using T = JointBreakTable;
+    // clang-format off
+    static const TableSpec table = Table<T>("joint.NAME.breaks", "")
+        .key("force", &T::force, "The largest force that the joint holds.").unit("force").above(0)
+        .key("moment", &T::moment, "The largest moment that the joint holds, with that about axes that are not free.")
+            .unit("moment").above(0).also("torque")
+        .at_least_one_of({"force", "moment"});
+    // clang-format on
+    return table;
+}
+
+bool is_generic(const JointCard& card) { return card.kind == JointKind::generic; }
+bool is_between_nodes(const JointCard& card) { return card.kind != JointKind::sleeve; }
+bool holds_anything(const JointCard& card) { return is_between_nodes(card) && card.kind != JointKind::free; }
 bool is_at_two_places(const JointCard& card) { return !card.is_at_one_place; }
 bool has_free_coordinate(const JointCard& card) { return card.has_turn || card.has_slide; }
-bool has_axis(const JointCard& card) { return has_free_coordinate(card) && card.kind != JointKind::sleeve; }
+bool has_axis(const JointCard& card) {
+    return (has_free_coordinate(card) && is_between_nodes(card)) || is_generic(card);
+}
 bool has_lead(const JointCard& card) { return card.kind == JointKind::screw; }
 
 // The types of joints whose cards fit; `fits` is a function or a member of the card.
@@ -162,6 +180,13 @@ const TableSpec& joint_table() {
              "Its axis, of a plane the normal: global at t = 0, of any length; A and B carry it.")
             .unit("1").required().remark("the direction of its axis at t = 0, global").only_for(types_that(has_axis))
             .also("direction normal axis_a rotation_axis")
+        .key("y_axis", &T::y_axis, "Of a generic joint: its y axis, at right angles to `axis`, which is x. A carries both.")
+            .unit("1").otherwise("towards the global axis that is most across `axis`").only_for(types_that(is_generic))
+        .key("holds", &T::holds, "Of a generic joint: the displacements of B along the joint's axes (x, y, z, or position for "
+             "all) and its turns about them (rx, ry, rz, or rotation) that are held. Where one turn is held, the other two "
+             "are those of a universal joint.")
+            .words(component_words()).required().remark("what it holds, as in [\"y\", \"z\"]").only_for(types_that(is_generic))
+            .also("fix fixed locks constrains directions")
         .key("axis_b", &T::axis_b, "Of a universal joint: the axis fixed in B, at right angles to `axis`.")
             .unit("1").required().remark("the axis that B carries").only_for(types_that(&JointCard::has_axis_b))
         .key("lead", &T::lead, "Of a screw: the slide along the axis in one turn; negative if left-handed.")
@@ -184,6 +209,11 @@ const TableSpec& joint_table() {
             .only_for(types_that(has_free_coordinate))
         .key("limits", &T::limits, limits_table(), "Springs at the ends of a coordinate's range.")
             .only_for(types_that(has_free_coordinate)).also("limit stops stop range bounds")
+        .key("breaks", &T::breaks, break_table(), "The joint breaks at the end of a step in which it holds more, and holds "
+             "nothing from then on: neither its equations nor what acts on its coordinates.")
+            .only_for(types_that(holds_anything)).also("break strength breaks_at break_at fails")
+        .key("stages", &T::stages, "The stages in which the joint holds. It has to be closed where it begins to hold.")
+            .otherwise("all").names_of({"stage"}).only_for(types_that(is_between_nodes))
         .with(add_copies<T>)
         .shown_by(
             "[joint.pivot]\n"

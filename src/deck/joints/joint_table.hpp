@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "deck/loads/acting.hpp"
 #include "deck/places/build_context.hpp"
 #include "deck/reading/copies.hpp"
 #include "deck/schema/schema_tables.hpp"
@@ -32,16 +33,22 @@ struct CoordinateTable : One {
     std::optional<One> turn, slide;
 };
 
-struct JointTable : TableHead {
+struct JointBreakTable : TableHead {
+    std::optional<double> force, moment;
+};
+
+struct JointTable : ActingTable {
     JointKind type = JointKind::ball;
     Ends between;
-    std::optional<Vec3> at, at_a, at_b, axis, axis_b;
+    std::optional<Vec3> at, at_a, at_b, axis, axis_b, y_axis;
+    std::optional<WordList> holds;
     double lead = 0.0;
     std::optional<double> length;
     std::optional<CoordinateFunctions> move, drive;
     std::optional<CoordinateTable<JointSpringTable>> spring;
     std::optional<CoordinateTable<JointFrictionTable>> friction;
     std::optional<CoordinateTable<JointLimitsTable>> limits;
+    std::optional<JointBreakTable> breaks;
     Copies copies;
 
     bool is_sleeve() const { return type == JointKind::sleeve; }

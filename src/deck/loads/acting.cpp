@@ -243,6 +243,7 @@ bool acts_in_stage(const ActingTable& table, std::size_t stage, const BuildConte
 void check_stage_names(const BuildContext& context) {
     for (const TableSpec* spec : {&load_table(),
                                   &support_table(),
+                                  &joint_table(),
                                   &tendon_table(),
                                   &actuation_table(),
                                   &magnetic_table(),

@@ -7,24 +7,13 @@
 #include "deck/loads/acting.hpp"
 #include "deck/places/axes.hpp"
 #include "deck/schema/choices.hpp"
+#include "deck/supports/components.hpp"
 
 namespace gxrod {
 namespace {
 
 // Beyond which entries of the axes of two supports differ.
 constexpr double same_axes = 1e-9;
-
-using Components = std::array<bool, 6>;
-
-Components components_of(const std::string& word) {
-    if (word == "all") return {true, true, true, true, true, true};
-    if (word == "position") return {true, true, true, false, false, false};
-    if (word == "rotation") return {false, false, false, true, true, true};
-    Components components{};
-    const auto name = std::find(component_names.begin(), component_names.end(), word);
-    components[static_cast<std::size_t>(name - component_names.begin())] = true;
-    return components;
-}
 
 // Tables at one node have the same axes.
 void merge_axes(const SupportTable& table, NodeSupport& merged, const BuildContext& context) {
@@ -46,7 +35,7 @@ void fix(const SupportTable& table,
          const CheckedWord& word,
          NodeSupport& merged,
          const BuildContext& context) {
-    const Components components = components_of(word.word);
+    const std::array<bool, 6> components = components_of(word.word);
     for (std::size_t i = 0; i < 6; ++i) {
         if (!components[i]) continue;
         if (merged.support.moved[i]) {

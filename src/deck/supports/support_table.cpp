@@ -9,19 +9,10 @@
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "deck/supports/build_supports.hpp"
+#include "deck/supports/components.hpp"
 #include "deck/supports/support_merge.hpp"
 
 namespace gxrod {
-namespace {
-
-std::vector<std::string> fix_words() {
-    std::vector<std::string> words(component_names.begin(), component_names.end());
-    words.insert(words.end(), {"all", "position", "rotation"});
-    return words;
-}
-
-}  // namespace
-
 const TableSpec& support_table() {
     using T = SupportTable;
     static const TableSpec move = with_components(Table<MoveTable>("support.move", ""));
@@ -32,7 +23,7 @@ const TableSpec& support_table() {
         .key("at", &T::at, "A point of a rod, or a body.")
             .required().also("pos position point node location where")
         .key("fix", &T::fix, "position is x y z, rotation is rx ry rz, all is both.")
-            .words(fix_words()).also("type fixed dof dofs constrain constrained restrain components clamped")
+            .words(component_words()).also("type fixed dof dofs constrain constrained restrain components clamped")
         .key("move", &T::move, move, "Prescribed motion. Where a rotation is moved, the other two are fixed or moved "
              "too, and exp of the vector (rx, ry, rz), of any size, is the rotation since t = 0. In a dynamic "
              "analysis 0 at t = 0.")

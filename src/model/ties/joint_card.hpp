@@ -14,7 +14,7 @@ struct JointCard {
     JointKind kind;
     std::string_view word;
     std::string_view leaves_free;  // for readers of pages
-    // How a summary continues the word; {axis}, {axis_b}, {lead} and {length} stand for the joint's.
+    // How a summary continues the word; {axis}, {axis_b}, {held}, {lead} and {length} stand for the joint's.
     std::string_view summary = {};
     // Whether one turn about an axis, or one slide along it, is free.
     bool has_turn = false;
@@ -24,7 +24,7 @@ struct JointCard {
 };
 
 // In the order of JointKind.
-inline constexpr std::array<JointCard, 11> joint_cards{
+inline constexpr std::array<JointCard, 12> joint_cards{
     {{.kind = JointKind::ball, .word = "ball", .leaves_free = "all turns"},
      {.kind = JointKind::hinge,
       .word = "hinge",
@@ -71,6 +71,10 @@ inline constexpr std::array<JointCard, 11> joint_cards{
       .summary = " about and along {axis}",
       .has_turn = true,
       .has_slide = true},
+     {.kind = JointKind::generic,
+      .word = "generic",
+      .leaves_free = "what `holds` does not name",
+      .summary = ", held along and about {held} of the axes with x {axis},"},
      {.kind = JointKind::sleeve,
       .word = "sleeve",
       .leaves_free = "all turns, slide along the rod",

@@ -104,6 +104,10 @@ bool has_joint_friction(const Model& model) {
     return any_coordinate(model, [](const JointCoordinate& one) { return one.friction.acts(); });
 }
 
+bool has_breaking_joint(const Model& model) {
+    return std::ranges::any_of(model.joints, [](const Joint& joint) { return joint.strength.is_limited(); });
+}
+
 bool has_joint_drive(const Model& model) {
     return any_coordinate(model, [](const JointCoordinate& one) {
         return one.motion || !one.drive.is_zero() || (one.stiffness > 0.0 && !one.rest.is_zero());

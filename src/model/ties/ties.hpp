@@ -162,5 +162,6 @@ bool any_coordinate(const Model& model, Condition&& condition) {
 bool has_joint_friction(const Model& model);
 // Returns whether a motor, a drive or the rest of a spring can move a coordinate of a joint or sleeve.
 bool has_joint_drive(const Model& model);
+bool has_breaking_joint(const Model& model);
 
 }  // namespace gxrod

@@ -172,6 +172,30 @@ TEST_CASE("A bead comes to rest by friction, and stays", "[analyses][joints][sle
     CHECK(motion.all("/ledger/dissipated_energy").back() == Approx(0.25).epsilon(1e-3));
 }
 
+// The rod drives the bead by 2 m ω ṡ, so s̈ = ω² s − 2 μ ω ṡ: s = A exp(a t) + B exp(b t), a and b = ω (−μ ±
+// √(μ² + 1)).
+TEST_CASE("Friction of a sleeve follows the force by which a turning rod drives a bead",
+          "[analyses][joints][sleeve]") {
+    const std::string deck = replaced(replaced(turning_rod, "\"force\", \"gap\"]", "\"friction\"]"),
+                                      "between = [\"spoke\", \"bead\"]\n",
+                                      "between = [\"spoke\", \"bead\"]\n"
+                                      "friction = { coefficient = 0.3, stick = 1e-6 }\n");
+    const double a = 2.0 * (-0.3 + std::sqrt(1.09)), b = 2.0 * (-0.3 - std::sqrt(1.09));
+    const double A = -0.1 * b / (a - b), B = 0.1 * a / (a - b);
+    const double slide = A * std::exp(a) + B * std::exp(b) - 0.1;
+    const double rate = a * A * std::exp(a) + b * B * std::exp(b);
+    for (const char* scheme : {"newmark-simplified", "generalized-alpha", "sdirk-4"}) {
+        INFO(scheme);
+        const Motion motion(deck, with(scheme, "0.005")), finer(deck, with(scheme, "0.0025"));
+        CHECK(motion.at(1.0, "sleeve/slide")[0] == Approx(slide).epsilon(1e-3));
+        CHECK(motion.at(1.0, "sleeve/friction")[0] == Approx(-0.3 * 0.3 * 2.0 * 2.0 * rate).epsilon(2e-3));
+        // What friction takes is that of the force at the end of a step: of the first order.
+        const char* error = "/ledger/energy_error";
+        CHECK(motion.largest(error) < 1e-3);
+        CHECK(finer.largest(error) == Approx(0.5 * motion.largest(error)).epsilon(0.1));
+    }
+}
+
 TEST_CASE("A run with a sleeve that was stopped resumes to the last bit", "[analyses][joints][sleeve]") {
     for (const std::string& scheme : schemes) {
         INFO(scheme);

@@ -145,7 +145,8 @@ TEST_CASE("joints to the ground are steady in a turning frame along its axis", "
                     .a = {Anchor{-1, place}, axes},
                     .b = {Anchor{0}, axes},
                     .turn = {},
-                    .slide = {}};
+                    .slide = {},
+                    .strength = {}};
         change(joint);
         Model model;
         model.nodes.resize(1);

@@ -19,6 +19,17 @@ constexpr std::pair<JointKind, const char*> kinds[] = {{JointKind::ball, "ball"}
                                                        {JointKind::distance, "distance"},
                                                        {JointKind::free, "free"}};
 
+// x, y, z, rx, ry, rz.
+constexpr std::pair<std::array<bool, 6>, const char*> held_sets[] = {
+    {{false, true, true, false, false, false}, "point on a line"},
+    {{true, false, false, false, false, false}, "point on a plane"},
+    {{false, false, false, false, true, true}, "parallel axes"},
+    {{false, false, false, true, true, true}, "no turn"},
+    {{true, false, true, true, false, false}, "universal about y and z"},
+    {{true, true, true, false, true, false}, "universal about x and z"},
+    {{false, true, false, false, false, true}, "universal about x and y"},
+    {{true, true, true, true, false, true}, "hinge about y"}};
+
 // Rates and accelerations of order one, a step's rotation below a right angle.
 NodeMotion move_at_random(RandomValues& random, const NodeMotion& previous) {
     NodeMotion motion;
@@ -71,19 +82,30 @@ std::vector<std::pair<std::string, Joint>> add_motors(const std::string& name, c
     return joints;
 }
 
+void add_samples(const std::string& name,
+                 const Joint& joint,
+                 RandomValues& random,
+                 std::vector<JointSample>& samples) {
+    samples.push_back(make_sample(name, joint, random));
+    Joint grounded = joint;
+    grounded.a.anchor.node = -1;
+    samples.push_back(make_sample(name + ", A the ground", grounded, random));
+    grounded = joint;
+    grounded.b.anchor.node = -1;
+    samples.push_back(make_sample(name + ", B the ground", grounded, random));
+}
+
 std::vector<JointSample> make_samples() {
     RandomValues random(601);
     std::vector<JointSample> samples;
     for (const auto& [kind, kind_name] : kinds) {
-        for (auto [name, joint] : add_motors(kind_name, make_joint(kind, random))) {
-            samples.push_back(make_sample(name, joint, random));
-            Joint grounded = joint;
-            grounded.a.anchor.node = -1;
-            samples.push_back(make_sample(name + ", A the ground", grounded, random));
-            grounded = joint;
-            grounded.b.anchor.node = -1;
-            samples.push_back(make_sample(name + ", B the ground", grounded, random));
-        }
+        for (const auto& [name, joint] : add_motors(kind_name, make_joint(kind, random)))
+            add_samples(name, joint, random, samples);
+    }
+    for (const auto& [held, name] : held_sets) {
+        Joint joint = make_joint(JointKind::generic, random);
+        joint.held = held;
+        add_samples(std::string("generic, ") + name, joint, random, samples);
     }
     return samples;
 }
@@ -123,6 +145,22 @@ FreeCoordinates make_free_coordinates(RandomValues& random) {
 
 namespace {
 
+// Of two turns that are free the first is about an axis of A, the second about one of B.
+Quat turn_generic(const Joint& joint, const FreeCoordinates& free) {
+    std::vector<int> axes;
+    for (int k = 0; k < 3; ++k) {
+        if (!joint.held[static_cast<std::size_t>(3 + k)]) axes.push_back(k);
+    }
+    if (axes.size() == 3) return free.ball;
+    Quat turn = Quat::Identity();
+    double angle = free.turn;
+    for (const int k : axes) {
+        turn = turn * exp_quaternion(angle * Vec3(joint.a.axes.col(k)));
+        angle = free.second_turn;
+    }
+    return turn;
+}
+
 // B's rotation against A, in the global axes of t = 0.
 Quat turn_free(const Joint& joint, const FreeCoordinates& free) {
     const Vec3 axis = joint.a.axes.col(0);
@@ -133,6 +171,8 @@ Quat turn_free(const Joint& joint, const FreeCoordinates& free) {
         case JointKind::universal:
             return exp_quaternion(free.turn * axis) *
                    exp_quaternion(free.second_turn * Vec3(joint.b.axes.col(0)));
+        case JointKind::generic:
+            return turn_generic(joint, free);
         case JointKind::slider:
         case JointKind::weld:
             return Quat::Identity();
@@ -148,6 +188,13 @@ Vec3 slide_free(const Joint& joint, const FreeCoordinates& free) {
         case JointKind::slider:
         case JointKind::free:
             return {free.slide, 0.0, 0.0};
+        case JointKind::generic: {
+            Vec3 slide(free.slide, free.across[1], free.across[2]);
+            for (int i = 0; i < 3; ++i) {
+                if (joint.held[static_cast<std::size_t>(i)]) slide[i] = 0.0;
+            }
+            return slide;
+        }
         case JointKind::screw:
             return {joint.lead * free.turn / (2.0 * std::numbers::pi), 0.0, 0.0};
         case JointKind::plane:

@@ -101,6 +101,44 @@ TEST_CASE("The axes of a universal joint's sides begin with what each carries", 
         "unit vectors, is 0.8");
 }
 
+TEST_CASE("A generic joint holds what it names, in axes of A", "[deck][joint]") {
+    const Joint built = read_joint(from_ground("generic") +
+                                   "axis = [0, 0, 2]\ny_axis = [3, 4, 0]\nholds = [\"y\", \"rotation\"]\n");
+    Mat3 axes;
+    axes << 0, 0.6, -0.8, 0, 0.8, 0.6, 1, 0, 0;
+    CHECK(built.a.axes.isApprox(axes, 1e-15));
+    CHECK(built.b.axes == built.a.axes);
+    CHECK(built.held == std::array<bool, 6>{false, true, false, true, true, true});
+    CHECK(built.acts);
+    CHECK_FALSE(built.strength.is_limited());
+    CHECK_THAT(faults(from_ground("generic") + "axis = [0, 0, 2]\ny_axis = [0, 3, 4]\nholds = \"x\"\n"),
+               Contains("joint.j.y_axis: expected a direction at right angles to axis"));
+    CHECK_THAT(faults(from_ground("generic") + "axis = [0, 0, 2]\n"), Contains("joint.j.holds: missing"));
+    CHECK_THAT(faults(from_ground("hinge") + "axis = [0, 0, 2]\nholds = \"x\"\n"),
+               Contains("type \"hinge\" does not use this key"));
+}
+
+TEST_CASE("A joint holds in some stages, or until it breaks", "[deck][joint]") {
+    const Joint built =
+        read_joint("type = \"ball\"\nbetween = [\"ground\", \"b\"]\nbreaks = { force = 3, moment = 4 }\n");
+    CHECK(built.strength.force == 3.0);
+    CHECK(built.strength.moment == 4.0);
+    const auto staged = [](const std::string& keys) {
+        const std::string deck = parts + joint("type = \"ball\"\nbetween = [\"ground\", \"b\"]\n" + keys);
+        return deck.substr(0, deck.find("[analysis]")) +
+               deck.substr(deck.find("[", deck.find("[analysis]") + 1)) +
+               "[[stage]]\nname = \"one\"\nkind = \"static\"\n[[stage]]\nname = \"two\"\nkind = "
+               "\"path\"\nuntil = { t = 1 "
+               "}\n";
+    };
+    const Problem problem = read(staged("stages = \"two\"\n"));
+    CHECK_FALSE(problem.model.joints.at(0).acts);
+    CHECK(problem.stages.at(1).actions.joints.at(0).acts);
+    CHECK_THAT(faults_of(staged("stages = \"too\"\n")), Contains("no stage \"too\"; did you mean \"two\"?"));
+    CHECK_THAT(faults_of(staged("breaks = { force = 3 }\n")),
+               Contains("a stage of kind path cannot go on from a joint that breaks"));
+}
+
 TEST_CASE("A free joint does something", "[deck][joint]") {
     const std::string free = from_ground("free") + "axis = [0, 0, 1]\n";
     CHECK(faults(free) ==
@@ -169,7 +207,7 @@ TEST_CASE("A type has its own keys", "[deck][joint]") {
     CHECK(
         faults(from_ground("ball") + axis) ==
         "x.toml:24:1: joint.j.axis: type \"ball\" does not use this key; it is for hinge, cylinder, slider, "
-        "universal, screw, plane, free");
+        "universal, screw, plane, free, generic");
     CHECK(
         faults(from_ground("ball") + "move = \"t\"\n") ==
         "x.toml:24:1: joint.j.move: type \"ball\" does not use this key; it is for hinge, cylinder, slider, "
@@ -408,10 +446,8 @@ TEST_CASE("A sleeve is between a rod and a point of another part", "[deck][joint
                         "another part"));
     CHECK_THAT(message("\"r\", \"ground\""),
                Contains("the ground has no place of its own; expected at = [x, y, z]"));
-    const std::string friction = "at = [1, 0, 0]\nfriction = { coefficient = 0.1 }\n";
-    CHECK_THAT(
-        message("\"r\", \"b\"", friction),
-        Contains("the friction of a sleeve does not depend on the force that it holds; expected force"));
+    const std::string friction = "at = [1, 0, 0]\nfriction = { coefficient = 0.1, radius = 2 }\n";
+    CHECK_THAT(message("\"r\", \"b\"", friction), Contains("only the friction of a turn has a radius"));
     const std::string gear =
         "at = [1, 0, 0]\n[joint.k]\ntype = \"hinge\"\nbetween = [\"ground\", \"c\"]\naxis = [1, 0, 0]\n"
         "[gear.g]\njoints = [\"j\", \"k\"]\nratio = 1\n";

@@ -10,9 +10,9 @@ JOINT, SPRING = "#1d8a99", "#b08418"
 # Of types of joints: the marker, whether it is filled, and which axes are drawn through it.
 MARKERS = {"ball": ("o", True, ""), "hinge": ("o", False, "a"), "cylinder": ("s", False, "a"), "slider": ("s", True, "a"),
            "universal": ("P", True, "ab"), "screw": ("d", True, "a"), "plane": ("D", False, ""), "weld": ("X", True, ""),
-           "distance": (".", True, ""), "sleeve": ("o", False, "")}
+           "distance": (".", True, ""), "generic": ("h", True, "a"), "sleeve": ("o", False, "")}
 SIGNS = {"ball": "●", "hinge": "○", "cylinder": "□", "slider": "■", "universal": "✚", "screw": "⬧", "plane": "◇", "weld": "✖",
-         "distance": "•", "sleeve": "◉"}
+         "distance": "•", "generic": "⬢", "sleeve": "◉"}
 WINDINGS = 8  # of a spring
 MARK, BEAD = 6.0, 4.5  # widths in points, of joints and of sleeves at earlier times
 

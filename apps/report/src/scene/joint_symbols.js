@@ -71,6 +71,7 @@ export function makeSymbol({ type }, material, size, reach) {
   if (type in sleeveOf) body.add(...makeSleeves(type, material, size, spots));
   if (type === "ball" || type === "sleeve") body.add(makePart(shapes.ball, material, size));
   if (type === "weld") body.add(makePart(shapes.weld, material, size));
+  if (type === "generic") body.add(makePart(shapes.weld, material, 0.7 * size));
   if (type === "plane") body.add(makePart(shapes.plate, material, size), makePart(shapes.ball, material, 0.9 * size));
   if (type === "distance") body.add(makePart(shapes.knob, material, size));
   if (type === "universal") {
