@@ -21,6 +21,7 @@
 #include "deck/contact/read_obstacle_meshes.hpp"
 #include "deck/drives/build_drives.hpp"
 #include "deck/drives/build_inputs.hpp"
+#include "deck/drives/build_signals.hpp"
 #include "deck/expressions/function_files.hpp"
 #include "deck/joints/joints.hpp"
 #include "deck/loads/acting.hpp"
@@ -149,6 +150,7 @@ Problem build_problem(const CheckedTable& deck, const DeckFiles& files, FaultLis
     context.stages = build_stages(context);
     check_stage_names(context);
     build_inputs(context);
+    plan_signals(context);
     const std::vector<RodPoint> points = check_points(context);
     build_sections(context);
     build_rods(points, nets, section_files, context);
@@ -168,6 +170,7 @@ Problem build_problem(const CheckedTable& deck, const DeckFiles& files, FaultLis
     set_frame_intervals(context);
     problem.output = build_output(context);
     problem.output.histories = build_histories(context);
+    problem.signals = build_signals(problem.output.histories, context);
     name_response_points(problem.output.histories, context);
     problem.stages = std::move(context.stages);
     note_stages(problem.stages, problem.record);

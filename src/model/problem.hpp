@@ -6,6 +6,7 @@
 #include "model/deck_record.hpp"
 #include "model/model.hpp"
 #include "model/settings/settings.hpp"
+#include "model/settings/signal_plan.hpp"
 #include "model/settings/stage.hpp"
 
 namespace gxrod {
@@ -17,6 +18,7 @@ struct Problem {
     Model model;                    // with the actions of the first stage
     std::vector<StagePlan> stages;  // at least one
     OutputSettings output;
+    std::vector<SignalPlan> signals;
     std::vector<std::string> notes;  // choices that the reader made for the user, a line each
 
     const AnalysisSettings& analysis() const {

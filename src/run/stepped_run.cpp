@@ -19,7 +19,10 @@
 namespace gxrod {
 
 SteppedRun::SteppedRun(RunRequest request)
-    : request_(std::move(request)), books_(request_.problem.model, request_.examined), stages_(build()) {
+    : request_(std::move(request)),
+      books_(request_.problem.model, request_.examined),
+      signals_(request_.problem),
+      stages_(build()) {
     RunSummary& summary = books_.summary();
     summary.is_static = problem().record.is_static;
     summary.integrators = problem().record.integrators;
@@ -237,7 +240,10 @@ bool SteppedRun::take_over(const RestartRecord& record) {
     const std::vector<std::shared_ptr<Input>>& inputs = problem().model.inputs;
     if (record.inputs.size() != inputs.size())
         throw std::invalid_argument("the state to resume from is of a deck with other inputs");
+    if (record.signals.size() != problem().signals.size())
+        throw std::invalid_argument("the state to resume from is of a deck with other signals");
     for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i]->recall(record.inputs[i]);
+    signals_.recall(record.signals);
     if (!stages_->analysis().resume(record)) return false;
     recorded_time_ = record.axis_start + record.steps.time;
     books_.summary().totals = accepted_totals_ = record.totals;
@@ -309,6 +315,7 @@ bool SteppedRun::take_first() {
 bool SteppedRun::take_step() {
     const bool can_be_last = file_ && is_path(stages_->settings()) && !stages_->has_critical_points();
     const std::optional<RestartRecord> before = can_be_last ? std::optional(restart_record()) : std::nullopt;
+    set_signals();
     const EquilibriumReport report = stages_->analysis().advance();
     const SolverRow& row = analysis().solver_row();
     RunTotals& totals = books_.summary().totals;
@@ -339,6 +346,10 @@ bool SteppedRun::take_step() {
     return true;
 }
 
+void SteppedRun::set_signals() {
+    if (is_timed(stages_->settings())) signals_.act(analysis(), stages_->axis_start());
+}
+
 RestartRecord SteppedRun::restart_record() const {
     RestartRecord record = analysis().restart_record();
     record.totals = accepted_totals_;
@@ -348,6 +359,7 @@ RestartRecord SteppedRun::restart_record() const {
     record.stage_ends = stages_->ends();
     for (const std::shared_ptr<Input>& input : problem().model.inputs)
         record.inputs.push_back(input->state());
+    record.signals = signals_.states();
     return record;
 }
 
@@ -361,6 +373,8 @@ void SteppedRun::set_input(const std::string& name, double value, double until) 
     const auto& inputs = problem().model.inputs;
     const auto found = std::ranges::find(inputs, name, &Input::name);
     if (found == inputs.end()) throw std::invalid_argument("the deck has no input." + name);
+    if ((*found)->is_signal())
+        throw std::invalid_argument(fmt::format("{} is a signal, which the run itself sets", name));
     if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("input.{} cannot be {}", name, value));
     (*found)->set(value, analysis().state().time, until - stages_->axis_start());
     analysis().system().forget_loads();
@@ -387,6 +401,7 @@ void SteppedRun::close() {
     RunSummary& summary = books_.summary();
     summary.place = describe_place();
     leave_path();
+    for (const std::string& warning : signals_.list_warnings()) books_.add_warning(warning);
     books_.close(*stages_, stage_count());
     if (file_) {
         const PhaseTimer timer(output_seconds_);

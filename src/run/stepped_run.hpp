@@ -8,6 +8,7 @@
 #include "run/output_schedule.hpp"
 #include "run/run.hpp"
 #include "run/run_books.hpp"
+#include "run/signal_board.hpp"
 #include "run/stage_sequence.hpp"
 
 namespace gxrod {
@@ -87,6 +88,8 @@ class SteppedRun {
     bool find_shapes();
     // Returns false if the step failed; on a branch, cause_ says why it cannot be followed further.
     bool take_step();
+    // Sets the signals for the next step.
+    void set_signals();
     void show_last();
     void write_paths();
     StagePlace place_of_stage() const;
@@ -108,6 +111,7 @@ class SteppedRun {
 
     RunRequest request_;
     RunBooks books_;
+    SignalBoard signals_;
     double setup_seconds_ = 0.0;
     double output_seconds_ = 0.0;
     std::unique_ptr<StageSequence> stages_;

@@ -53,6 +53,7 @@ void SteppedRun::record() {
     const LedgerRow ledger = analysis().ledger_row();
     books_.watch_energy(*stages_, ledger, !has_started_);
     accepted_totals_ = books_.summary().totals;
+    if (!signals_.empty()) signals_.measure(take_snapshot(false));
     if (file_ || request_.observe) {
         record_within();
         const Snapshot snapshot = take_snapshot(last_framed_);

@@ -26,6 +26,10 @@ void check_memory(const Model& model) {
         throw std::invalid_argument(
             "an equilibrium of sections that remember depends on how it was reached: carry derivatives along "
             "instead");
+    if (has_breaking_joint(model))
+        throw std::invalid_argument(
+            "an equilibrium after a joint has broken depends on how it was reached: take `breaks` out of the "
+            "joints");
     if (!model.contact.is_empty())
         throw std::invalid_argument(
             "there are no derivatives of contact by multipliers yet: carry derivatives along instead");

@@ -10,6 +10,7 @@
 #include "model/path_dependence.hpp"
 #include "model/sections/kinked_law.hpp"
 #include "model/sticking.hpp"
+#include "model/ties/ties.hpp"
 #include "sensitivity/sensitivity_error.hpp"
 
 namespace gxrod {
@@ -45,6 +46,13 @@ bool is_at_same_places(const State& a, const State& b) {
 }
 
 void check_model(const Model& model, const Integrator& integrator) {
+    const auto is_signal = [](const std::shared_ptr<Input>& input) { return input->is_signal(); };
+    if (std::ranges::any_of(model.inputs, is_signal))
+        throw std::invalid_argument(
+            "derivatives do not follow signals yet: set inputs between steps instead, from Python");
+    if (has_breaking_joint(model))
+        throw std::invalid_argument(
+            "the time at which a joint breaks has no derivative here: take `breaks` out of the joints");
     const std::vector<std::string> frictions = list_frictions(model);
     if (std::ranges::find(frictions, "contact") != frictions.end())
         throw std::invalid_argument(

@@ -17,7 +17,8 @@ DeckRun::DeckRun(const std::string& name, const std::string& text, const std::ve
       stages_(std::make_unique<StageSequence>(
           StageSequence::Plan{problem_,
                               list_rod_places(problem_.output.histories),
-                              list_contact_watches(problem_.output.histories)})) {}
+                              list_contact_watches(problem_.output.histories)})),
+      signals_(problem_) {}
 
 double DeckRun::limit_load_factor() const {
     return limit_load_factor_of(stages_->settings()).value_or(std::numeric_limits<double>::quiet_NaN());
@@ -30,6 +31,7 @@ void DeckRun::check(const EquilibriumReport& report) {
 
 void DeckRun::run(const std::function<void()>& visit) {
     check(analysis().start());
+    measure_signals();
     visit();
     for (;;) {
         if (has_steps(stages_->settings()))
@@ -47,7 +49,9 @@ void DeckRun::run_steps(const std::function<void()>& visit) {
         while (!analysis().finished()) {
             {
                 const PhaseTimer timer(seconds_);
+                if (is_timed(stages_->settings())) signals_.act(analysis(), stages_->axis_start());
                 check(analysis().advance());
+                measure_signals();
             }
             ++steps_;
             newton_iterations_ += analysis().solver_row().newton_iterations;
@@ -55,6 +59,10 @@ void DeckRun::run_steps(const std::function<void()>& visit) {
         }
     } while (stages_->enter_next_branch(""));
     if (is_path(stages_->settings())) paths_.push_back(stages_->paths());
+}
+
+void DeckRun::measure_signals() {
+    if (!signals_.empty()) signals_.measure(analysis().snapshot(false));
 }
 
 void DeckRun::find_shapes() {

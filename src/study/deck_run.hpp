@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "deck/problem.hpp"
+#include "run/signal_board.hpp"
 #include "run/stage_sequence.hpp"
 #include "watch/history_watch.hpp"
 
@@ -47,6 +48,7 @@ class DeckRun {
 
   private:
     void check(const EquilibriumReport& report);
+    void measure_signals();
     void find_shapes();
     // Runs to the end of the stage and of the branches of its path.
     void run_steps(const std::function<void()>& visit);
@@ -54,6 +56,7 @@ class DeckRun {
     std::string name_;
     Problem problem_;
     std::unique_ptr<StageSequence> stages_;
+    SignalBoard signals_;
     std::vector<FoundShapes> shapes_;
     std::vector<PathRecord> paths_;
     long steps_ = 0;

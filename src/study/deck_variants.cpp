@@ -9,6 +9,7 @@
 #include "model/settings/analysis_traits.hpp"
 #include "model/settings/newton_choice.hpp"
 #include "study/method_traits.hpp"
+#include "watch/quantities.hpp"
 
 namespace gxrod {
 
@@ -44,6 +45,16 @@ std::vector<std::string> refine(const AdaptiveSettings& adaptive, const NewtonSe
     if (std::isfinite(adaptive.max_step)) divide("adaptive.max_step", adaptive.max_step, 2.0);
     if (newton.tolerance) divide("newton.tolerance", *newton.tolerance, error_fall);
     return overrides;
+}
+
+// Whether a signal measures along axes that do not turn with the model.
+bool measures_directions(const Problem& problem) {
+    return std::ranges::any_of(problem.signals, [&](const SignalPlan& signal) {
+        if (!signal.measure) return false;
+        const HistoryRequest& request = problem.output.histories[signal.measure->history];
+        return request.relative_node < 0 &&
+               quantity_of(request.target, signal.measure->quantity).turning != Turning::none;
+    });
 }
 
 DeckVariant make_finer_steps(const Problem& problem, int level) {
@@ -94,8 +105,10 @@ std::vector<DeckVariant> list_variants(const Problem& problem, int levels) {
             simo.overrides.push_back(fmt::format("{}=simo", rod_key(rod.name, "element")));
     }
     if (!order.overrides.empty()) variants.push_back(order);
-    variants.push_back({VariantKind::turned, 0, "turned in space"});
-    variants.push_back({VariantKind::turned_more, 0, "turned by 1e-6 rad more"});
+    if (!measures_directions(problem)) {
+        variants.push_back({VariantKind::turned, 0, "turned in space"});
+        variants.push_back({VariantKind::turned_more, 0, "turned by 1e-6 rad more"});
+    }
     if (!simo.overrides.empty()) variants.push_back(simo);
     variants.push_back({VariantKind::resumed, 0, "stopped midway and resumed"});
     variants.push_back({VariantKind::two_threads, 0, "two threads"});

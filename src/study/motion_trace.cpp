@@ -8,7 +8,9 @@
 #include "machine/phase_timer.hpp"
 #include "model/energy_round_off.hpp"
 #include "model/evaluation_error.hpp"
+#include "model/settings/analysis_traits.hpp"
 #include "results/energy_warning.hpp"
+#include "run/signal_board.hpp"
 #include "study/trace_sampler.hpp"
 
 namespace gxrod {
@@ -70,7 +72,9 @@ class Tracer {
           round_off_(compute_energy_round_off(problem.model)),
           momenta_(analysis_->system(), mass_),
           sampler_(request.sample_times, request.sample_times.back()),
-          reader_(problem, request.series) {
+          reader_(problem, request.series),
+          signals_(problem),
+          is_timed_(is_timed(problem.analysis())) {
         analysis_->watch(list_rod_places(problem.output.histories),
                          list_contact_watches(problem.output.histories));
     }
@@ -107,6 +111,7 @@ class Tracer {
         visit(trace);
         while (!analysis_->finished()) {
             if (request_->is_interrupted()) throw StudyInterrupted();
+            if (is_timed_) signals_.act(*analysis_, 0.0);
             if (!accept(analysis_->advance(), trace)) return;
             ++trace.steps;
             trace.newton_iterations += analysis_->solver_row().newton_iterations;
@@ -122,6 +127,7 @@ class Tracer {
 
     void visit(MotionTrace& trace) {
         const Snapshot snapshot = analysis_->snapshot(false);
+        signals_.measure(snapshot);
         reached_ = snapshot.time;
         sampler_.add(snapshot.time, reader_.read(snapshot));
         trace.steps_at.resize(sampler_.samples().size(), trace.steps);
@@ -158,6 +164,8 @@ class Tracer {
     MomentumBooks momenta_;
     TraceSampler sampler_;
     SeriesReader reader_;
+    SignalBoard signals_;
+    bool is_timed_;
     double reached_ = 0.0;  // the time of the last step that was accepted
 };
 

@@ -33,6 +33,8 @@ class Deck:
         self.names = dict(NAMES)
         for name, value in self.tree.get("parameters", {}).items():
             self.names[name] = self.number(value)
+        for name, signal in self.tree.get("signal", {}).items():
+            self.names[name] = signal.get("start", 0.0)
         for name, value in self.tree.get("function", {}).items():
             self.names[name] = self._function(value)
         self._expand_copies()

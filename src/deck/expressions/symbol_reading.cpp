@@ -1,6 +1,7 @@
 #include "deck/expressions/symbol_reading.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -185,20 +186,69 @@ void check_course(const DeckEntry& input, const Symbols& symbols, FaultList& fau
     }
 }
 
-void read_inputs(const DeckNode& deck, Symbols& symbols, FaultList& faults) {
-    const DeckNode::Table& entries = entries_of(deck, "input");
-    for (const DeckEntry& entry : entries) {
-        const bool is_parameter = symbols.parameters.contains(entry.key);
-        if (is_parameter || symbols.functions.contains(entry.key)) {
+void add_inputs(const DeckNode& deck, const std::string& table, Symbols& symbols, FaultList& faults) {
+    for (const DeckEntry& entry : entries_of(deck, table)) {
+        const char* other = symbols.parameters.contains(entry.key)  ? "a parameter"
+                            : symbols.functions.contains(entry.key) ? "a function"
+                            : symbols.inputs.contains(entry.key)    ? "an input"
+                                                                    : nullptr;
+        if (other != nullptr) {
             faults.add(entry.place,
-                       "input." + entry.key,
-                       fmt::format("a {} has this name too; choose another one",
-                                   is_parameter ? "parameter" : "function"));
+                       table + "." + entry.key,
+                       fmt::format("{} has this name too; choose another one", other));
         } else if (explain_unusable_name(entry.key).empty()) {
             symbols.inputs[entry.key] = std::make_shared<Input>(entry.key);
         }
     }
-    for (const DeckEntry& entry : entries) check_course(entry, symbols, faults);
+}
+
+// The signals whose values a signal reads.
+std::set<std::string> find_read_signals(const DeckEntry& signal,
+                                        const Uses& signals,
+                                        const Symbols& symbols) {
+    std::set<std::string> read;
+    const DeckEntry* value = signal.node.table() == nullptr ? nullptr : signal.node.find("value");
+    if (value == nullptr || value->node.text() == nullptr) return read;
+    try {
+        for (const std::string& name :
+             check_expression(*value->node.text(), symbols, Variables::time).inputs) {
+            if (signals.contains(name)) read.insert(name);
+        }
+    } catch (const ExpressionError&) {
+        // reported with the other keys
+    }
+    return read;
+}
+
+// Each signal is set after those that it reads.
+void order_signals(const DeckNode& deck, const Symbols& symbols, FaultList& faults) {
+    const DeckNode::Table& entries = entries_of(deck, "signal");
+    std::vector<std::string> names;
+    Uses uses;
+    for (const DeckEntry& entry : entries) {
+        names.push_back(entry.key);
+        uses[entry.key];
+    }
+    for (const DeckEntry& entry : entries) uses[entry.key] = find_read_signals(entry, uses, symbols);
+    const UseOrder order = find_use_order(names, uses);
+    for (const std::vector<std::string>& cycle : order.cycles) {
+        const auto entry = std::ranges::find(entries, cycle.front(), &DeckEntry::key);
+        faults.add(entry->place,
+                   "signal." + cycle.front(),
+                   fmt::format("signals read each other in a circle: {}", fmt::join(cycle, ", ")));
+    }
+    int rank = 0;
+    for (const std::string& name : order.names) {
+        const auto input = symbols.inputs.find(name);
+        if (input != symbols.inputs.end()) input->second->make_signal(rank++);
+    }
+}
+
+void read_inputs(const DeckNode& deck, Symbols& symbols, FaultList& faults) {
+    add_inputs(deck, "input", symbols, faults);
+    add_inputs(deck, "signal", symbols, faults);
+    for (const DeckEntry& entry : entries_of(deck, "input")) check_course(entry, symbols, faults);
+    order_signals(deck, symbols, faults);
 }
 
 }  // namespace

@@ -337,6 +337,12 @@ class Validator {
         }
     }
 
+    // Of a key that the top level has as well, and was perhaps meant there.
+    std::string explain_top_level(const std::string& path, const std::string& key) const {
+        if (path.empty() || !is_top_level_value(root_, key)) return "";
+        return "; as a key of the top level it must come before the first [table]";
+    }
+
     void check_conditions(const DeckNode& node, const CheckedTable& checked, const TableSpec& spec) const {
         for (const KeySpec& key : spec.keys) {
             if (node.find(key.name) == nullptr) continue;
@@ -348,10 +354,11 @@ class Validator {
                 if (!is_given && !is_used(*spec.find(condition.key), checked)) continue;
                 add(node.find(key.name)->place,
                     join_path(checked.path, key.name),
-                    fmt::format("{} \"{}\" does not use this key; it is for {}",
+                    fmt::format("{} \"{}\" does not use this key; it is for {}{}",
                                 condition.key,
                                 *word,
-                                plain_list(condition.words)));
+                                plain_list(condition.words),
+                                explain_top_level(checked.path, key.name)));
                 break;
             }
         }

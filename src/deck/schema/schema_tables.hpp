@@ -7,6 +7,7 @@ namespace gxrod {
 
 const TableSpec& function_table();
 const TableSpec& input_table();
+const TableSpec& signal_table();
 const TableSpec& section_table();
 const TableSpec& damping_table();  // of sections
 const TableSpec& law_table();
@@ -38,7 +39,7 @@ const TableSpec& history_table();
 
 // Whether expressions use the names of these tables.
 inline bool is_for_expressions(const KeySpec& key) {
-    return key.table == &function_table() || key.table == &input_table();
+    return key.table == &function_table() || key.table == &input_table() || key.table == &signal_table();
 }
 
 inline constexpr Range positive{.lower = 0.0, .at_lower = Bound::open};

@@ -123,6 +123,8 @@ const TableSpec& deck_schema() {
             .also("amplitude amplitudes curve curves time_function")
         .tables("input", KeyShape::named_tables, input_table())
             .may_change()
+        .tables("signal", KeyShape::named_tables, signal_table())
+            .also("signals controller control")
         .with(add_parts)
         .with(add_actions)
         .with(add_tasks)

@@ -29,7 +29,9 @@ KeyShape shape_of(const std::string& key) {
 }
 
 // Whether expressions read it by its name.
-bool is_symbol(const std::string& key) { return key == "parameters" || key == "function" || key == "input"; }
+bool is_symbol(const std::string& key) {
+    return key == "parameters" || key == "function" || key == "input" || key == "signal";
+}
 
 bool is_letter(char letter) { return letter == '_' || std::isalnum(static_cast<unsigned char>(letter)) != 0; }
 

@@ -32,6 +32,11 @@ class Input {
 
     const std::string& name() const { return name_; }
     InputHold hold() const { return hold_; }
+    // The place of a signal among the signals, each after those that it reads; −1 of any other input. The run
+    // itself sets signals, by what it measures.
+    int signal_rank() const { return signal_rank_; }
+    bool is_signal() const { return signal_rank_ >= 0; }
+    void make_signal(int rank) { signal_rank_ = rank; }
     // Sets the deck's value, which applies until the input is set.
     void plan(TimeFunction value, InputHold hold) {
         planned_ = std::move(value);
@@ -72,6 +77,7 @@ class Input {
     TimeFunction planned_;
     InputHold hold_ = InputHold::step;
     InputState state_;
+    int signal_rank_ = -1;
 };
 
 }  // namespace gxrod

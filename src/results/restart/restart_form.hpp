@@ -14,7 +14,7 @@
 namespace gxrod {
 
 inline constexpr std::int64_t no_slot = -1;
-inline constexpr std::int64_t form_version = 17;  // version of /restart; raise it with every change
+inline constexpr std::int64_t form_version = 18;  // version of /restart; raise it with every change
 inline std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
 
 using Vec1 = Eigen::Matrix<double, 1, 1>;
@@ -41,6 +41,9 @@ void visit_vectors(Row& row, Visitor&& visit) {
         for (auto* number : {&row.turn, &row.slide}) visit_vectors(*number, visit);
     } else if constexpr (std::is_same_v<Kind, InputState>) {
         for (auto* number : {&row.is_set, &row.planned, &row.from_time, &row.from, &row.to_time, &row.to})
+            visit_vectors(*number, visit);
+    } else if constexpr (std::is_same_v<Kind, SignalState>) {
+        for (auto* number : {&row.measured, &row.is_started, &row.time, &row.filtered, &row.integral})
             visit_vectors(*number, visit);
     } else if constexpr (std::is_same_v<Kind, double>) {
         visit(Eigen::Map<std::conditional_t<std::is_const_v<Row>, const Vec1, Vec1>>(&row));
@@ -199,6 +202,13 @@ inline const DatasetLabel inputs_label{
     "none",
     ""};
 
+inline const DatasetLabel signals_label{"signals",
+                                        "of each signal: what it measured, whether it was set (1) and when, "
+                                        "its value behind the filter then, and "
+                                        "the integral of the error",
+                                        "none",
+                                        ""};
+
 // Calls visit(label, rows) for each list of a record. Some are empty in some stages and not in others.
 template <class Record, class Visitor>
 void visit_lists(Record& record, Visitor&& visit) {
@@ -215,6 +225,7 @@ void visit_lists(Record& record, Visitor&& visit) {
     visit(path_tangent_label, record.path.tangent);
     visit(stage_ends_label, record.stage_ends);
     visit(inputs_label, record.inputs);
+    visit(signals_label, record.signals);
 }
 
 inline DatasetLabel numbers_label() {

@@ -5,6 +5,7 @@
 
 #include "model/time/input.hpp"
 #include "state/energy_jump.hpp"
+#include "state/records/signal_state.hpp"
 #include "state/state.hpp"
 #include "state/step_memory.hpp"
 
@@ -74,6 +75,7 @@ struct RestartRecord {
     PathMemory path;                    // empty without a path
     std::vector<double> stage_ends;     // t at which each stage ended, or will end as far as is known
     std::vector<InputState> inputs;     // states of Model::inputs
+    std::vector<SignalState> signals;   // in the order in which they are set
 };
 
 // A restart record with its place in a results file.
