@@ -362,6 +362,20 @@ def universal(deck, draw):
 
 
 @feature("root")
+def generic_joint(deck, draw):
+    put_on_joint(deck, type="generic", axis=[1, 0, 0], y_axis=[0, 1, 0], holds=["position", "rx", "rz"])
+    deck["bushing"] = deck.get("bushing", {}) | {"soft": {"between": ["ground", "beam.start"], "at": [0, 0, 0],
+                                                          "stiffness": {"ry": draw.uniform(3, 5)}}}
+
+
+@feature("root", follows_load=True, kinked=True, sudden=True)
+def breaking_joint(deck, draw):
+    deck["joint"] = deck.get("joint", {}) | {"prop": {"type": "generic", "between": ["ground", "beam.end"], "axis": [0, 0, 1],
+                                                      "holds": "x", "breaks": {"force": draw.uniform(0.1, 0.2)}}}
+    deck["history"].append({"name": "prop", "at": "prop", "quantities": ["force", "holds"]})
+
+
+@feature("root")
 def slider(deck, draw):
     put_on_joint(deck, type="slider", axis=[0, 0, 1], spring={"stiffness": draw.uniform(10, 40)})
 
@@ -470,6 +484,13 @@ def initial_velocity(deck, draw):
     speed = draw.uniform(0.2, 1)
     deck["initial"] = [{"on": "beam", "velocity": [0, 0, f"{speed}*x^2"],
                         "angular_velocity": [0, f"-{2 * speed}*x", 0]}]
+
+
+@feature("input", follows_load=True, timed=True, kinked=True, damped=True)
+def signal(deck, draw):
+    deck["signal"] = {"height": {"measure": "tip.displacement.z"},
+                      "pull": {"value": "-height", "hold": "linear", "pid": {"proportional": draw.uniform(0.5, 2)}}}
+    add_load(deck, at="beam.end", force=[0, 0, "pull"])
 
 
 @feature("input", sudden=True)

@@ -255,7 +255,8 @@ class Judge:
 
     def eigenvalues(self):
         """What rings after a small blow is a sum of motions of these eigenvalues."""
-        found = self.shapes(kinds.static(10), kinds.modes("eigenvalues", 12))
+        # What slips rings with all that can still be resolved.
+        found = self.shapes(kinds.static(10), kinds.modes("eigenvalues", 24 if self.kinked else 12))
         ringing = self.deck["load"] + [{"at": "beam.end", "stages": "stage1", "force": [
             "0", "1e-3*(t < 0.2 ? sin(5*pi*t)^2 : 0)", "2e-3*(t < 0.2 ? sin(5*pi*t)^2 : 0)"]}]
         # What slips or yields does so while it rings for the first times.

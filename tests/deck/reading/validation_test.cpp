@@ -13,17 +13,19 @@ TEST_CASE("Unknown keys are errors that name the nearest known one", "[deck]") {
     CHECK(faults_of(replaced(body_deck, "mass = 1.0", R"(mass = 1.0
 colour = 3)")) ==
           "x.toml:3:1: body.top.colour: unknown key; known here: mass, inertia, at, centre_of_mass, "
-          "rotation_vector, velocity, angular_velocity, angular_velocity_material, sphere, capsule, fluid");
+          "rotation_vector, velocity, angular_velocity, angular_velocity_material, sphere, capsule, fluid, "
+          "copies");
     CHECK(faults_of(rod_deck + "[zone.a]") ==
           "x.toml:13:2: zone: unknown key; known here: title, units, gravity, plane, parameters, function, "
-          "input, "
+          "input, signal, "
           "section, rod, body, spring, bushing, joint, gear, connect, load, tendon, actuation, magnetic, "
           "fluid, wave, air, seabed, contact, obstacle, support, initial, rotation, "
           "analysis, "
           "stage, output, history");
     CHECK(faults_of(body_deck + "gravity = [0, 0, -9.81]") ==
-          "x.toml:8:1: analysis.gravity: gravity is a key of the top level and must come before the first "
-          "[table]; here it belongs to [analysis]");
+          "x.toml:8:1: analysis.gravity: kind \"dynamic\" does not use this key; it is for response; as a "
+          "key of "
+          "the top level it must come before the first [table]");
     CHECK(faults_of(replaced(body_deck, "mass = 1.0", R"(mass = 1.0
 title = "late")")) ==
           "x.toml:3:1: body.top.title: title is a key of the top level and must come before the first "
