@@ -57,7 +57,7 @@ EquilibriumAdjoint::EquilibriumAdjoint(const System& system,
                                        LinearSolverKind linear_solver,
                                        const std::vector<int>& nodes,
                                        const Quantity& quantity)
-    : system_(system), state_(state), time_(time), linear_solver_(linear_solver) {
+    : system_(system), state_(state), time_(time) {
     check_memory(system.model());
     undo_trial(state_);
     for (NodeMotion& motion : state_.trial) motion.theta.setZero();

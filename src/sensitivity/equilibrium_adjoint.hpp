@@ -38,7 +38,6 @@ class EquilibriumAdjoint {
     const System& system_;
     State state_;
     double time_;
-    LinearSolverKind linear_solver_;
     std::vector<double> values_;   // values of the tangent
     Eigen::VectorXd multipliers_;  // λ
 };

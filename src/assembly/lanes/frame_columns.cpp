@@ -110,7 +110,8 @@ void FrameColumns::add_columns(const State& state,
             const Vec6 along = equations.to_global_axes(pair.column_node, Vec6::Unit(column));
             own = equations.to_own_axes(pair.row_node, columns * along.head<3>());
             for (int row = 0; row < 6; ++row) {
-                const std::int64_t slot = pair.slots[static_cast<std::size_t>(6 * column + row)];
+                const std::int64_t slot =
+                    pair.slots[6 * static_cast<std::size_t>(column) + static_cast<std::size_t>(row)];
                 if (slot >= 0) values[static_cast<std::size_t>(slot)] += own[row];
             }
         }

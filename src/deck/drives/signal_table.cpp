@@ -81,7 +81,7 @@ class SignalBuilder {
     }
 
   private:
-    void add(std::string message) const { context_.add_fault(given_, given_.measure, std::move(message)); }
+    void add(const std::string& message) const { context_.add_fault(given_, given_.measure, message); }
 
     std::optional<SignalPlan::Measure> find_measure() const {
         const MeasureWords words = split(*given_.measure);

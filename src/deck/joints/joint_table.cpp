@@ -148,6 +148,34 @@ std::vector<Condition> types_that(const Fits& fits) {
     return {condition};
 }
 
+// The keys of a generic joint besides its axis.
+void add_generic_keys(Table<JointTable>& table) {
+    using T = JointTable;
+    // clang-format off
+    table
+        .key("y_axis", &T::y_axis, "Of a generic joint: its y axis, at right angles to `axis`, which is x. A carries both.")
+            .unit("1").otherwise("towards the global axis that is most across `axis`").only_for(types_that(is_generic))
+        .key("holds", &T::holds, "Of a generic joint: the displacements of B along the joint's axes (x, y, z, or position for "
+             "all) and its turns about them (rx, ry, rz, or rotation) that are held. Where one turn is held, the other two "
+             "are those of a universal joint.")
+            .words(component_words()).required().remark("what it holds, as in [\"y\", \"z\"]").only_for(types_that(is_generic))
+            .also("fix fixed locks constrains directions");
+    // clang-format on
+}
+
+// The keys that say when a joint holds.
+void add_holding_keys(Table<JointTable>& table) {
+    using T = JointTable;
+    // clang-format off
+    table
+        .key("breaks", &T::breaks, break_table(), "The joint breaks at the end of a step in which it holds more, and holds "
+             "nothing from then on: neither its equations nor what acts on its coordinates.")
+            .only_for(types_that(holds_anything)).also("break strength breaks_at break_at fails")
+        .key("stages", &T::stages, "The stages in which the joint holds. It has to be closed where it begins to hold.")
+            .otherwise("all").names_of({"stage"}).only_for(types_that(is_between_nodes));
+    // clang-format on
+}
+
 std::string describe_types() {
     std::string text = "What it leaves free.";
     for (const JointCard& card : joint_cards) text += fmt::format(" {}: {}.", card.word, card.leaves_free);
@@ -180,13 +208,7 @@ const TableSpec& joint_table() {
              "Its axis, of a plane the normal: global at t = 0, of any length; A and B carry it.")
             .unit("1").required().remark("the direction of its axis at t = 0, global").only_for(types_that(has_axis))
             .also("direction normal axis_a rotation_axis")
-        .key("y_axis", &T::y_axis, "Of a generic joint: its y axis, at right angles to `axis`, which is x. A carries both.")
-            .unit("1").otherwise("towards the global axis that is most across `axis`").only_for(types_that(is_generic))
-        .key("holds", &T::holds, "Of a generic joint: the displacements of B along the joint's axes (x, y, z, or position for "
-             "all) and its turns about them (rx, ry, rz, or rotation) that are held. Where one turn is held, the other two "
-             "are those of a universal joint.")
-            .words(component_words()).required().remark("what it holds, as in [\"y\", \"z\"]").only_for(types_that(is_generic))
-            .also("fix fixed locks constrains directions")
+        .with(add_generic_keys)
         .key("axis_b", &T::axis_b, "Of a universal joint: the axis fixed in B, at right angles to `axis`.")
             .unit("1").required().remark("the axis that B carries").only_for(types_that(&JointCard::has_axis_b))
         .key("lead", &T::lead, "Of a screw: the slide along the axis in one turn; negative if left-handed.")
@@ -209,11 +231,7 @@ const TableSpec& joint_table() {
             .only_for(types_that(has_free_coordinate))
         .key("limits", &T::limits, limits_table(), "Springs at the ends of a coordinate's range.")
             .only_for(types_that(has_free_coordinate)).also("limit stops stop range bounds")
-        .key("breaks", &T::breaks, break_table(), "The joint breaks at the end of a step in which it holds more, and holds "
-             "nothing from then on: neither its equations nor what acts on its coordinates.")
-            .only_for(types_that(holds_anything)).also("break strength breaks_at break_at fails")
-        .key("stages", &T::stages, "The stages in which the joint holds. It has to be closed where it begins to hold.")
-            .otherwise("all").names_of({"stage"}).only_for(types_that(is_between_nodes))
+        .with(add_holding_keys)
         .with(add_copies<T>)
         .shown_by(
             "[joint.pivot]\n"
