@@ -55,7 +55,8 @@ CheckText describe_problem(const Problem& problem) {
         if (!stage.name.empty()) text.rest += "stage " + stage.name + ": ";
         text.rest += describe_analysis(stage.analysis);
     }
-    text.rest += describe_output(problem.stages, problem.output) + describe_size(problem);
+    text.rest += describe_signals(problem.signals, problem.output) +
+                 describe_output(problem.stages, problem.output) + describe_size(problem);
     if (const std::string plane = suggest_plane(problem.model); !plane.empty())
         text.notes.push_back("note: " + plane);
     for (const std::string& note : problem.notes) text.notes.push_back("note: " + note);

@@ -192,6 +192,29 @@ std::string describe_analysis(const AnalysisSettings& settings) {
     return fmt::format("static analysis: {} steps of the load factor t from 0 to 1\n", steps_of(settings));
 }
 
+std::string describe_signals(const std::vector<SignalPlan>& signals, const OutputSettings& output) {
+    std::string text;
+    for (const SignalPlan& signal : signals) {
+        std::string source = "a function of t";
+        if (signal.measure)
+            source = output.histories[signal.measure->history].name + " " + signal.measure->quantity;
+        if (signal.filter > 0.0) source += fmt::format(", filtered by {:.6g}", signal.filter);
+        if (signal.is_rate) source.insert(0, "rate of ");
+        if (signal.pid) {
+            source = fmt::format("controller (proportional {:.6g}, integral {:.6g}, derivative {:.6g}) of {}",
+                                 signal.pid->proportional,
+                                 signal.pid->integral,
+                                 signal.pid->derivative,
+                                 source);
+        }
+        text += fmt::format("signal {}: {}", signal.name, source);
+        if (signal.lower) text += fmt::format(", at least {:.6g}", *signal.lower);
+        if (signal.upper) text += fmt::format(", at most {:.6g}", *signal.upper);
+        text += "; acts one step later\n";
+    }
+    return text;
+}
+
 std::string describe_output(const std::vector<StagePlan>& stages, const OutputSettings& output) {
     std::string text = "output: ";
     const char* separator = "";

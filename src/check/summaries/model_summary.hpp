@@ -6,6 +6,7 @@
 #include "check/summaries/item_list.hpp"
 #include "model/model.hpp"
 #include "model/settings/settings.hpp"
+#include "model/settings/signal_plan.hpp"
 #include "model/settings/stage.hpp"
 
 namespace gxrod {
@@ -14,6 +15,8 @@ namespace gxrod {
 std::vector<ItemList> list_model(const Model& model);
 std::string describe_total(const Model& model);
 std::string describe_analysis(const AnalysisSettings& settings);
+// A line for each signal.
+std::string describe_signals(const std::vector<SignalPlan>& signals, const OutputSettings& output);
 std::string describe_output(const std::vector<StagePlan>& stages, const OutputSettings& output);
 
 }  // namespace gxrod
