@@ -457,7 +457,8 @@ void TangentLinearStep::split_contact(const Stage& stage, std::span<VariedSystem
 
 bool TangentLinearStep::has_reproduced(const State& after) const {
     constexpr double same = 1e-6;  // of the largest velocity
-    if (!contacts_.are_possible() || integrator_.is_static()) return true;
+    const bool has_rates = !integrator_.is_static() && base_system_.model().has_inertia;
+    if (!contacts_.are_possible() || !has_rates) return true;
     const double length = base_system_.length_scale();
     double speed = 0.0, difference = 0.0;
     for (std::size_t i = 0; i < after.previous.size(); ++i) {
