@@ -111,7 +111,7 @@ void build_joint_actions(BuildContext& context) {
         set_coordinates(given, size, joint, context);
         joint.acts = acts_in_stage(given, context);
         check_breaks(given, context);
-        check_sides(given, joint, held, context);
+        if (joint.acts) check_sides(given, joint, held, context);
         check_motors(given, size, context);
     }
 }

@@ -134,6 +134,11 @@ TEST_CASE("A joint holds in some stages, or until it breaks", "[deck][joint]") {
     const Problem problem = read(staged("stages = \"two\"\n"));
     CHECK_FALSE(problem.model.joints.at(0).acts);
     CHECK(problem.stages.at(1).actions.joints.at(0).acts);
+    // Where it rests a support may hold what it joins.
+    const std::string support = "[[support]]\nat = \"b\"\nfix = \"all\"\nstages = \"one\"\n";
+    CHECK(faults_of(staged("stages = \"two\"\n" + support)).empty());
+    CHECK_THAT(faults_of(staged(support)),
+               Contains("a [[support]] holds all of the side that is not the ground"));
     CHECK_THAT(faults_of(staged("stages = \"too\"\n")), Contains("no stage \"too\"; did you mean \"two\"?"));
     CHECK_THAT(faults_of(staged("breaks = { force = 3 }\n")),
                Contains("a stage of kind path cannot go on from a joint that breaks"));
