@@ -42,7 +42,7 @@ class Derivatives {
     void restore(const Sensitivities::Record* record);
 
   private:
-    // What belongs to one stage; models of a later one than the first have its actions.
+    // The derivatives of one stage; after the first stage the models have the actions of theirs.
     struct OfStage {
         std::size_t stage = 0;
         std::vector<std::unique_ptr<Model>> models;

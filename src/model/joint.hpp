@@ -66,8 +66,8 @@ struct JointCoordinate {
     CoordinateLimits limits;
 };
 
-// What a joint can hold: it breaks at the end of a step in which it holds more, and holds nothing from then
-// on.
+// The largest force and moment that a joint holds. It breaks at the end of a step in which it holds more, and
+// then holds nothing.
 struct JointStrength {
     std::optional<double> force;   // of the rows that are lengths
     std::optional<double> moment;  // of the others

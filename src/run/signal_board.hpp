@@ -34,7 +34,7 @@ class SignalBoard {
         const SignalPlan* plan;
         std::vector<HistoryWatch> watch;  // one, of what is measured
         SignalState state = {};
-        // Of the last steps, for warnings.
+        // Changes from step to step, which warnings are about.
         double last = 0.0, change = 0.0, largest = 0.0;
         long changes = 0, reversals = 0;
     };

@@ -208,7 +208,8 @@ void ForwardSensitivity::check_smoothness(const State& centre, double time_step)
             size = std::max(size, largest[other] * sizes[k] / sizes[other]);
         if (kink[k] > tolerable * step * size && kink[k] > round_off * sizes[k])
             kink_ = fmt::format(
-                "there is none from t = {:.6g} on, where something opens, closes or reaches a limit: a kink; "
+                "it does not exist from t = {:.6g} on, where something opens, closes or reaches a limit: a "
+                "kink; "
                 "take another value of the number, or a difference of whole runs",
                 centre.time);
     }

@@ -142,7 +142,8 @@ void Sensitivities::start_after(const Sensitivities& earlier) {
     } else if (!is_at_same_places(before, analysis_->state())) {
         for (ForwardSensitivity& one : all_)
             one.end(
-                "there is none from the start of this stage on, where what acts at once was brought on in "
+                "it does not exist from the start of this stage on, where what acts at once was brought on "
+                "in "
                 "parts; let it grow over a time");
     }
     note_before();
@@ -187,7 +188,7 @@ void Sensitivities::advance() {
     } catch (const ClosedGapError& error) {
         for (ForwardSensitivity& one : all_)
             one.end(fmt::format(
-                "there is none from t = {:.6g} on, where {}", analysis_->state().time, error.what()));
+                "it does not exist from t = {:.6g} on, where {}", analysis_->state().time, error.what()));
     }
 }
 
@@ -206,10 +207,11 @@ void Sensitivities::take_step() {
         one.straighten_ends(step_->centre().ended);
         one.check_smoothness(step_->centre().state, stage.time_step);
         if (!step_->has_reproduced(after))
-            one.end(fmt::format(
-                "there is none from t = {:.6g} on, where energy was taken from velocities so that contact "
-                "gains none; take shorter steps",
-                after.time));
+            one.end(
+                fmt::format("it does not exist from t = {:.6g} on, where energy was taken from velocities so "
+                            "that contact "
+                            "gains none; take shorter steps",
+                            after.time));
     }
 }
 

@@ -132,7 +132,7 @@ class TangentLinearStep {
     SolverWorkspace workspace_;
     bool has_hidden_constraints_;
     std::vector<NodeLinearization> linearizations_;  // of the base at the present stage
-    // Of stage j by stage k, one row after the other.
+    // The linearizations of stage j by stage k, one row after the other.
     std::vector<std::vector<NodeLinearization>> stage_linearizations_;
     std::unique_ptr<ExactMatrix> exact_;                         // of stages that are found together
     std::vector<ContactTrial> base_contacts_, varied_contacts_;  // of these stages

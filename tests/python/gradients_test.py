@@ -203,7 +203,7 @@ def test_where_something_opens_there_is_no_derivative():
     sim.advance(steps=2)
     assert np.array_equal(sim["quarter"].derivative("begin").moment, [0, 0, 0])
     sim.run()
-    with pytest.raises(gxrod.Error, match="the derivative of history quarter by begin: there is none from t = 0.75 on"):
+    with pytest.raises(gxrod.Error, match="the derivative of history quarter by begin: it does not exist from t = 0.75 on"):
         sim["quarter"].derivative("begin").moment
 
 
@@ -358,7 +358,7 @@ def test_impacts_have_derivatives(integrator, damping, by_speed, by_obstacle):
 def test_impacts_from_which_energy_is_taken_have_no_derivatives():
     sim = gxrod.Simulation(gxrod.Deck.from_text(BALL).build({"analysis.integrator": "generalized-alpha"}), sensitivities=["v"])
     sim.run()
-    with pytest.raises(gxrod.Error, match="the derivative of history tip by v: there is none from t = 0.058 on, where energy was taken from velocities"):
+    with pytest.raises(gxrod.Error, match="the derivative of history tip by v: it does not exist from t = 0.058 on, where energy was taken from velocities"):
         sim["tip"].derivative("v").position
 
 

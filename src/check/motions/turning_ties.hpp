@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -13,7 +14,8 @@ namespace gxrod {
 // is tied to the ground, and is not alike to all sides of the axis of rotation. "" if all are.
 std::string find_unsteady_tie(const Model& model, const TurningFrame& frame);
 
-// What a kind of joint asks of a part that turns about an axis, against one that does not.
+// The card of a kind of joint between a part that turns about an axis and one that does not: what it asks to
+// be alike to all sides.
 struct TurningJointCard {
     JointKind kind;
     bool holds_turn = false;      // about its own axis, or any
@@ -37,6 +39,9 @@ inline constexpr std::array<TurningJointCard, joint_cards.size()> turning_joint_
      {.kind = JointKind::free, .has_axis = true, .holds_something = false},
      {.kind = JointKind::generic, .is_alike = false},
      {.kind = JointKind::sleeve}}};
+
+static_assert(
+    std::ranges::equal(turning_joint_cards, joint_cards, {}, &TurningJointCard::kind, &JointCard::kind));
 
 constexpr const TurningJointCard& turning_card_of(JointKind kind) {
     return turning_joint_cards[static_cast<std::size_t>(kind)];

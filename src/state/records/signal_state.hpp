@@ -2,7 +2,7 @@
 
 namespace gxrod {
 
-// What a signal remembers from step to step; part of the data for resuming a run.
+// The memory of a signal from step to step; part of the data for resuming a run.
 struct SignalState {
     double measured = 0.0;    // at the last accepted step
     double is_started = 0.0;  // 1 once it was set
