@@ -88,6 +88,7 @@ Ledger::Ledger(const System& system,
     contact_loss_ = before->contact_loss;
     initial_contact_energy_ = before->initial_contact_energy;
     largest_energy_ = before->largest_energy;
+    energy_error_ = row(state).energy_error;
 }
 
 LedgerTotals Ledger::totals(const State& state) const {
@@ -131,34 +132,50 @@ void Ledger::add_step(const State& state, const Step& step) {
     }
     dissipated_ += law_dissipation_ + system_->joints().compute_slip_dissipation(state);
     add_fluid_work(state, step.time);
+    const bool touched_before = contact_energy_ != 0.0;
     add_contact_work(state, step.time);
-    if (limits_energy()) {
-        book_loss(state, step.time);
-    } else {
+    if (!limits_energy()) {
         dissipated_by_scheme_ += compute_scheme_dissipation(state, step.time_step);
+    } else if (weighs_powers()) {
+        book_gain(state, step, touched_before);
+    } else {
+        book_loss(state, step.time);
     }
 }
 
 bool Ledger::limits_energy() const {
     const Model& model = system_->model();
-    return Contacts(*system_).are_possible() && model.has_inertia && model.has_time && !weighs_powers();
+    return Contacts(*system_).are_possible() && model.has_inertia && model.has_time;
 }
 
-void Ledger::book_loss(const State& state, double time) {
+LedgerRow Ledger::measure_step(const State& state, double time) {
     balance_ = SystemMeasures(*system_).compute_balance(state, time);
     const LedgerRow at_end = row(state);
     largest_energy_ =
         std::max({largest_energy_,
                   at_end.kinetic_energy + std::abs(at_end.strain_energy) + at_end.contact_energy,
                   std::abs(at_end.external_work)});
-    energy_error_ = at_end.energy_error;
+    return at_end;
+}
+
+void Ledger::book_loss(const State& state, double time) {
+    energy_error_ = measure_step(state, time).energy_error;
     if (energy_error_ < 0.0) dissipated_by_scheme_ -= std::exchange(energy_error_, 0.0);
+}
+
+// Quadrature of work has errors of both signs in any step: what contact has no part in is no gain.
+void Ledger::book_gain(const State& state, const Step& step, bool touched_before) {
+    const double error = measure_step(state, step.time).energy_error;
+    const double change = error - std::exchange(energy_error_, error);
+    if (step.is_shortened || touched_before || contact_energy_ != 0.0)
+        contact_gain_ = std::max(contact_gain_ + change, 0.0);
 }
 
 double Ledger::surplus() const {
     constexpr double tolerated = 1e-4;
-    if (!limits_energy() || energy_error_ <= tolerated * largest_energy_) return 0.0;
-    return energy_error_ - 0.5 * tolerated * largest_energy_;
+    const double gained = weighs_powers() ? contact_gain_ : energy_error_;
+    if (!limits_energy() || gained <= tolerated * largest_energy_) return 0.0;
+    return gained - 0.5 * tolerated * largest_energy_;
 }
 
 // Of the mean of the forces at both ends of the step, in every scheme.
@@ -175,7 +192,7 @@ void Ledger::add_contact_work(const State& state, double time) {
     const ContactWork work = contacts.compute_work(state, time, contact_energy_);
     work_ += work.by_obstacles;
     // What contact would give is left to the surplus.
-    contact_loss_ += limits_energy() ? std::max(work.loss, 0.0) : work.loss;
+    contact_loss_ += limits_energy() && !weighs_powers() ? std::max(work.loss, 0.0) : work.loss;
     if (integrator_->is_static()) step_work_.uncertainty += work.uncertainty;
     const double energy = contacts.compute_energy(state, time);
     contact_change_ = energy - contact_energy_ + work.loss - work.by_obstacles;
@@ -240,8 +257,9 @@ void Ledger::end_settling(const State& state, double time, const Residual& resid
     load_step_ = {};
     const Balance balance = SystemMeasures(*system_).compute_balance(state, time);
     strain_energy_ = balance.strain_energy;
-    if (integrator_->is_static()) balance_ = balance;
+    if (integrator_->is_static() || balance_) balance_ = balance;
     dissipated_ += std::max(error_before_settling_ - row(state).energy_error, 0.0);
+    energy_error_ = row(state).energy_error;
     largest_energy_before_ = largest_energy_;
     measure_largest_energy();
 }
@@ -316,6 +334,8 @@ LedgerMemory Ledger::memory() const {
     }
     memory.strain_energy = strain_energy_;
     memory.largest_energy = largest_energy_;
+    memory.energy_error = energy_error_;
+    memory.contact_gain = contact_gain_;
     return memory;
 }
 
@@ -335,6 +355,8 @@ void Ledger::resume(const LedgerMemory& memory) {
     load_step_ = {memory.force_change, memory.movement, memory.load_step};
     strain_energy_ = memory.strain_energy;
     largest_energy_ = memory.largest_energy;
+    energy_error_ = memory.energy_error;
+    contact_gain_ = memory.contact_gain;
 }
 
 LedgerRow Ledger::row(const State& state) const {

@@ -4,7 +4,6 @@
 
 #include <stdexcept>
 
-#include "analyses/impact_gain.hpp"
 #include "analyses/start_velocities.hpp"
 #include "assembly/contact/contacts.hpp"
 #include "assembly/lanes/frame_columns.hpp"
@@ -92,9 +91,7 @@ SteppedAnalysis::SteppedAnalysis(const Model& model,
       workspace_(system_, linear_solver),
       steps_(std::move(steps)),
       state_(system_.initial_state()) {
-    if (!integrator_->resolves_contact()) return;
-    resolve_contact(system_);
-    resolves_impacts_ = model.has_inertia && Contacts(system_).are_possible();
+    if (integrator_->resolves_contact()) resolve_contact(system_);
 }
 
 void SteppedAnalysis::refuse_overlaps(double time) {
@@ -365,32 +362,30 @@ bool SteppedAnalysis::take_step(EquilibriumReport& report) {
     // Of schemes of one stage only where steps are chosen by it: there it costs as much as a step's update.
     const bool is_estimated = steps_->needs_error() || integrator_->stage_count() > 1;
     if (report.converged() && is_estimated && integrator_->error_order() > 0) check_error(report);
-    if (report.converged() && resolves_impacts_) check_impact(report);
     if (report.converged()) judge_equilibrium(report);
     if (report.converged() && ledger_->limits_energy()) limit_energy(report);
     if (!report.converged()) undo();
     return report.converged();
 }
 
-void SteppedAnalysis::check_impact(EquilibriumReport& report) {
-    constexpr int most_cuts = 8;
-    if (solver_row_.rejected_steps >= most_cuts) return;
-    const Ledger::Step step{
-        trial_time(), next_stage().time_step, workspace_.residual, workspace_.stage_powers};
-    if (!gains_by_contact(system_, *ledger_, state_, step, report.shortened > 0)) return;
-    report.outcome = Outcome::energy_out_of_reach;
-    report.worst_node = report.worst_component = -1;
+Ledger::Step SteppedAnalysis::ledger_step(const EquilibriumReport& report) const {
+    return {trial_time(),
+            next_stage().time_step,
+            workspace_.residual,
+            workspace_.stage_powers,
+            report.shortened > 0};
 }
 
 void SteppedAnalysis::limit_energy(EquilibriumReport& report) {
-    const Stage step = next_stage();
+    constexpr int most_cuts = 5;
     tried_ledger_ = *ledger_;
-    tried_ledger_->add_step(state_,
-                            {trial_time(), step.time_step, workspace_.residual, workspace_.stage_powers});
+    tried_ledger_->add_step(state_, ledger_step(report));
     const double surplus = tried_ledger_->surplus();
     if (surplus == 0.0) return;
     tried_ledger_.reset();
-    if (take_surplus(system_, step, surplus, workspace_, state_) > 0.0) return;
+    // Stages resolve an impact in shorter steps.
+    const bool is_cut_first = integrator_->resolves_contact() && solver_row_.rejected_steps < most_cuts;
+    if (!is_cut_first && take_surplus(system_, next_stage(), surplus, workspace_, state_) > 0.0) return;
     report.outcome = Outcome::energy_out_of_reach;
     report.worst_node = report.worst_component = -1;
 }
@@ -449,8 +444,7 @@ EquilibriumReport SteppedAnalysis::advance() {
         *ledger_ = std::move(*tried_ledger_);
         tried_ledger_.reset();
     } else {
-        ledger_->add_step(state_,
-                          {time, next_stage().time_step, workspace_.residual, workspace_.stage_powers});
+        ledger_->add_step(state_, ledger_step(report));
     }
     if (has_relaxed()) {
         ledger_->settle_load_step();
@@ -564,7 +558,7 @@ Failure SteppedAnalysis::explain(const EquilibriumReport& report) {
     failure.iterations = report.iterations;
     failure.residual = report.residual;
     failure.step_error = report.step_error;
-    failure.limits_energy = resolves_impacts_ || (ledger_ && ledger_->limits_energy());
+    failure.limits_energy = ledger_ && ledger_->limits_energy();
     constexpr double open = 1e-9;
     if (report.joint_gap.joint >= 0 && report.joint_gap.size > open) {
         failure.open_joint = system_.joints().name(report.joint_gap.joint);

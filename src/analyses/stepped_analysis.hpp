@@ -198,8 +198,7 @@ class SteppedAnalysis {
     // Fails the report if the estimated error is too large and steps are chosen by it.
     void check_error(EquilibriumReport& report);
 
-    // Fails the report if an impact, which stages did not resolve, gives energy; some cuts long.
-    void check_impact(EquilibriumReport& report);
+    Ledger::Step ledger_step(const EquilibriumReport& report) const;
     // Takes energy that nothing explains from the step, or fails the report, where steps must not gain any.
     void limit_energy(EquilibriumReport& report);
 
@@ -222,7 +221,6 @@ class SteppedAnalysis {
     std::optional<LedgerTotals> totals_before_;  // totals of an earlier stage
     std::string start_note_;
     bool takes_over_rates_ = false;
-    bool resolves_impacts_ = false;  // whether contact can act at the stages of steps of a motion
     std::vector<double> jumps_;
     std::optional<double> landing_;  // requested by land_on
     std::optional<State> settled_;

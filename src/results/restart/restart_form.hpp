@@ -14,7 +14,7 @@
 namespace gxrod {
 
 inline constexpr std::int64_t no_slot = -1;
-inline constexpr std::int64_t form_version = 18;  // version of /restart; raise it with every change
+inline constexpr std::int64_t form_version = 19;  // version of /restart; raise it with every change
 inline std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
 
 using Vec1 = Eigen::Matrix<double, 1, 1>;
@@ -121,6 +121,8 @@ void visit_numbers(Place& place, Visitor&& visit) {
     visit("load_step", record.ledger.load_step);
     visit("strain_energy", record.ledger.strain_energy);
     visit("largest_strain_energy_or_work", record.ledger.largest_energy);
+    visit("energy_error", record.ledger.energy_error);
+    visit("contact_gain", record.ledger.contact_gain);
     visit("is_framed", record.is_framed);
     visit("accepted_steps", record.totals.steps);
     visit("rejected_steps", record.totals.rejected_steps);
