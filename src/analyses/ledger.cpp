@@ -134,6 +134,7 @@ void Ledger::add_step(const State& state, const Step& step) {
     add_fluid_work(state, step.time);
     const bool touched_before = contact_energy_ != 0.0;
     add_contact_work(state, step.time);
+    if (integrator_->conserves()) balance_ = SystemMeasures(*system_).compute_balance(state, step.time);
     if (!limits_energy()) {
         dissipated_by_scheme_ += compute_scheme_dissipation(state, step.time_step);
     } else if (weighs_powers()) {

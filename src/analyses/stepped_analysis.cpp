@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "analyses/start_velocities.hpp"
@@ -353,7 +354,10 @@ bool SteppedAnalysis::take_step(EquilibriumReport& report) {
         state_.resultants.swap(resultants);
     };
     try {
+        std::optional<StepStart> start;
+        if (integrator_->conserves()) start = note_ledger_start();
         report = solve_trial();
+        if (report.converged() && start) conserve_energy(*start, report);
         if (report.converged()) system_.joints().check_ranges(state_, trial_time());
     } catch (...) {
         undo();
@@ -374,6 +378,29 @@ Ledger::Step SteppedAnalysis::ledger_step(const EquilibriumReport& report) const
             workspace_.residual,
             workspace_.stage_powers,
             report.shortened > 0};
+}
+
+StepStart SteppedAnalysis::note_ledger_start() const {
+    StepStart start = note_step_start(system_, state_, steps_->time());
+    start.energy_error = ledger_->row(state_).energy_error;
+    return start;
+}
+
+// Again where work depends on the rates that are corrected.
+void SteppedAnalysis::conserve_energy(const StepStart& start, EquilibriumReport& report) {
+    constexpr int most_passes = 4;
+    constexpr double round_off = 1e-14;
+    for (int pass = 0; pass < most_passes; ++pass) {
+        tried_ledger_ = *ledger_;
+        tried_ledger_->add_step(state_, ledger_step(report));
+        const LedgerRow end = tried_ledger_->row(state_);
+        const double surplus = end.energy_error - start.energy_error;
+        const double size = end.kinetic_energy + std::abs(end.strain_energy) + std::abs(end.external_work);
+        if (pass > 0 && std::abs(surplus) <= round_off * size) return;
+        conserve(system_, start, next_stage(), surplus, state_, report);
+        if (!report.converged()) break;
+    }
+    tried_ledger_.reset();
 }
 
 void SteppedAnalysis::limit_energy(EquilibriumReport& report) {

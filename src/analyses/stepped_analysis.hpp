@@ -11,6 +11,7 @@
 #include "assembly/system_measures.hpp"
 #include "check/failure_advice.hpp"
 #include "integrators/integrator.hpp"
+#include "solvers/conservation.hpp"
 #include "solvers/equilibrium.hpp"
 #include "solvers/steps/step_sequence.hpp"
 #include "state/records/step_record.hpp"
@@ -199,6 +200,9 @@ class SteppedAnalysis {
     void check_error(EquilibriumReport& report);
 
     Ledger::Step ledger_step(const EquilibriumReport& report) const;
+    StepStart note_ledger_start() const;
+    // Corrects the rates so that the ledger and the momenta balance.
+    void conserve_energy(const StepStart& start, EquilibriumReport& report);
     // Takes energy that nothing explains from the step, or fails the report, where steps must not gain any.
     void limit_energy(EquilibriumReport& report);
 

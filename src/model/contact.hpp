@@ -45,6 +45,9 @@ struct Obstacle {
         const auto* own = std::get_if<MeshShape>(&shape);
         return own == nullptr ? nullptr : own->mesh.get();
     }
+    std::vector<Vec3> points() const {
+        return std::visit([](const auto& own) { return own.points(); }, shape);
+    }
     bool is_hollow() const { return round() != nullptr && round()->is_hollow; }
 };
 

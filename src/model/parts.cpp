@@ -73,6 +73,11 @@ std::vector<ModelPart> find_parts(const Model& model, Ties ties) {
     return parts;
 }
 
+bool is_held(const Model& model) {
+    return !model.supports.empty() || std::ranges::any_of(model.joints, &Joint::has_ground) ||
+           std::ranges::any_of(model.sleeves, [](const Sleeve& sleeve) { return sleeve.point.is_ground(); });
+}
+
 std::string name_part(const ModelPart& part, const Model& model) {
     std::vector<std::string> rods, bodies;
     for (const int rod : part.rods) rods.push_back(model.rods[rod].name);

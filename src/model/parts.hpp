@@ -29,6 +29,9 @@ enum class Ties { rods, all };
 // lines makes one rod part of several.
 std::vector<ModelPart> find_parts(const Model& model, Ties ties = Ties::all);
 
+// Returns whether supports or joints to the ground keep the model from moving as one rigid body.
+bool is_held(const Model& model);
+
 // Names a part in a sentence: "rod cable", "body gyroscope", "the part with rods arm and leg, body tip".
 std::string name_part(const ModelPart& part, const Model& model);
 

@@ -7,6 +7,8 @@
 #include <limits>
 #include <optional>
 
+#include "model/parts.hpp"
+
 namespace gxrod {
 
 namespace {
@@ -48,27 +50,21 @@ WholeInertia find_inertia(const System& system, const State& state) {
     return inertia;
 }
 
-RigidRates find_rigid_rates(const WholeInertia& inertia, const Momentum& momentum) {
+// With these momenta; of a plane model within its plane.
+RigidRates find_rigid_rates(const Model& model, const WholeInertia& inertia, const Momentum& momentum) {
     const Vec3 about_centre = momentum.angular - inertia.centre.cross(momentum.linear);
-    return {momentum.linear / inertia.mass,
-            inertia.about_centre.partialPivLu().solve(about_centre),
+    const Vec3 velocity = momentum.linear / inertia.mass;
+    if (!model.plane)
+        return {velocity, inertia.about_centre.partialPivLu().solve(about_centre), inertia.centre};
+    const Vec3 n = Vec3::Unit(model.plane->normal);
+    return {velocity - n.dot(velocity) * n,
+            n.dot(about_centre) / n.dot(inertia.about_centre * n) * n,
             inertia.centre};
 }
 
 double find_energy(const WholeInertia& inertia, const RigidRates& rates) {
     return 0.5 *
            (inertia.mass * rates.velocity.squaredNorm() + rates.spin.dot(inertia.about_centre * rates.spin));
-}
-
-// The mean of the forces at both ends of the step times what nodes did in it, as the ledger has it.
-double compute_work(const std::vector<Vec6>& before, const std::vector<Vec6>& after, const State& state) {
-    double work = 0.0;
-    for (std::size_t i = 0; i < after.size(); ++i) {
-        const Vec6 mean = 0.5 * (before[i] + after[i]);
-        work += mean.head<3>().dot(state.trial[i].r - state.previous[i].r) +
-                mean.tail<3>().dot(state.trial[i].theta);
-    }
-    return work;
 }
 
 // The factor that takes a kinetic energy to the one that is due, a difference of energies as large as `size`.
@@ -89,39 +85,51 @@ Resultant compute_acting(const System& system, const State& state, double time) 
     return SystemMeasures(system).compute_outer_resultant(state, time, no_reactions);
 }
 
-}  // namespace
+// Rigid motions that carry the momenta: those found, and those due.
+struct RigidMotions {
+    RigidRates found{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+    RigidRates due = found;
+    double energy_due = 0.0;
+};
 
-StepStart note_step_start(const System& system, const State& state, double time) {
-    const Balance balance = SystemMeasures(system).compute_balance(state, time);
-    return {balance.kinetic_energy + balance.strain_energy + balance.gravity_potential,
-            balance.momentum,
-            compute_acting(system, state, time),
-            SystemMeasures(system).compute_load_forces(state, time)};
-}
-
-void conserve(const System& system,
-              const StepStart& start,
-              const Stage& step,
-              State& state,
-              EquilibriumReport& report) {
-    const Balance end = SystemMeasures(system).compute_balance(state, step.end_time);
+RigidMotions find_rigid_motions(const System& system,
+                                const StepStart& start,
+                                const Stage& step,
+                                const State& state) {
+    RigidMotions rigid;
+    if (is_held(system.model())) return rigid;
     const Resultant acting = compute_acting(system, state, step.end_time);
     Momentum due = start.momentum;
     due.linear += 0.5 * step.time_step * (start.acting.force + acting.force);
     due.angular += 0.5 * step.time_step * (start.acting.moment + acting.moment);
     const WholeInertia inertia = find_inertia(system, state);
-    const RigidRates found = find_rigid_rates(inertia, end.momentum);
-    const RigidRates rigid = find_rigid_rates(inertia, due);
+    rigid.found =
+        find_rigid_rates(system.model(), inertia, SystemMeasures(system).compute_momentum(state.trial));
+    rigid.due = find_rigid_rates(system.model(), inertia, due);
+    rigid.energy_due = find_energy(inertia, rigid.due);
+    return rigid;
+}
 
+}  // namespace
+
+StepStart note_step_start(const System& system, const State& state, double time) {
+    return {SystemMeasures(system).compute_momentum(state.trial), compute_acting(system, state, time)};
+}
+
+void conserve(const System& system,
+              const StepStart& start,
+              const Stage& step,
+              double surplus,
+              State& state,
+              EquilibriumReport& report) {
+    const Balance end = SystemMeasures(system).compute_balance(state, step.end_time);
+    const RigidMotions rigid = find_rigid_motions(system, start, step, state);
     std::vector<NodeMotion> relative = state.trial;
     for (NodeMotion& motion : relative) {
-        motion.v -= found.velocity_at(motion.r);
-        motion.omega -= found.spin;
+        motion.v -= rigid.found.velocity_at(motion.r);
+        motion.omega -= rigid.found.spin;
     }
-    const double work =
-        compute_work(start.forces, SystemMeasures(system).compute_load_forces(state, step.end_time), state);
-    const double energy_due =
-        start.energy + work - end.strain_energy - end.gravity_potential - find_energy(inertia, rigid);
+    const double energy_due = end.kinetic_energy - surplus - rigid.energy_due;
     const double size = end.kinetic_energy + std::abs(end.strain_energy) + std::abs(end.gravity_potential);
     const std::optional<double> factor =
         find_factor(SystemMeasures(system).compute_kinetic_energy(relative), energy_due, size);
@@ -132,8 +140,8 @@ void conserve(const System& system,
     }
     for (std::size_t i = 0; i < relative.size(); ++i) {
         NodeMotion& trial = state.trial[i];
-        trial.v = rigid.velocity_at(trial.r) + *factor * relative[i].v;
-        trial.omega = rigid.spin + *factor * relative[i].omega;
+        trial.v = rigid.due.velocity_at(trial.r) + *factor * relative[i].v;
+        trial.omega = rigid.due.spin + *factor * relative[i].omega;
     }
 }
 

@@ -11,19 +11,23 @@ namespace gxrod {
 
 // Quantities at the start of a step that are compared with its end.
 struct StepStart {
-    double energy = 0.0;  // kinetic and strain energy, and potential of gravity
     Momentum momentum;
-    Resultant acting;          // resultant of all external forces
-    std::vector<Vec6> forces;  // forces that do work, of each node
+    Resultant acting;           // resultant of all external forces
+    double energy_error = 0.0;  // of the ledger
 };
 
-// Notes them before the step, from the trial motions, which are then the last accepted ones.
+// Notes momenta and forces before the step, from the trial motions, which are then the last accepted ones.
 StepStart note_step_start(const System& system, const State& state, double time);
 
-// Adds a rigid motion to the trial's rates so that the momenta are the start's plus the impulse of the step.
-// Then scales the rates relative to that motion so that the energy is the start's plus the work. Reports
-// energy_out_of_reach, and leaves the rates, if the factor is not between ½ and 2.
-void conserve(
-    const System& system, const StepStart& start, const Stage& step, State& state, EquilibriumReport& report);
+// Adds a rigid motion to the trial's rates so that the momenta are the start's plus the impulse of the step;
+// none where supports or joints to the ground hold the model. Then scales the rates relative to that motion
+// so that the kinetic energy is less by `surplus`. Reports energy_out_of_reach, and leaves the rates, if the
+// factor is not between ½ and 2.
+void conserve(const System& system,
+              const StepStart& start,
+              const Stage& step,
+              double surplus,
+              State& state,
+              EquilibriumReport& report);
 
 }  // namespace gxrod

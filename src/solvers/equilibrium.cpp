@@ -6,7 +6,6 @@
 
 #include "assembly/contact/contacts.hpp"
 #include "assembly/system_measures.hpp"
-#include "solvers/conservation.hpp"
 #include "solvers/coupled/coupled_step.hpp"
 #include "solvers/hidden_constraints.hpp"
 #include "solvers/newton_steps.hpp"
@@ -274,14 +273,9 @@ EquilibriumReport solve_step(const SolverSetup& setup,
                              const Stage& first_stage,
                              SolverWorkspace& workspace,
                              State& state) {
-    const System& system = setup.system;
     if (const CoupledStages* coupled = setup.integrator.coupled())
-        return solve_together(system, *coupled, setup.settings, first_stage, workspace, state);
-    if (!setup.integrator.conserves()) return solve_in_turn(setup, first_stage, workspace, state);
-    const StepStart start = note_step_start(system, state, first_stage.step_time);
-    EquilibriumReport report = solve_in_turn(setup, first_stage, workspace, state);
-    if (report.converged()) conserve(system, start, first_stage, state, report);
-    return report;
+        return solve_together(setup.system, *coupled, setup.settings, first_stage, workspace, state);
+    return solve_in_turn(setup, first_stage, workspace, state);
 }
 
 }  // namespace gxrod

@@ -422,6 +422,7 @@ def current(deck, draw):
 def wave(deck, draw):
     wet(deck)
     deck["fluid"] = {"density": 100.0, "surface": 0.5, "depth": 10}
+    deck["gravity"] = [0, 0, -1]
     deck["wave"] = [{"airy": {"height": draw.uniform(0.05, 0.2), "period": 1.0}}]
 
 

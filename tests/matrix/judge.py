@@ -209,7 +209,7 @@ class Judge:
         require_close(half, quarter, 2e-2, "quasi-static to 0.3 in 10 and 20 steps")
 
     def motion(self, scheme):
-        deck = kinds.smooth(kinds.free(self.deck) if scheme == "energy-momentum" else self.deck)
+        deck = kinds.smooth(self.deck)
         first = kinds.EXPLICIT_STEPS if scheme == "runge-kutta-4" else kinds.STEPS
         coarse, fine = (self.values(kinds.motion(scheme, steps), deck=deck) for steps in (first, 2 * first))
         reference = self.reference_motion(deck)

@@ -64,12 +64,6 @@ def smooth(deck):
     return ramped(deck) | {"parameters": deck["parameters"], "function": deck.get("function", {}) | {"rise": rise}}
 
 
-def free(deck):
-    """The rod in flight, for the scheme that is for nothing else."""
-    return deck | {"support": [], "gravity": [0, 0, 0],
-                   "initial": [{"on": list(deck["rod"]), "velocity": ["-0.5*y", "0.5*x", 1], "angular_velocity": [0, 0, 0.5]}]}
-
-
 def with_steady_frame(deck):
     return deck | {"gravity": ["0.3*P", 0, 0], "load": [], "rotation": {"axis": [1, 0, 0], "speed": 1.5}}
 

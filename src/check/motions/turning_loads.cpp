@@ -168,6 +168,35 @@ std::string find_unsteady_surroundings(const Model& model, const TurningFrame& f
         in_brackets(frame.axis));
 }
 
+bool is_on_axis(const Vec3& point, const TurningFrame& frame) {
+    const Vec3 from_axis = point - frame.through;
+    return frame.axis.cross(from_axis).norm() <= by_place_round_off * std::max(from_axis.norm(), 1.0);
+}
+
+// Obstacles rest in space, and what turns slides on them.
+std::string find_unsteady_obstacle(const Model& model, const TurningFrame& frame) {
+    for (const Obstacle& obstacle : model.contact.obstacles) {
+        const PlaneShape* plane = obstacle.plane();
+        const bool is_alike = plane != nullptr
+                                  ? are_parallel(plane->normal, frame.axis)
+                                  : obstacle.mesh() == nullptr &&
+                                        std::ranges::all_of(obstacle.points(), [&](const Vec3& point) {
+                                            return is_on_axis(point, frame);
+                                        });
+        if (is_alike && !obstacle.motion && obstacle.friction == 0.0) continue;
+        return fmt::format(
+            "obstacle {} {}: in a frame that turns about {} what touches it is not steady. Leave it out, or "
+            "make "
+            "the motion a dynamic analysis",
+            obstacle.name,
+            !is_alike         ? "is not alike to all sides of the axis of rotation"
+            : obstacle.motion ? "moves"
+                              : "rubs",
+            in_brackets(frame.axis));
+    }
+    return "";
+}
+
 }  // namespace
 
 std::string find_unsteady_action(const Model& model, const TurningFrame& frame) {
@@ -182,6 +211,7 @@ std::string find_unsteady_action(const Model& model, const TurningFrame& frame) 
     std::string cause = find_unsteady_force(model, frame);
     if (cause.empty()) cause = find_unsteady_surroundings(model, frame);
     if (cause.empty()) cause = find_unsteady_tie(model, frame);
+    if (cause.empty()) cause = find_unsteady_obstacle(model, frame);
     return cause;
 }
 

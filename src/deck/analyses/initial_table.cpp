@@ -205,7 +205,8 @@ void build_initial(BuildContext& context) {
     context.velocity_settings.resize(context.model.nodes.size());
     for (const InitialTable& given : tables_of<InitialTable>(context.deck, initial_table())) {
         if (!context.has_velocities()) {
-            context.faults.add(given.place, given.path, context.explain_no_velocities());
+            context.reject_velocities(given.place, given.path);
+            continue;
         }
         const std::optional<Spin> spin = find_spin(given, context);
         for (const Part& part : find_parts(given, given.on, context)) {

@@ -222,7 +222,8 @@ void set_motion(const BodyTable& body,
                 Vec3& motion,
                 const BuildContext& context) {
     if (!body.gives(field)) return;
-    if (!context.has_velocities()) return context.add_fault(body, field, context.explain_no_velocities());
+    if (!context.has_velocities())
+        return context.reject_velocities(body.place_of(&field), body.path_of(&field));
     if (record.table != nullptr) {
         const std::string message = record.table->path + " is at the same node and sets it too";
         return context.add_fault(body, field, message);

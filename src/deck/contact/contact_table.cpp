@@ -119,7 +119,7 @@ void set_radii(const ContactKeys* table, Contact& contact, const BuildContext& c
 // What cannot be had together with contact, at the keys that ask for it.
 void check_stage(const AnalysisTable& table,
                  const AnalysisSettings& analysis,
-                 bool turns,
+                 bool spins,
                  const BuildContext& context) {
     if (const auto* path = std::get_if<PathSettings>(&analysis)) {
         for (const Obstacle& obstacle : context.model.contact.obstacles) {
@@ -138,9 +138,10 @@ void check_stage(const AnalysisTable& table,
                 table.kind,
                 "limit points cannot be followed with contact yet; expected a path for each value");
     }
-    if (turns)
-        context.add_fault(
-            table, table.kind, "contact does not turn with a frame; expected a stage without [rotation]");
+    if (spins)
+        context.add_fault(table,
+                          table.kind,
+                          "what spins in a frame at rest touches nothing; expected a deck without contact");
     const auto* timed = std::get_if<DynamicSettings>(&analysis);
     if (timed == nullptr || !timed->has_inertia) return;
     const SchemeCard& card = card_of(timed->scheme);
@@ -204,7 +205,7 @@ void check_contact(const BuildContext& context) {
     for (std::size_t i = 0; i < context.stages.size(); ++i) {
         const StagePlan& stage = context.stages[i];
         const auto& rotation = i == 0 ? context.model.rotation : stage.actions.rotation;
-        check_stage(tables[i], stage.analysis, rotation.has_value(), context);
+        check_stage(tables[i], stage.analysis, rotation && rotation->is_at_rest(), context);
     }
 }
 

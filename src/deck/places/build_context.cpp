@@ -56,10 +56,17 @@ std::optional<PlacedPoint> BuildContext::place(const std::string& point) const {
     return placed;
 }
 
-std::string BuildContext::explain_no_velocities() const {
-    const std::string& name = stages.front().name;
-    if (name.empty()) return "a static analysis has no velocities";
-    return "the first stage, " + name + ", has no velocities; only dynamic ones have";
+void BuildContext::reject_velocities(const Place& place, const std::string& path) const {
+    const bool moves = std::ranges::any_of(stages, [](const StagePlan& one) {
+        return std::holds_alternative<DynamicSettings>(one.analysis);
+    });
+    if (moves) {
+        faults.add(place,
+                   path,
+                   "the first stage, " + stages.front().name + ", has no velocities; only dynamic ones have");
+    } else {
+        notes.push_back(path + ": without effect: velocities act in dynamic analyses, and the deck has none");
+    }
 }
 
 bool BuildContext::needs_inertia() const {
