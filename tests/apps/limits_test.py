@@ -73,7 +73,8 @@ class Limits(ProgramTest):
                 self.assertIn(message, self.ask(kind, text), NOW)
 
     def test_every_section_is_tried(self):
-        sections = re.findall(r"^## (.*)$", PAGE, re.MULTILINE)
+        by_hand = PAGE.split("## Features and analyses that do not go together")[0]  # tests/matrix/matrix_test.py tries the rest
+        sections = re.findall(r"^## (.*)$", by_hand, re.MULTILINE)
         self.assertEqual(sorted(set(sections)), sorted({section for section, *_ in claims()}))
 
     def test_the_decks_run(self):

@@ -7,7 +7,7 @@ import re
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs" / "guide" / "limits.md"
 BEGIN = "<!-- made by tests/matrix/campaign -->\n"
 END = "<!-- end of what the campaign makes -->\n"
-PLACE = re.compile(r"^(?:gxrod(?: \w+)?: )?(?:error: )?(?:[\w.]+\.toml:(?:\d+:\d+: )?)?(?:run\d+\.vtkhdf: )?")
+PLACE = re.compile(r"^(?:gxrod(?: \w+)?: |error: |[\w./]+\.(?:toml|vtkhdf)(?::\d+:\d+)?: )+")
 
 
 def reason(words):

@@ -17,6 +17,7 @@ FOLDER = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(FOLDER), str(FOLDER.parent / "random")]
 
 import kinds  # noqa: E402  pylint: disable=wrong-import-position
+import limits  # noqa: E402  pylint: disable=wrong-import-position
 from features import FEATURES, cantilever  # noqa: E402  pylint: disable=wrong-import-position
 from judge import Ended, Judge, Mismatch, Outcome, require_close, verdict_of_refusal  # noqa: E402  pylint: disable=wrong-import-position
 from schema_coverage import list_items, list_used  # noqa: E402  pylint: disable=wrong-import-position
@@ -95,6 +96,24 @@ class Matrix(unittest.TestCase):
     def test_a_misspelt_deck_is_refused(self):
         self.judge.deck["rod"]["beam"]["elemnts"] = 3
         self.assertEqual(self.judge.judge(self.judge.static).kind, "refused")
+
+    def test_the_guide_lists_what_is_refused(self):
+        """Each cell of docs/guide/limits.md is refused for the reason that stands there."""
+        campaign = load_campaign()
+        cells = [cell for cell in limits.cells_of_page() if not cell[0].startswith("gradient")]
+        self.assertGreater(len(cells), 10)
+        for kind, feature, why in cells:
+            with self.subTest(kind=kind, feature=feature), tempfile.TemporaryDirectory() as folder:
+                judge = Judge(GXROD, folder, campaign.deck_of([feature], 1), [FEATURES[feature]])
+                verdict = judge.judge(campaign.CHECKS[kind], judge)
+                self.assertEqual(verdict.kind, "refused")
+                self.assertEqual(limits.reason(verdict.words), why, "run tests/matrix/campaign --limits")
+
+    def test_a_refusal_that_changes_is_seen(self):
+        rows = [{"features": "winch", "kind": "path", "verdict": "refused", "words": "gxrod: run0.toml:3:4: tendon.winch: not so"},
+                {"features": "winch", "kind": "static", "verdict": "works", "words": ""}]
+        self.assertIn("| path | winch | tendon.winch: not so |", limits.text_of(rows))
+        self.assertIn("Of these 2 cells 1", limits.text_of(rows))
 
     def test_the_campaign_prints_what_it_judged(self):
         with tempfile.TemporaryDirectory() as folder:
