@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <stdexcept>
 
 #include "analyses/start_velocities.hpp"
@@ -16,7 +15,6 @@
 #include "elements/tie_values.hpp"
 #include "model/evaluation_error.hpp"
 #include "solvers/coupled/coupled_step.hpp"
-#include "solvers/energy_limit.hpp"
 #include "solvers/newton_steps.hpp"
 #include "solvers/steps/settling.hpp"
 #include "solvers/worst_nodes.hpp"
@@ -352,12 +350,13 @@ bool SteppedAnalysis::take_step(EquilibriumReport& report) {
     const auto undo = [&] {
         undo_trial(state_);
         state_.resultants.swap(resultants);
+        tried_ledger_.reset();
     };
     try {
         std::optional<StepStart> start;
         if (integrator_->conserves()) start = note_ledger_start();
         report = solve_trial();
-        if (report.converged() && start) conserve_energy(*start, report);
+        if (report.converged() && start) tried_ledger_ = conserve_energy(tried_step(), *start, report);
         if (report.converged()) system_.joints().check_ranges(state_, trial_time());
     } catch (...) {
         undo();
@@ -367,54 +366,20 @@ bool SteppedAnalysis::take_step(EquilibriumReport& report) {
     const bool is_estimated = steps_->needs_error() || integrator_->stage_count() > 1;
     if (report.converged() && is_estimated && integrator_->error_order() > 0) check_error(report);
     if (report.converged()) judge_equilibrium(report);
-    if (report.converged() && ledger_->limits_energy()) limit_energy(report);
+    if (report.converged() && ledger_->limits_energy())
+        tried_ledger_ = limit_energy(tried_step(), solver_row_.rejected_steps, report);
     if (!report.converged()) undo();
     return report.converged();
 }
 
-Ledger::Step SteppedAnalysis::ledger_step(const EquilibriumReport& report) const {
-    return {trial_time(),
-            next_stage().time_step,
-            workspace_.residual,
-            workspace_.stage_powers,
-            report.shortened > 0};
+TriedStep SteppedAnalysis::tried_step() {
+    return {system_, *integrator_, *ledger_, next_stage(), workspace_, state_};
 }
 
 StepStart SteppedAnalysis::note_ledger_start() const {
     StepStart start = note_step_start(system_, state_, steps_->time());
     start.energy_error = ledger_->row(state_).energy_error;
     return start;
-}
-
-// Again where work depends on the rates that are corrected.
-void SteppedAnalysis::conserve_energy(const StepStart& start, EquilibriumReport& report) {
-    constexpr int most_passes = 4;
-    constexpr double round_off = 1e-14;
-    for (int pass = 0; pass < most_passes; ++pass) {
-        tried_ledger_ = *ledger_;
-        tried_ledger_->add_step(state_, ledger_step(report));
-        const LedgerRow end = tried_ledger_->row(state_);
-        const double surplus = end.energy_error - start.energy_error;
-        const double size = end.kinetic_energy + std::abs(end.strain_energy) + std::abs(end.external_work);
-        if (pass > 0 && std::abs(surplus) <= round_off * size) return;
-        conserve(system_, start, next_stage(), surplus, state_, report);
-        if (!report.converged()) break;
-    }
-    tried_ledger_.reset();
-}
-
-void SteppedAnalysis::limit_energy(EquilibriumReport& report) {
-    constexpr int most_cuts = 5;
-    tried_ledger_ = *ledger_;
-    tried_ledger_->add_step(state_, ledger_step(report));
-    const double surplus = tried_ledger_->surplus();
-    if (surplus == 0.0) return;
-    tried_ledger_.reset();
-    // Stages resolve an impact in shorter steps.
-    const bool is_cut_first = integrator_->resolves_contact() && solver_row_.rejected_steps < most_cuts;
-    if (!is_cut_first && take_surplus(system_, next_stage(), surplus, workspace_, state_) > 0.0) return;
-    report.outcome = Outcome::energy_out_of_reach;
-    report.worst_node = report.worst_component = -1;
 }
 
 void SteppedAnalysis::check_error(EquilibriumReport& report) {
@@ -471,7 +436,7 @@ EquilibriumReport SteppedAnalysis::advance() {
         *ledger_ = std::move(*tried_ledger_);
         tried_ledger_.reset();
     } else {
-        ledger_->add_step(state_, ledger_step(report));
+        ledger_->add_step(state_, tried_step().books(report));
     }
     if (has_relaxed()) {
         ledger_->settle_load_step();

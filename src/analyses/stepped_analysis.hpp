@@ -6,12 +6,12 @@
 #include "analyses/cut_tally.hpp"
 #include "analyses/ledger.hpp"
 #include "analyses/path_work.hpp"
+#include "analyses/step_energy.hpp"
 #include "analyses/step_interior.hpp"
 #include "assembly/system.hpp"
 #include "assembly/system_measures.hpp"
 #include "check/failure_advice.hpp"
 #include "integrators/integrator.hpp"
-#include "solvers/conservation.hpp"
 #include "solvers/equilibrium.hpp"
 #include "solvers/steps/step_sequence.hpp"
 #include "state/records/step_record.hpp"
@@ -199,12 +199,8 @@ class SteppedAnalysis {
     // Fails the report if the estimated error is too large and steps are chosen by it.
     void check_error(EquilibriumReport& report);
 
-    Ledger::Step ledger_step(const EquilibriumReport& report) const;
+    TriedStep tried_step();
     StepStart note_ledger_start() const;
-    // Corrects the rates so that the ledger and the momenta balance.
-    void conserve_energy(const StepStart& start, EquilibriumReport& report);
-    // Takes energy that nothing explains from the step, or fails the report, where steps must not gain any.
-    void limit_energy(EquilibriumReport& report);
 
     // Makes the next step end at the next jump or at the requested landing, whichever comes first.
     void aim();
