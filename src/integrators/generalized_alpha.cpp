@@ -96,6 +96,36 @@ void GeneralizedAlpha::linearize_nodes(const State& state,
     }
 }
 
+void GeneralizedAlpha::transpose_rates(const State& state,
+                                       double time_step,
+                                       const MotionGradient& rates,
+                                       MotionGradient& trial,
+                                       MotionGradient& previous) const {
+    const double part = 1.0 / (1.0 - alpha_f_);
+    for (std::size_t i = 0; i < rates.nodes.size(); ++i) {
+        const MotionGradient::OfNode& rate = rates.nodes[i];
+        MotionGradient::OfNode& before = previous.nodes[i];
+        const CarriedAcceleration& A = algorithmic(rates.carried, i);
+        CarriedAcceleration& A_n = algorithmic(previous.carried, i);
+        CarriedAcceleration& impulse = impulsive(previous.carried, i);
+        const Newmark::Transposed way =
+            newmark_.transpose(rate.v, A.a + part * (1.0 - alpha_m_) * rate.a, time_step);
+        const Newmark::Transposed turn =
+            newmark_.transpose(rate.omega, A.alpha + part * (1.0 - alpha_m_) * rate.alpha, time_step);
+        trial.nodes[i].r += way.increment;
+        before.r -= way.increment;
+        transpose_turn(state.trial[i].theta, turn.increment, trial.nodes[i], before);
+        impulse.a += lag_ * time_step * time_step * way.increment;
+        impulse.alpha += lag_ * time_step * time_step * turn.increment;
+        before.v += way.velocity_n;
+        before.omega += turn.velocity_n;
+        A_n.a += way.acceleration_n + part * alpha_m_ * rate.a;
+        A_n.alpha += turn.acceleration_n + part * alpha_m_ * rate.alpha;
+        before.a -= part * alpha_f_ * rate.a;
+        before.alpha -= part * alpha_f_ * rate.alpha;
+    }
+}
+
 // √(α_f − α_m) Δt times the mean over the step of how far accelerations are ahead of the algorithmic ones
 // (docs/theory/energy.md, (E8)).
 void GeneralizedAlpha::set_dissipated_rates(const State& state,

@@ -19,6 +19,12 @@ class GeneralizedAlpha : public Integrator {
     void start(State& state) const override;
     double contact_weight() const override;
     void split_impulses(State& state, const Stage& stage, std::vector<Vec6>& shocked) const override;
+    bool has_transposed_rates() const override { return true; }
+    void transpose_rates(const State& state,
+                         double time_step,
+                         const MotionGradient& rates,
+                         MotionGradient& trial,
+                         MotionGradient& previous) const override;
     int dissipation_terms() const override { return alpha_f_ > alpha_m_ ? 1 : 0; }
     void set_dissipated_rates(const State& state,
                               double time_step,

@@ -8,6 +8,7 @@
 #include "model/settings/settings.hpp"
 #include "parallel/thread_team.hpp"
 #include "state/constraint_level.hpp"
+#include "state/motion_gradient.hpp"
 #include "state/state.hpp"
 
 namespace gxrod {
@@ -106,6 +107,15 @@ class Integrator {
                    const Stage& stage,
                    std::vector<NodeLinearization>& linearizations,
                    const ThreadTeam& team = ThreadTeam::alone()) const;
+    // Transposes the derivatives of update_rates at the trial motions, only if has_transposed_rates. Of a
+    // scalar that changes by `rates` with the rates of the trial and what is carried from there, adds how it
+    // changes with the trial's placements, and with the motions and what was carried before the step.
+    virtual bool has_transposed_rates() const { return false; }
+    virtual void transpose_rates(const State&,
+                                 double /*time_step*/,
+                                 const MotionGradient& /*rates*/,
+                                 MotionGradient& /*trial*/,
+                                 MotionGradient& /*previous*/) const {}
     // Computes the paper's linearization (5.6), in δθ with T(θ) taken as I; only if has_paper_tangent.
     virtual bool has_paper_tangent() const { return false; }
     void linearize_as_paper(const State& state,

@@ -8,6 +8,7 @@ namespace gxrod {
 class LoadStepping : public Integrator {
   public:
     bool is_static() const override { return true; }
+    bool has_transposed_rates() const override { return true; }
 
   protected:
     void place_nodes(State& state, const Stage& stage, NodeRange nodes) const override;

@@ -1,5 +1,6 @@
 #include "integrators/newmark.hpp"
 
+#include "rotation/tangent_map.hpp"
 #include "state/increment.hpp"
 
 namespace gxrod {
@@ -19,6 +20,27 @@ void update_translation(const Newmark& newmark,
     const Vec3 w = (trial.r - previous.r) / time_step;
     trial.a = newmark.acceleration(w, previous.v, previous.a, time_step);
     trial.v = newmark.velocity(previous.v, previous.a, trial.a, time_step);
+}
+
+void transpose_translation(const Newmark& newmark,
+                           double time_step,
+                           const MotionGradient::OfNode& rates,
+                           MotionGradient::OfNode& trial,
+                           MotionGradient::OfNode& previous) {
+    const Newmark::Transposed by = newmark.transpose(rates.v, rates.a, time_step);
+    trial.r += by.increment;
+    previous.r -= by.increment;
+    previous.v += by.velocity_n;
+    previous.a += by.acceleration_n;
+}
+
+void transpose_turn(const Vec3& theta,
+                    const Vec3& by_theta,
+                    MotionGradient::OfNode& trial,
+                    MotionGradient::OfNode& previous) {
+    const Mat3 T_inverse = tangent_map_inverse(theta);
+    trial.phi += T_inverse.transpose() * by_theta;
+    previous.phi -= T_inverse * by_theta;
 }
 
 StepError estimate_newmark_error(const NewmarkError& factors,

@@ -27,6 +27,17 @@ struct Newmark {
                   double time_step) const {
         return velocity_n + time_step * ((1.0 - gamma) * acceleration_n + gamma * acceleration);
     }
+    // How a scalar that changes by these with velocity and acceleration at the end of a step changes with
+    // the increment and with what was before.
+    struct Transposed {
+        Vec3 increment, velocity_n, acceleration_n;
+    };
+    Transposed transpose(const Vec3& by_velocity, const Vec3& by_acceleration, double time_step) const {
+        const Vec3 all = by_acceleration + gamma * time_step * by_velocity;
+        return {all / (beta * time_step * time_step),
+                by_velocity - all / (beta * time_step),
+                (1.0 - gamma) * time_step * by_velocity - ((1.0 - 2.0 * beta) / (2.0 * beta)) * all};
+    }
     // The derivatives of velocity and acceleration by the increment.
     double rate(double time_step) const { return gamma / (beta * time_step); }
     double acceleration_rate(double time_step) const { return 1.0 / (beta * time_step * time_step); }
@@ -43,6 +54,19 @@ void update_translation(const Newmark& newmark,
                         const NodeMotion& previous,
                         double time_step,
                         NodeMotion& trial);
+
+// Transposes update_translation of a node, as Integrator::transpose_rates.
+void transpose_translation(const Newmark& newmark,
+                           double time_step,
+                           const MotionGradient::OfNode& rates,
+                           MotionGradient::OfNode& trial,
+                           MotionGradient::OfNode& previous);
+// Adds how a scalar changes with the spins at both ends of a step that changes by this with its rotation
+// vector θ: δθ = T(θ)⁻¹ δφ − T(θ)⁻ᵀ δφ_n.
+void transpose_turn(const Vec3& theta,
+                    const Vec3& by_theta,
+                    MotionGradient::OfNode& trial,
+                    MotionGradient::OfNode& previous);
 
 // Factors of the local error of a step, docs/theory/newmark.md, (E1): for placements from the change of
 // accelerations over the step, for spins also from ω × α, for rates from the change of accelerations if the

@@ -40,4 +40,25 @@ void NewmarkIbrahimbegovic::linearize_nodes(const State& state,
     }
 }
 
+// Rates are turned by R = exp(θ), whose spin is δφ − R δφ_n.
+void NewmarkIbrahimbegovic::transpose_rates(const State& state,
+                                            double time_step,
+                                            const MotionGradient& rates,
+                                            MotionGradient& trial,
+                                            MotionGradient& previous) const {
+    for (std::size_t i = 0; i < rates.nodes.size(); ++i) {
+        const MotionGradient::OfNode& rate = rates.nodes[i];
+        transpose_translation(newmark_, time_step, rate, trial.nodes[i], previous.nodes[i]);
+        const NodeMotion& motion = state.trial[i];
+        const Quat back = exp_quaternion(motion.theta).conjugate();
+        const Newmark::Transposed by = newmark_.transpose(back * rate.omega, back * rate.alpha, time_step);
+        transpose_turn(motion.theta, by.increment, trial.nodes[i], previous.nodes[i]);
+        const Vec3 turned = motion.omega.cross(rate.omega) + motion.alpha.cross(rate.alpha);
+        trial.nodes[i].phi += turned;
+        previous.nodes[i].phi -= back * turned;
+        previous.nodes[i].omega += by.velocity_n;
+        previous.nodes[i].alpha += by.acceleration_n;
+    }
+}
+
 }  // namespace gxrod

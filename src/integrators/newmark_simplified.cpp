@@ -34,6 +34,21 @@ void NewmarkSimplified::linearize_nodes(const State& state,
     }
 }
 
+void NewmarkSimplified::transpose_rates(const State& state,
+                                        double time_step,
+                                        const MotionGradient& rates,
+                                        MotionGradient& trial,
+                                        MotionGradient& previous) const {
+    for (std::size_t i = 0; i < rates.nodes.size(); ++i) {
+        transpose_translation(newmark_, time_step, rates.nodes[i], trial.nodes[i], previous.nodes[i]);
+        const Newmark::Transposed by =
+            newmark_.transpose(rates.nodes[i].omega, rates.nodes[i].alpha, time_step);
+        transpose_turn(state.trial[i].theta, by.increment, trial.nodes[i], previous.nodes[i]);
+        previous.nodes[i].omega += by.velocity_n;
+        previous.nodes[i].alpha += by.acceleration_n;
+    }
+}
+
 void NewmarkSimplified::linearize_nodes_as_paper(const State&,
                                                  const Stage& stage,
                                                  NodeRange nodes,

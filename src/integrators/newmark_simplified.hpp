@@ -16,6 +16,12 @@ class NewmarkSimplified : public Integrator {
     void split_impulses(State& state, const Stage&, std::vector<Vec6>& shocked) const override {
         newmark_.split_impulses(state, shocked);
     }
+    bool has_transposed_rates() const override { return true; }
+    void transpose_rates(const State& state,
+                         double time_step,
+                         const MotionGradient& rates,
+                         MotionGradient& trial,
+                         MotionGradient& previous) const override;
     int error_order() const override { return 3; }
     StepError estimate_error(const State& state,
                              double time_step,

@@ -7,6 +7,7 @@
 #include "state/increment.hpp"
 #include "tools/catch.hpp"
 #include "tools/difference.hpp"
+#include "tools/random_values.hpp"
 #include "tools/run.hpp"
 #include "tools/tops.hpp"
 #include "verification/rubin2007_problem.hpp"
@@ -55,6 +56,40 @@ Eigen::Matrix<double, 12, 6> stack_linearization(const NodeLinearization& linear
     derivative.block<3, 3>(6, 3) = linearization.d_omega;
     derivative.block<3, 3>(9, 3) = linearization.d_alpha;
     return derivative;
+}
+
+MotionGradient make_random_gradient(const State& state, unsigned seed) {
+    RandomValues random(seed);
+    MotionGradient gradient(state);
+    for (MotionGradient::OfNode& node : gradient.nodes) {
+        for (Vec3* vector : {&node.r, &node.phi, &node.v, &node.omega, &node.a, &node.alpha})
+            *vector = random.vector();
+    }
+    for (CarriedAcceleration& one : gradient.carried) one = {random.vector(), random.vector()};
+    return gradient;
+}
+
+double dot(const MotionGradient& a, const MotionGradient& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.nodes.size(); ++i) {
+        const MotionGradient::OfNode &one = a.nodes[i], &other = b.nodes[i];
+        sum += one.r.dot(other.r) + one.phi.dot(other.phi) + one.v.dot(other.v) + one.omega.dot(other.omega) +
+               one.a.dot(other.a) + one.alpha.dot(other.alpha);
+    }
+    for (std::size_t i = 0; i < a.carried.size(); ++i)
+        sum += a.carried[i].a.dot(b.carried[i].a) + a.carried[i].alpha.dot(b.carried[i].alpha);
+    return sum;
+}
+
+void move_along(const MotionGradient& by, double amount, std::vector<NodeMotion>& motions) {
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        motions[i].r += amount * by.nodes[i].r;
+        motions[i].Lambda = exp_quaternion(amount * by.nodes[i].phi) * motions[i].Lambda;
+        motions[i].v += amount * by.nodes[i].v;
+        motions[i].omega += amount * by.nodes[i].omega;
+        motions[i].a += amount * by.nodes[i].a;
+        motions[i].alpha += amount * by.nodes[i].alpha;
+    }
 }
 
 // A dead force and a spin about a principal axis: r = v t + F t²/2m, ω constant.
@@ -151,6 +186,45 @@ TEST_CASE("linearizations are derivatives of the update by (δr, δφ)", "[integ
                                       differentiate_rates(integrator, stage, state)) < 1e-9);
         }
     });
+}
+
+TEST_CASE("transposed rates are those of the update's derivatives", "[integrators]") {
+    int count = 0;
+    for_each_implicit_stage([&](const Integrator& integrator, const Stage& stage) {
+        if (!integrator.has_transposed_rates()) return;
+        ++count;
+        State state = make_random_state(integrator, 1);
+        begin_random_stage(integrator, stage, 1, state);
+        integrator.update_rates(state, stage);
+        MotionGradient rates = make_random_gradient(state, 2);
+        for (MotionGradient::OfNode& node : rates.nodes) node.r = node.phi = Vec3::Zero();
+        const MotionGradient of_trial = make_random_gradient(state, 3);
+        const MotionGradient of_previous = make_random_gradient(state, 4);
+        const double expected = differentiate([&](double amount) {
+            State moved = state;
+            move_along(of_previous, amount, moved.previous);
+            for (std::size_t i = 0; i < moved.carried_previous.size(); ++i) {
+                moved.carried_previous[i].a += amount * of_previous.carried[i].a;
+                moved.carried_previous[i].alpha += amount * of_previous.carried[i].alpha;
+            }
+            move_along(of_trial, amount, moved.trial);
+            for (std::size_t i = 0; i < moved.trial.size(); ++i)
+                moved.trial[i].theta = log_nearest(
+                    moved.trial[i].Lambda * moved.previous[i].Lambda.conjugate(), state.trial[i].theta);
+            integrator.update_rates(moved, stage);
+            MotionGradient found(moved);
+            for (std::size_t i = 0; i < moved.trial.size(); ++i) {
+                const NodeMotion& motion = moved.trial[i];
+                found.nodes[i] = {Vec3::Zero(), Vec3::Zero(), motion.v, motion.omega, motion.a, motion.alpha};
+            }
+            found.carried = moved.carried_trial;
+            return dot(rates, found);
+        });
+        MotionGradient trial(state), previous(state);
+        integrator.transpose_rates(state, stage.time_step, rates, trial, previous);
+        CHECK(relative_difference(dot(trial, of_trial) + dot(previous, of_previous), expected) < 1e-9);
+    });
+    CHECK(count > 0);
 }
 
 TEST_CASE("a node's rates follow from its own motion alone", "[integrators]") {
