@@ -29,7 +29,12 @@ class Sensitivities {
     void note_before() { before_ = analysis_->state(); }
     void advance();
 
+    std::size_t count() const { return all_.size(); }
     const ForwardSensitivity& by(std::size_t number) const { return all_[number]; }
+    ForwardSensitivity& by(std::size_t number) { return all_[number]; }
+    // How the analysis starts, and the scheme of its steps.
+    StartOfAnalysis find_start() const;
+    const Integrator& integrator() const { return *integrator_; }
 
     // The derivatives at an accepted state, to return to that state.
     struct Record {
@@ -44,7 +49,6 @@ class Sensitivities {
     static void check_settings(const AnalysisSettings& settings);
 
   private:
-    StartOfAnalysis find_start() const;
     // Whether there is no derivative by any number anymore.
     bool have_ended() const;
     void take_step();
