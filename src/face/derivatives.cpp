@@ -41,9 +41,11 @@ std::vector<int> list_nodes(const Problem& problem, std::size_t history) {
 // Throws std::invalid_argument if a quantity has no gradient.
 void check_has_gradient(const HistoryRequest& request, std::size_t quantity) {
     const auto* tie = std::get_if<WatchedTie>(&request.target);
-    if (tie != nullptr && !is_element(tie->kind))
-        throw std::invalid_argument("history " + request.name +
-                                    " is of a joint; there are gradients of points, springs and bushings");
+    const bool is_point =
+        node_of(request.target) >= 0 || std::holds_alternative<WatchedPoint>(request.target);
+    if (!is_point && (tie == nullptr || !is_element(tie->kind)))
+        throw std::invalid_argument("history " + request.name + " is of a " + (tie ? "joint" : "whole") +
+                                    "; there are gradients of points, springs and bushings");
     if (part_of(*quantities_of(request).at(quantity)) == SnapshotPart::reactions)
         throw std::invalid_argument("there are no gradients of reactions; carry derivatives along instead");
 }
@@ -185,6 +187,18 @@ void Derivatives::restore(const Sensitivities::Record* record) {
     now_.carried->recall(*record);
 }
 
+std::vector<int> list_nodes(const Problem& problem, const std::vector<WeightedQuantity>& sum) {
+    std::vector<int> nodes;
+    for (const WeightedQuantity& one : sum) {
+        check_has_gradient(problem.output.histories.at(one.history), one.quantity);
+        const std::vector<int> own = list_nodes(problem, one.history);
+        nodes.insert(nodes.end(), own.begin(), own.end());
+    }
+    std::ranges::sort(nodes);
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+}
+
 std::vector<double> find_gradient(const SteppedRun& run,
                                   const std::vector<WeightedQuantity>& sum,
                                   const std::vector<VariedNumber>& variations) {
@@ -192,15 +206,7 @@ std::vector<double> find_gradient(const SteppedRun& run,
     const auto* settings = std::get_if<StaticSettings>(&base.analysis());
     if (settings == nullptr || base.stages.size() > 1)
         throw std::invalid_argument("there are gradients of equilibria, of a static analysis of one stage");
-    std::vector<int> nodes;
-    for (const WeightedQuantity& one : sum) {
-        const HistoryRequest& request = base.output.histories.at(one.history);
-        check_has_gradient(request, one.quantity);
-        const std::vector<int> own = list_nodes(base, one.history);
-        nodes.insert(nodes.end(), own.begin(), own.end());
-    }
-    std::ranges::sort(nodes);
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    const std::vector<int> nodes = list_nodes(base, sum);
     const VariedNumber* varied = nullptr;
     const auto add_up = [&](const System& system, const State& state, int side) {
         const Problem& problem = side < 0 ? base : varied->problems[static_cast<std::size_t>(side)];

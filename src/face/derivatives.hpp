@@ -64,6 +64,10 @@ struct WeightedQuantity {
     std::vector<double> weights;
 };
 
+// Lists the nodes on whose motions a sum depends, in order. Throws std::invalid_argument if one of its
+// quantities has no gradient.
+std::vector<int> list_nodes(const Problem& problem, const std::vector<WeightedQuantity>& sum);
+
 // Finds derivatives of a weighted sum at the accepted equilibrium of a static run, by multipliers. Throws
 // std::invalid_argument if there are none.
 std::vector<double> find_gradient(const SteppedRun& run,

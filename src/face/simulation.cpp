@@ -82,9 +82,11 @@ void Simulation::throw_if_failed() const {
     throw ConvergenceError(summary.reason, summary.failure);
 }
 
-bool Simulation::take_step() {
+bool Simulation::take_step(std::optional<double> landing) {
     if (derivatives_) derivatives_->note_before();
     if (!run_->step()) return false;
+    StepCall& call = calls_.emplace_back(landing);
+    for (const std::shared_ptr<Input>& input : problem_.model.inputs) call.inputs.push_back(input->state());
     if (derivatives_) derivatives_->advance();
     return true;
 }
@@ -113,7 +115,7 @@ long Simulation::advance(std::optional<double> until, long most_steps) {
     double goal = until.value_or(std::numeric_limits<double>::infinity());
     while (steps < most_steps && !finished()) {
         if (until) goal = run_->land_on(*until).value_or(goal);
-        if (time() >= goal || !take_step()) break;
+        if (time() >= goal || !take_step(until)) break;
         ++steps;
     }
     throw_if_failed();
@@ -170,6 +172,7 @@ void Simulation::restore(const Checkpoint& checkpoint) {
     };
     cut(times_, 1);
     ledgers_.resize(std::min(ledgers_.size(), rows));
+    calls_.resize(std::min(calls_.size(), std::max(rows, std::size_t{1}) - 1));
     for (Recorded& recorded : histories_) {
         for (std::size_t i = 0; i < recorded.quantities.size(); ++i)
             cut(recorded.records[i], static_cast<std::size_t>(recorded.quantities[i]->columns));
@@ -220,6 +223,25 @@ const std::vector<double>& Simulation::records(const std::string& history,
     for (const std::size_t index : kept_) kept.push_back(problem_.output.histories[index].name);
     const std::size_t index = kept_[find_name("record", history, kept)];
     return records(index, find_name("quantity of history " + history, quantity, list_quantities(index)));
+}
+
+SweptGradient Simulation::find_gradient(const std::vector<WeightedQuantity>& sum,
+                                        const std::vector<VariedNumber>& variations,
+                                        const std::vector<std::string>& inputs) const {
+    const auto is_of_end = [&](const WeightedQuantity& one) {
+        return one.weights.size() == static_cast<std::size_t>(width(one.history, one.quantity));
+    };
+    const bool is_static = std::holds_alternative<StaticSettings>(problem_.analysis());
+    if (is_static && inputs.empty() && std::ranges::all_of(sum, is_of_end))
+        return {gxrod::find_gradient(*run_, sum, variations), {}};
+    std::vector<std::size_t> indices;
+    for (const std::string& name : inputs) {
+        const Input& input = find_input(problem_, name);
+        for (std::size_t i = 0; i < problem_.model.inputs.size(); ++i) {
+            if (problem_.model.inputs[i].get() == &input) indices.push_back(i);
+        }
+    }
+    return sweep_back(*run_, calls_, sum, variations, indices);
 }
 
 std::vector<std::string> Simulation::numbers() const {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "assembly/state_matrices.hpp"
-#include "face/derivatives.hpp"
+#include "face/sweep.hpp"
 #include "face/value.hpp"
 #include "linear/sparse_pattern.hpp"
 #include "model/problem.hpp"
@@ -128,6 +128,12 @@ class Simulation {
     std::vector<std::string> numbers() const;
     std::vector<double> differentiate(std::size_t number, std::size_t history, std::size_t quantity) const;
 
+    // Finds derivatives by multipliers: of an equilibrium as find_gradient; of what was recorded as
+    // sweep_back, for inputs by their names, too. Throws as these do, and UnknownNameError.
+    SweptGradient find_gradient(const std::vector<WeightedQuantity>& sum,
+                                const std::vector<VariedNumber>& variations,
+                                const std::vector<std::string>& inputs = {}) const;
+
     // Returns the run itself, for all that has no name here.
     SteppedRun& stepped_run() { return *run_; }
     const SteppedRun& stepped_run() const { return *run_; }
@@ -142,7 +148,7 @@ class Simulation {
     void add_histories();
     void choose_records(const std::optional<std::vector<std::string>>& names);
     void set_inputs(double until);
-    bool take_step();
+    bool take_step(std::optional<double> landing = std::nullopt);
     void complete();
     void throw_if_failed() const;
     // Keeps what is asked for of an accepted state.
@@ -161,6 +167,7 @@ class Simulation {
     std::vector<std::size_t> kept_;  // histories
     std::vector<double> times_;
     std::vector<LedgerRow> ledgers_;
+    std::vector<StepCall> calls_;            // of all steps
     std::map<std::string, double> pending_;  // inputs, until the next step
 };
 

@@ -238,16 +238,20 @@ void bind_simulation(nb::module_& module) {
             [](const Driven& driven,
                const std::vector<std::tuple<std::size_t, std::size_t, std::vector<double>>>& sum,
                const BuiltModel& model,
-               const std::vector<std::string>& numbers) {
+               const std::vector<std::string>& numbers,
+               const std::vector<std::string>& inputs) {
                 const nb::gil_scoped_release release;
                 std::vector<WeightedQuantity> all;
                 for (const auto& [history, quantity, weights] : sum)
                     all.push_back({history, quantity, weights});
-                return find_gradient(driven.stepped_run(), all, vary_all(model, numbers));
+                SweptGradient found = driven.find_gradient(all, vary_all(model, numbers), inputs);
+                return std::make_tuple(std::move(found.by_numbers), std::move(found.by_inputs));
             },
             "sum"_a,
             "model"_a,
-            "numbers"_a)
+            "numbers"_a,
+            "inputs"_a,
+            "By the numbers [n]; by the inputs [S,m].")
         .def("quantities", &Driven::list_quantities, "history"_a)
         .def("ledger", &make_ledger, "{name: number or array [3]}.")
         .def(

@@ -99,7 +99,8 @@ class Simulation:
 
     def derivative(self, number: int, history: int, quantity: int) -> list[float]: ...
 
-    def gradient(self, sum: Sequence[tuple[int, int, Sequence[float]]], model: Model, numbers: Sequence[str]) -> list[float]: ...
+    def gradient(self, sum: Sequence[tuple[int, int, Sequence[float]]], model: Model, numbers: Sequence[str], inputs: Sequence[str]) -> tuple[list[float], list[list[float]]]:
+        """By the numbers [n]; by the inputs [S,m]."""
 
     def quantities(self, history: int) -> list[str]: ...
 

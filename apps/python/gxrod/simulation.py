@@ -222,27 +222,32 @@ class Simulation(Shown):
 
         return Values(f"derivative of history {name} by {parameter}", self._core.quantities(index), read)
 
-    def adjoint(self, weights: Mapping[str, ArrayLike], parameters: Names) -> Array:
-        """The gradient [n] of a weighted sum by n numbers of the deck, at the accepted equilibrium of a static analysis.
+    def adjoint(self, weights: Mapping[str, ArrayLike], parameters: Names = (), inputs: Names | None = None) -> Array | tuple[Array, Array]:
+        """The gradient [n] of a weighted sum by n numbers of the deck, by multipliers; with `inputs` a pair: also [S,m], by the values of m inputs.
 
-        weights: {"tip.displacement": [0, 0, 1]}, what the numbers of histories' quantities count, in the shapes of these.
-        parameters: as `sensitivities`, which are not needed here. One solution with the transposed tangent serves all
-        numbers, so that many of them cost little. Raises Error for motions, for quantities of joints and reactions, and
-        where the equilibrium depends on how it was reached: elements "simo", friction.
+        weights: {"tip.displacement": [0, 0, 1]}, what the numbers of histories' quantities count at the last accepted state, in
+        the shapes of these; or [S,3], in those of `sim.records`, at each of the S accepted states.
+        parameters: as `sensitivities`, which are not needed here.
+        inputs: names of inputs of the deck. Row k of [S,m] is by the values at the end of step k; the first is by those at t = 0.
+
+        One transposed solution serves all numbers, in a motion one in each step, so that many of them cost little. A
+        motion is repeated from states that are kept on the way. Raises Error for quantities of joints and reactions; where an
+        equilibrium depends on how it was reached: elements "simo", friction; for motions of other schemes than
+        newmark-simplified, newmark-ibrahimbegovic and generalized-alpha, and for several stages.
         """
         total = []
         for key, weight in weights.items():
             name, _, quantity = key.partition(".")
-            value = np.atleast_1d(np.asarray(self[name][quantity]))
-            weight = np.atleast_1d(np.asarray(weight, dtype=float))
-            if weight.shape != value.shape:
+            value, weight = np.asarray(self[name][quantity]), np.asarray(weight, dtype=float)
+            if weight.shape not in (value.shape, np.atleast_1d(value).shape, (len(self._core.times()), *value.shape)):
                 raise Error(f"adjoint: {key} has {value.size} numbers, and {weight.size} weights were given")
             index = self._names.index(name)
-            total.append((index, self._core.quantities(index).index(quantity), weight.tolist()))
+            total.append((index, self._core.quantities(index).index(quantity), np.ravel(weight).tolist()))
         try:
-            return np.array(self._core.gradient(total, self.model._core, list_names(parameters)))
+            found, by_inputs = self._core.gradient(total, self.model._core, list_names(parameters), list_names(inputs or ()))
         except (ValueError, RuntimeError) as error:
             raise Error(f"adjoint: {error}") from error
+        return np.array(found) if inputs is None else (np.array(found), np.array(by_inputs))
 
     @property
     def ledger(self) -> SimpleNamespace:
