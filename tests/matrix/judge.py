@@ -33,7 +33,14 @@ with warnings.catch_warnings(record=True) as said:
     try:
         row, = gxrod.check_gradient(sys.argv[2], ["P"], "tip.displacement")
         others = [str(one.message) for one in said if "other steps" in str(one.message)]
-        print(json.dumps(others[0] if others else [list(map(float, row["derivative"])), list(map(float, row["difference"]))]))
+        found = [list(map(float, row["derivative"])), list(map(float, row["difference"]))]
+        sim = gxrod.Simulation(gxrod.Deck(sys.argv[2]))
+        sim.run()
+        try:
+            found.append([float(sim.adjoint({"tip.displacement": axis}, ["P"])[0]) for axis in ([1, 0, 0], [0, 1, 0], [0, 0, 1])])
+        except gxrod.Error as error:
+            found.append(str(error))
+        print(json.dumps(others[0] if others else found))
     except gxrod.Error as error:
         print(json.dumps(str(error)))
 """
@@ -405,7 +412,7 @@ class Judge:
             raise Mismatch(f"gxrod verify: exit code {done.returncode}: {(done.stdout + done.stderr).strip()[-400:]}")
 
     def gradient(self, *tables):
-        """The derivative by all loads against differences of whole runs."""
+        """The derivative by all loads against differences of whole runs, and by multipliers where these are there."""
         if self.module is None:
             return "not asked: --python and --package give the Python module"
         outcome = self.run(*tables)
@@ -420,6 +427,10 @@ class Judge:
         if isinstance(found, str):
             raise Ended(Outcome(2, found, outcome.file))
         require_close(found[0], found[1], 2e-2 if self.kinked else 1e-5, "derivative and difference")
+        if not isinstance(found[2], str):
+            require_close(found[0], found[2], 1e-7, "derivative carried along and by multipliers")
+        elif "yet" not in found[2] and "depend" not in found[2] and "gradients" not in found[2]:
+            raise Mismatch(f"by multipliers: {found[2]}")
         return None
 
 
