@@ -275,6 +275,16 @@ double constant_value(Program& program) {
     return value;
 }
 
+// The value of an expression that is the name of a parameter: no parser is needed.
+std::optional<double> find_parameter(const Formula& formula) {
+    const ExpressionNames names = check_expression(formula.text, formula.symbols, formula.variables);
+    const bool has_others = !names.variables.empty() || !names.functions.empty() || !names.inputs.empty();
+    if (has_others || names.parameters.size() != 1 || formula.text != *names.parameters.begin())
+        return std::nullopt;
+    const std::optional<double> value = formula.symbols.parameters.find(formula.text)->second;
+    return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
 // The compiled chain of one switch.
 struct SwitchProgram {
     SwitchProgram(const SwitchSource& source, const Symbols& symbols, Variables variables)
@@ -327,6 +337,7 @@ std::shared_ptr<const Switches> compile_switches(const Formula& formula) {
 }  // namespace
 
 std::optional<double> evaluate_constant(const std::string& expression, const Symbols& symbols) {
+    if (const auto value = find_parameter({expression, symbols, Variables::none})) return value;
     const Compiled compiled = compile({expression, symbols, Variables::none});
     if (!compiled.program) return std::nullopt;
     return constant_value(*compiled.program);
@@ -336,6 +347,7 @@ std::optional<TimeFunction> compile_time_function(const std::string& expression,
                                                   const std::string& key,
                                                   const Symbols& symbols) {
     const Formula formula{expression, symbols, Variables::time};
+    if (const auto value = find_parameter(formula)) return TimeFunction(*value);
     const Compiled compiled = compile(formula, key);
     if (!compiled.program) return std::nullopt;
     if (compiled.is_constant()) return TimeFunction(constant_value(*compiled.program));
@@ -349,6 +361,7 @@ std::optional<LineExpression> compile_line_function(const std::string& expressio
                                                     const std::string& key,
                                                     const Symbols& symbols) {
     const Formula formula{expression, symbols, Variables::line};
+    if (const auto value = find_parameter(formula)) return LineExpression{LineFunction(*value)};
     const Compiled compiled = compile(formula, key);
     if (!compiled.program) return std::nullopt;
     if (compiled.is_constant()) return LineExpression{LineFunction(constant_value(*compiled.program))};
@@ -364,6 +377,8 @@ std::optional<LineExpression> compile_line_function(const std::string& expressio
 std::optional<ArcExpression> compile_arc_function(const std::string& expression,
                                                   const std::string& key,
                                                   const Symbols& symbols) {
+    if (const auto value = find_parameter({expression, symbols, Variables::arc}))
+        return ArcExpression{{}, *value};
     const Compiled compiled = compile({expression, symbols, Variables::arc}, key);
     if (!compiled.program) return std::nullopt;
     if (compiled.is_constant()) return ArcExpression{{}, constant_value(*compiled.program)};
