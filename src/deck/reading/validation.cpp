@@ -290,11 +290,10 @@ class Validator {
     // Whether an unknown key, reported as such, was to be this one. What other programs call otherwise may
     // have been to be any key.
     static bool has_misspelling(const DeckNode& node, const std::string& key, const TableSpec& spec) {
-        const std::vector<std::string> known = spec.key_names();
         return std::any_of(node.table()->begin(), node.table()->end(), [&](const DeckEntry& entry) {
             if (spec.find(entry.key) != nullptr) return false;
             const std::optional<OtherNames> synonym = find_synonym(spec, entry.key);
-            if (!synonym) return nearest_spelling(entry.key, known) == key;
+            if (!synonym) return nearest_spelling(entry.key, spec.key_names()) == key;
             return synonym->key.empty() || synonym->key == key;
         });
     }
@@ -304,19 +303,17 @@ class Validator {
         for (const KeyGroup& group : spec.groups) {
             if (!is_used(group, checked)) continue;
             std::vector<std::string> given;
-            std::vector<std::string> spellings;
             for (const std::string& key : group.keys) {
                 const DeckEntry* entry = node.find(key);
                 const bool is_empty =
                     entry != nullptr && entry->node.table() != nullptr && entry->node.table()->empty();
                 if (entry != nullptr && !is_empty) given.push_back(key);
-                spellings.push_back(spell(*spec.find(key)));
             }
-            const bool is_meant =
-                std::any_of(group.keys.begin(), group.keys.end(), [&](const std::string& key) {
-                    return has_misspelling(node, key, spec);
-                });
-            if (given.empty() && !is_meant && group.rule != GroupRule::at_most_one) {
+            const auto is_meant = [&](const std::string& key) { return has_misspelling(node, key, spec); };
+            if (given.empty() && group.rule != GroupRule::at_most_one &&
+                std::ranges::none_of(group.keys, is_meant)) {
+                std::vector<std::string> spellings;
+                for (const std::string& key : group.keys) spellings.push_back(spell(*spec.find(key)));
                 add(node.place, path, fmt::format("missing; expected {}", fmt::join(spellings, " or ")));
             }
             if (given.size() > 1 && group.rule != GroupRule::at_least_one) {
