@@ -104,7 +104,7 @@ int verify(const CLI::App& verb, VerifyArguments& arguments) {
         arguments.own.json = arguments.json;
         return verify_deck(arguments.own);
     }
-    refuse(verb, {"--set", "--levels", "--tolerance", "--seed", "--output", "--force"}, "a deck");
+    refuse(verb, {"--set", "--stage", "--levels", "--tolerance", "--seed", "--output", "--force"}, "a deck");
     if (arguments.list) {
         std::size_t width = 0;
         for (const Study& study : studies()) width = std::max(width, study.name.size());
@@ -149,6 +149,9 @@ void add_study_options(CLI::App& verb, VerifyArguments& arguments) {
 
 void add_deck_options(CLI::App& verb, VerifyDeckArguments& own) {
     verb.add_option("--set", own.overrides, "KEY=VALUE: change a key of the deck")->allow_extra_args(false);
+    verb.add_option("--stage",
+                    own.stage,
+                    "Examine this stage of the deck; earlier ones are refined with it [the last that moves]");
     verb.add_option("--levels",
                     own.levels,
                     "How often steps and mesh are halved; 1 assumes orders instead of measuring them, at "

@@ -3,14 +3,15 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <stdexcept>
 
 #include "check/model_examination.hpp"
 #include "exit_code.hpp"
-#include "model/settings/analysis_traits.hpp"
 #include "report/study_page.hpp"
 #include "results/file/output_file.hpp"
 #include "say.hpp"
 #include "study/deck_study_text.hpp"
+#include "study/studied_stage.hpp"
 
 namespace gxrod {
 
@@ -26,7 +27,9 @@ extern "C" void ask_study_to_end(int signal) {
 
 // Reports what is suspicious; returns whether the model can be run.
 bool examine(const Problem& problem, const std::string& deck) {
-    const std::vector<Finding> findings = examine_model(problem.model, problem.analysis());
+    const std::vector<Finding> findings = problem.stages.size() > 1
+                                              ? examine_stages(problem.model, problem.stages)
+                                              : examine_model(problem.model, problem.analysis());
     for (const Finding& finding : findings) {
         if (finding.severity != Severity::note) say(stderr, "{}: {}\n", deck, describe(finding));
     }
@@ -52,32 +55,26 @@ int verify_deck(const VerifyDeckArguments& arguments) {
     const Existing existing = arguments.force ? Existing::replace : Existing::refuse;
     if (!arguments.page.empty()) check_export_file(arguments.page, existing);
     const DeckTemplate deck(arguments.deck);
-    const Problem problem = deck.build(arguments.overrides);
-    if (problem.stages.size() > 1) {
-        say(stderr,
-            "{}: has {} stages; gxrod verify refines decks of one. Write the stage in question as "
-            "[analysis]\n",
-            arguments.deck,
-            problem.stages.size());
+    Problem problem = deck.build(arguments.overrides);
+    DeckStudyOptions options;
+    try {
+        options.stage = find_studied_stage(problem, arguments.stage);
+    } catch (const std::invalid_argument& error) {
+        say(stderr, "{}: {}\n", arguments.deck, error.what());
         return exit_bad_input;
     }
-    if (!has_steps(problem.analysis()) || is_path(problem.analysis())) {
-        say(stderr,
-            "{}: finds {}; gxrod verify refines what moves. Compare runs with more elements instead\n",
-            arguments.deck,
-            is_path(problem.analysis()) ? "a path of equilibria" : kind_of(problem.analysis()));
-        return exit_bad_input;
-    }
+    const bool has_stages = problem.record.stages.size() > 1;
+    end_with_stage(options.stage, problem);
     if (!examine(problem, arguments.deck)) return exit_bad_input;
     const std::vector<DeckVariant> variants = list_variants(problem, arguments.levels);
     std::signal(SIGINT, ask_study_to_end);
     std::signal(SIGTERM, ask_study_to_end);
-    DeckStudyOptions options;
     options.seed = arguments.seed;
     options.tolerance = arguments.tolerance;
     options.is_interrupted = [] { return is_asked_to_end != 0; };
     if (!arguments.json) {
         if (!problem.record.title.empty()) say(stdout, "{}\n", problem.record.title);
+        if (has_stages) say(stdout, "stage {}\n", problem.stages.back().name);
         say(stdout, "{}{}", describe_plan(variants), run_head());
         std::fflush(stdout);
         options.report_run = [&](const VariantRun& run) { print_run(run, total_cost(variants) - 1.0); };

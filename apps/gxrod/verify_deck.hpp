@@ -8,6 +8,7 @@ namespace gxrod {
 struct VerifyDeckArguments {
     std::string deck;
     std::vector<std::string> overrides;
+    std::string stage;  // empty: the last one that can be studied
     int levels = 2;
     unsigned seed = 1;
     double tolerance = 0.01;

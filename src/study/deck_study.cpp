@@ -11,6 +11,7 @@
 #include "study/resumed_run.hpp"
 #include "study/series_differences.hpp"
 #include "study/series_reports.hpp"
+#include "study/studied_stage.hpp"
 #include "study/turned_problem.hpp"
 
 namespace gxrod {
@@ -29,6 +30,13 @@ Quat make_random_rotation(unsigned seed) {
     return Quat(w, x, y, z).normalized();
 }
 
+// Whether a stage before the last one moves in time or turns.
+bool follows_motion(const std::vector<StagePlan>& stages) {
+    return std::any_of(stages.begin(), stages.end() - 1, [](const StagePlan& stage) {
+        return can_be_studied(stage.analysis) && !std::holds_alternative<StaticSettings>(stage.analysis);
+    });
+}
+
 class DeckExaminer {
   public:
     DeckExaminer(const DeckTemplate& deck,
@@ -37,18 +45,22 @@ class DeckExaminer {
         : options_(&options),
           base_problem_(deck.build(overrides)),
           deck_(base_problem_.record.text, deck.file()) {
-        add_histories(base_problem_);
+        complete(base_problem_);
         const Problem& problem = base_problem_;
+        const AnalysisSettings& analysis = studied_analysis(problem);
         study_.title = problem.record.title;
         study_.deck = deck.file();
-        study_.is_static = std::holds_alternative<StaticSettings>(problem.analysis());
-        study_.is_adaptive = adaptive_of(problem.analysis()) != nullptr;
-        study_.expected_order = order_of(problem.analysis());
+        if (problem.record.stages.size() > 1) study_.stage = problem.stages.back().name;
+        study_.is_static = std::holds_alternative<StaticSettings>(analysis);
+        study_.is_adaptive = adaptive_of(analysis) != nullptr;
+        study_.expected_order = order_of(analysis);
         study_.element_order = lowest_order_of(problem.model);
-        study_.depends_on_steps = !study_.is_static || has_elements_simo(problem.model);
+        study_.follows_motion = follows_motion(problem.stages);
+        study_.depends_on_steps =
+            !study_.is_static || study_.follows_motion || has_elements_simo(problem.model);
         study_.unrefined_rods = list_unrefined_rods(problem);
         study_.tolerance = options.tolerance;
-        study_.times = choose_times(problem.analysis());
+        study_.times = choose_times(analysis);
         study_.end_time = study_.times.back();
         series_ = list_series(problem.output);
         rotation_ = restrict_rotation(make_random_rotation(options.seed), problem.model);
@@ -74,7 +86,8 @@ class DeckExaminer {
     }
 
   private:
-    void add_histories(Problem& problem) {
+    void complete(Problem& problem) {
+        end_with_stage(options_->stage, problem);
         study_.has_own_histories = !problem.output.histories.empty();
         if (!study_.has_own_histories) problem.output.histories = make_end_histories(problem.model);
     }
@@ -82,7 +95,7 @@ class DeckExaminer {
     // The user's overrides are part of the deck then, so that a variant's keys may exclude theirs.
     Problem build(const std::vector<std::string>& overrides) {
         Problem problem = deck_.build(overrides);
-        add_histories(problem);
+        complete(problem);
         return problem;
     }
 

@@ -19,7 +19,7 @@ struct VariantRun {
     DeckVariant variant;
     long elements = 0;
     long unknowns = 0;
-    long steps = 0;
+    long steps = 0;              // in all stages
     std::vector<long> steps_at;  // taken up to each sample
     long rejected_steps = 0;
     bool is_cut_alike = true;  // for turned runs: whether they cut the same steps as the run before
@@ -32,6 +32,8 @@ struct VariantRun {
     bool is_unstable = false;  // whether unstable equilibria were accepted
 
     bool is_whole() const { return failure.empty(); }
+    // Returns the steps of the studied stage.
+    long own_steps() const { return steps_at.empty() ? steps : steps - steps_at.front(); }
 };
 
 // A part of a run, and the steps taken in it.
@@ -62,6 +64,7 @@ struct SeriesReport {
 };
 
 struct DeckStudyOptions {
+    std::size_t stage = 0;    // index of the studied stage, as of find_studied_stage
     unsigned seed = 1;        // seed of the random rotation
     double tolerance = 0.01;  // for errors relative to the scale of each series
     std::function<bool()> is_interrupted = [] { return false; };
@@ -71,9 +74,11 @@ struct DeckStudyOptions {
 struct DeckStudy {
     std::string title;
     std::string deck;
+    std::string stage;  // its name; "" for a deck of one stage
     double end_time = 1.0;
     bool is_static = false;
-    bool depends_on_steps = true;  // false in statics with `objective` elements
+    bool follows_motion = false;   // whether an earlier stage moves in time
+    bool depends_on_steps = true;  // false in statics alone with `objective` elements
     bool is_adaptive = false;
     double expected_order = 2.0;  // order of the scheme in the step
     int element_order = 1;        // the lowest order

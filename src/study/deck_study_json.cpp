@@ -84,6 +84,7 @@ Json to_json(const SeriesReport& report, bool knows_round_off, const Chosen& cho
 Json to_json(const DeckStudy& study, bool with_curves) {
     Json json{{"gxrod_version", version},
               {"deck", study.deck},
+              {"stage", study.stage.empty() ? Json(nullptr) : Json(study.stage)},
               {"title", study.title},
               {"analysis", study.is_static ? "static" : "dynamic"},
               {"end_time", study.end_time},

@@ -9,6 +9,7 @@
 #include "model/settings/analysis_traits.hpp"
 #include "model/settings/newton_choice.hpp"
 #include "study/method_traits.hpp"
+#include "study/studied_stage.hpp"
 #include "watch/quantities.hpp"
 
 namespace gxrod {
@@ -34,11 +35,14 @@ std::vector<const Rod*> list_rods(const Problem& problem, bool of_meshes) {
 }
 
 // The tolerance that halves the steps `level` times, and bounds of theirs and of Newton's method that let it.
-std::vector<std::string> refine(const AdaptiveSettings& adaptive, const NewtonSettings& newton, int level) {
+std::vector<std::string> refine(const AdaptiveSettings& adaptive,
+                                const NewtonSettings& newton,
+                                const std::string& table,
+                                int level) {
     std::vector<std::string> overrides;
     const auto divide = [&](const char* key, double value, double divisor) {
         for (int i = 0; i < level; ++i) value /= divisor;
-        overrides.push_back(fmt::format("analysis.{}={:.17g}", key, value));
+        overrides.push_back(fmt::format("{}.{}={:.17g}", table, key, value));
     };
     divide("adaptive.tolerance", adaptive.tolerance, error_fall);
     if (adaptive.min_step > 0.0) divide("adaptive.min_step", adaptive.min_step, 2.0);
@@ -57,19 +61,36 @@ bool measures_directions(const Problem& problem) {
     });
 }
 
+// The keys of a stage's table that refine its steps.
+std::vector<std::string> refine_steps(const AnalysisSettings& analysis, const std::string& table, int level) {
+    std::vector<std::string> overrides;
+    if (const AdaptiveSettings* adaptive = adaptive_of(analysis))
+        overrides = refine(*adaptive, newton_of(analysis), table, level);
+    const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
+    const long steps = dynamic != nullptr ? dynamic->steps : steps_of(analysis);
+    overrides.push_back(fmt::format("{}.steps={}", table, (1 << level) * steps));
+    return overrides;
+}
+
+const char* title_finer_steps(const AnalysisSettings& analysis, int level) {
+    if (adaptive_of(analysis) != nullptr)
+        return level == 1 ? "1/16 of the tolerance" : "1/256 of the tolerance";
+    if (std::holds_alternative<DynamicSettings>(analysis))
+        return level == 1 ? "half the step" : "a quarter of the step";
+    return level == 1 ? "twice the load steps" : "four times the load steps";
+}
+
+// Of all stages up to the studied one; paths choose their steps by themselves.
 DeckVariant make_finer_steps(const Problem& problem, int level) {
-    DeckVariant variant{
-        VariantKind::finer_steps, level, level == 1 ? "half the step" : "a quarter of the step"};
-    const int factor = 1 << level;
-    variant.cost = factor;
-    if (const AdaptiveSettings* adaptive = adaptive_of(problem.analysis())) {
-        variant.title = fmt::format("{} of the tolerance", level == 1 ? "1/16" : "1/256");
-        variant.overrides = refine(*adaptive, newton_of(problem.analysis()), level);
+    DeckVariant variant{VariantKind::finer_steps, level, title_finer_steps(studied_analysis(problem), level)};
+    variant.cost = 1 << level;
+    for (std::size_t i = 0; i < problem.stages.size(); ++i) {
+        const StagePlan& stage = problem.stages[i];
+        if (!has_steps(stage.analysis) || is_path(stage.analysis)) continue;
+        const std::string table = stage.name.empty() ? "analysis" : fmt::format("stage[{}]", i);
+        for (std::string& key : refine_steps(stage.analysis, table, level))
+            variant.overrides.push_back(std::move(key));
     }
-    const auto* dynamic = std::get_if<DynamicSettings>(&problem.analysis());
-    const long steps = dynamic != nullptr ? dynamic->steps : steps_of(problem.analysis());
-    if (dynamic == nullptr) variant.title = level == 1 ? "twice the load steps" : "four times the load steps";
-    variant.overrides.push_back(fmt::format("analysis.steps={}", factor * steps));
     return variant;
 }
 

@@ -28,8 +28,8 @@ struct DeckVariant {
     double cost = 1.0;                        // in runs of the unchanged deck, about
 };
 
-// Lists the variants that make sense for this problem, the unchanged deck first. `levels`: 1 or 2
-// refinements.
+// Lists the variants that make sense for this problem, whose last stage is studied, the unchanged deck first.
+// `levels`: 1 or 2 refinements.
 std::vector<DeckVariant> list_variants(const Problem& problem, int levels);
 
 // Lists the rods that no variant refines: the rods of meshes.

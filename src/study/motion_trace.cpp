@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analyses/static.hpp"
 #include "assembly/system_measures.hpp"
 #include "machine/phase_timer.hpp"
 #include "model/energy_round_off.hpp"
@@ -11,6 +10,8 @@
 #include "model/settings/analysis_traits.hpp"
 #include "results/energy_warning.hpp"
 #include "run/signal_board.hpp"
+#include "run/stage_sequence.hpp"
+#include "study/studied_stage.hpp"
 #include "study/trace_sampler.hpp"
 
 namespace gxrod {
@@ -66,25 +67,24 @@ class Tracer {
   public:
     Tracer(const Problem& problem, const TraceRequest& request)
         : request_(&request),
-          is_dynamic_(std::holds_alternative<DynamicSettings>(problem.analysis())),
-          analysis_(make_analysis(problem.model, problem.analysis(), request.threads)),
+          problem_(&problem),
+          is_dynamic_(std::holds_alternative<DynamicSettings>(studied_analysis(problem))),
+          stages_({problem,
+                   list_rod_places(problem.output.histories),
+                   list_contact_watches(problem.output.histories),
+                   request.threads}),
           mass_(total_mass(problem.model)),
           round_off_(compute_energy_round_off(problem.model)),
-          momenta_(analysis_->system(), mass_),
+          momenta_(stages_.analysis().system(), mass_),
           sampler_(request.sample_times, request.sample_times.back()),
           reader_(problem, request.series),
-          signals_(problem),
-          is_timed_(is_timed(problem.analysis())) {
-        analysis_->watch(list_rod_places(problem.output.histories),
-                         list_contact_watches(problem.output.histories));
-    }
+          signals_(problem) {}
 
     MotionTrace trace() {
         MotionTrace trace;
-        trace.unknowns = analysis_->system().equations().count();
-        trace.length = analysis_->system().length_scale();
+        trace.length = stages_.analysis().system().length_scale();
         trace.mass = mass_;
-        trace.elements = static_cast<long>(SystemMeasures(analysis_->system()).count_elements());
+        trace.elements = static_cast<long>(SystemMeasures(stages_.analysis().system()).count_elements());
         {
             const PhaseTimer timer(trace.seconds);
             try {
@@ -93,10 +93,11 @@ class Tracer {
                 trace.failure = error.what();
             }
         }
-        trace.warnings = analysis_->list_warnings();
+        trace.unknowns = stages_.analysis().system().equations().count();
+        trace.warnings = stages_.list_warnings();
         const std::string jump = is_dynamic_ ? "" : describe_imbalance(survey_, round_off_);
         if (!jump.empty()) trace.warnings.push_back(jump);
-        trace.is_unstable = analysis_->is_unstable() || !jump.empty();
+        trace.is_unstable = stages_.is_unstable() || !jump.empty();
         trace.samples = sampler_.samples().size();
         trace.rows.resize(request_->series.size());
         for (std::size_t k = 0; k < trace.rows.size(); ++k) {
@@ -107,38 +108,76 @@ class Tracer {
 
   private:
     void run(MotionTrace& trace) {
-        if (!accept(analysis_->start(), trace)) return;
+        if (!accept(stages_.analysis().start(), trace) || !pass_earlier_stages(trace)) return;
         visit(trace);
-        while (!analysis_->finished()) {
-            if (request_->is_interrupted()) throw StudyInterrupted();
-            if (is_timed_) signals_.act(*analysis_, 0.0);
-            if (!accept(analysis_->advance(), trace)) return;
-            ++trace.steps;
-            trace.newton_iterations += analysis_->solver_row().newton_iterations;
+        while (!stages_.analysis().finished()) {
+            if (!advance(trace)) return;
             visit(trace);
         }
     }
 
+    // What earlier stages find is not looked for: neither shapes nor branches of paths.
+    bool pass_earlier_stages(MotionTrace& trace) {
+        while (!stages_.is_last()) {
+            const bool moves = has_steps(stages_.settings());
+            if (moves) measure();
+            while (moves && !stages_.analysis().finished()) {
+                if (!advance(trace)) return false;
+                measure();
+            }
+            stages_.leave_branches();
+            if (!enter_next_stage(trace)) return false;
+        }
+        return true;
+    }
+
+    bool enter_next_stage(MotionTrace& trace) {
+        const std::size_t next = stages_.index() + 1;
+        if (has_steps(problem_->stages[next].analysis)) {
+            for (const std::shared_ptr<Input>& input : problem_->model.inputs) input->begin_stage();
+        }
+        const std::optional<Failure> failure = stages_.enter_next();
+        if (failure) trace.failure = "stage " + stages_.name_of(next) + ": " + describe_failure(*failure);
+        return !failure;
+    }
+
+    bool advance(MotionTrace& trace) {
+        if (request_->is_interrupted()) throw StudyInterrupted();
+        if (is_timed(stages_.settings())) signals_.act(stages_.analysis(), stages_.axis_start());
+        if (!accept(stages_.analysis().advance(), trace)) return false;
+        ++trace.steps;
+        trace.newton_iterations += stages_.analysis().solver_row().newton_iterations;
+        return true;
+    }
+
     bool accept(const EquilibriumReport& report, MotionTrace& trace) {
-        trace.rejected_at.insert(trace.rejected_at.end(), analysis_->solver_row().rejected_steps, reached_);
-        if (!report.converged()) trace.failure = describe_failure(analysis_->explain(report));
+        SteppedAnalysis& analysis = stages_.analysis();
+        trace.rejected_at.insert(trace.rejected_at.end(), analysis.solver_row().rejected_steps, reached_);
+        if (!report.converged()) {
+            trace.failure = describe_failure(analysis.explain(report));
+            if (!stages_.is_last()) trace.failure = "stage " + stages_.name() + ": " + trace.failure;
+        }
         return report.converged();
     }
 
+    void measure() {
+        if (!signals_.empty()) signals_.measure(stages_.analysis().snapshot(false));
+    }
+
     void visit(MotionTrace& trace) {
-        const Snapshot snapshot = analysis_->snapshot(false);
+        const Snapshot snapshot = stages_.analysis().snapshot(false);
         signals_.measure(snapshot);
         reached_ = snapshot.time;
         sampler_.add(snapshot.time, reader_.read(snapshot));
         trace.steps_at.resize(sampler_.samples().size(), trace.steps);
-        const LedgerRow ledger = analysis_->ledger_row();
+        const LedgerRow ledger = stages_.analysis().ledger_row();
         TraceBooks& books = trace.books;
         const double energy = ledger.kinetic_energy + ledger.strain_energy;
         books.largest_energy = std::max({books.largest_energy, energy, std::abs(ledger.external_work)});
         books.largest_strain_energy = std::fmax(books.largest_strain_energy, ledger.strain_energy);
         books.largest_energy_error = std::fmax(books.largest_energy_error, std::abs(ledger.energy_error));
         if (!is_dynamic_) watch_jumps(snapshot.time, ledger, books.largest_energy);
-        if (is_dynamic_) momenta_.add(snapshot.time, ledger, analysis_->outer_resultant(), books);
+        if (is_dynamic_) momenta_.add(snapshot.time, ledger, stages_.analysis().outer_resultant(), books);
     }
 
     // Between equilibria of different branches.
@@ -155,8 +194,9 @@ class Tracer {
     }
 
     const TraceRequest* request_;
-    bool is_dynamic_;
-    std::unique_ptr<SteppedAnalysis> analysis_;
+    const Problem* problem_;
+    bool is_dynamic_;  // the stage that is recorded
+    StageSequence stages_;
     double mass_;
     double round_off_;  // of energies
     EnergySurvey survey_{.is_static = true, .jumps = {}};
@@ -165,7 +205,6 @@ class Tracer {
     TraceSampler sampler_;
     SeriesReader reader_;
     SignalBoard signals_;
-    bool is_timed_;
     double reached_ = 0.0;  // the time of the last step that was accepted
 };
 

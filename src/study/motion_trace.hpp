@@ -64,7 +64,7 @@ struct MotionTrace {
     double mass = 0.0;
     long unknowns = 0;
     long elements = 0;
-    long steps = 0;
+    long steps = 0;                   // in all stages
     std::vector<long> steps_at;       // steps taken up to each sample
     std::vector<double> rejected_at;  // start times of the trials that were cut
     long newton_iterations = 0;
@@ -88,8 +88,9 @@ struct TraceRequest {
     std::function<bool()> is_interrupted = [] { return false; };
 };
 
-// Runs the problem in memory. Values between steps lie on a cubic through four of them. If a step does not
-// converge, the trace has a failure. Throws StudyInterrupted.
+// Runs the problem in memory, and records its last stage, by that stage's own t. Values between steps lie on
+// a cubic through four of them. If a step does not converge, the trace has a failure. Throws
+// StudyInterrupted.
 MotionTrace trace_motion(const Problem& problem, const TraceRequest& request);
 
 }  // namespace gxrod

@@ -33,7 +33,7 @@ void go_on(const Problem& problem,
     RunRequest second = make_request(problem, trace);
     second.resumed = &resumed;
     second.observe = [&](const Snapshot& snapshot, const LedgerRow&) {
-        result.times.push_back(snapshot.time);
+        result.times.push_back(snapshot.load_factor);
         result.rows.push_back(reader.read(snapshot));
     };
     second.is_interrupted = [&] { return is_ended = trace.is_interrupted(); };
@@ -55,7 +55,10 @@ ResumedRun run_with_stop(const Problem& given, double end_time, const TraceReque
     bool is_ended = false;
     RunRequest first = make_request(problem, trace);
     first.results = ResultsFileOptions{file};
-    first.observe = [&](const Snapshot& snapshot, const LedgerRow&) { result.stopped_at = snapshot.time; };
+    const auto studied = static_cast<int>(problem.stages.size()) - 1;
+    first.observe = [&](const Snapshot& snapshot, const LedgerRow&) {
+        if (snapshot.stage == studied) result.stopped_at = snapshot.load_factor;
+    };
     first.is_interrupted = [&] {
         is_ended = trace.is_interrupted();
         return is_ended || result.stopped_at >= 0.5 * end_time;

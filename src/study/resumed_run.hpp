@@ -16,8 +16,8 @@ struct ResumedRun {
     std::string failure;
 };
 
-// Runs the problem into a file in a folder for temporary files until half of `end_time`, and resumes from
-// this file. Throws FileError, StudyInterrupted.
+// Runs the problem into a file in a folder for temporary files until half of `end_time`, in its last stage,
+// and resumes from this file. Throws FileError, StudyInterrupted.
 ResumedRun run_with_stop(const Problem& problem, double end_time, const TraceRequest& request);
 
 }  // namespace gxrod

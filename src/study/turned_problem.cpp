@@ -191,6 +191,12 @@ void turn_model(const Quat& rotation, Model& model) {
 }
 
 void turn_problem(const Quat& rotation, Problem& problem) {
+    for (std::size_t i = 1; i < problem.stages.size(); ++i) {
+        Model own = problem.model;
+        set_actions(std::move(problem.stages[i].actions), own);
+        turn_model(rotation, own);
+        problem.stages[i].actions = take_actions(own);
+    }
     turn_model(rotation, problem.model);
     for (HistoryRequest& request : problem.output.histories) {
         request.relative_axes = rotation * request.relative_axes;

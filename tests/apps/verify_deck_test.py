@@ -127,6 +127,32 @@ class VerifyDeck(ProgramTest):
                           .replace('kind = "dynamic"\nend_time = 2.0\ntime_step = 0.02', 'kind = "static"'))
         self.assertIn("error: ", self.gxrod("verify", deck, code=2).stderr)
 
+    def test_a_stage(self):
+        stages = """[[stage]]
+name = "bend"
+kind = "static"
+steps = 2
+[[stage]]
+name = "swing"
+kind = "dynamic"
+end_time = 0.4
+time_step = 0.02
+[[stage]]
+name = "tones"
+kind = "modes"
+[[history]]"""
+        deck = self.write(SWING.replace(SWING[SWING.index("[analysis]"):SWING.index("[[history]]") + len("[[history]]")], stages))
+        told = self.gxrod("verify", deck, "--levels", "1").stdout
+        self.assertIn("A beam that swings\nstage swing\n9 runs, ", told)
+        self.assertIn("stopped midway and resumed: the same to the last bit\n", told)
+        found = json.loads(self.gxrod("verify", deck, "--json", "--levels", "1", "--stage", "bend").stdout)
+        self.assertEqual((found["stage"], found["analysis"]), ("bend", "static"))
+        self.assertEqual(found["runs"][1]["set"], ["stage[0].steps=4"])
+        self.assertIn("swing.toml: stage tones finds modes; gxrod verify refines what moves. Take --stage bend or swing",
+                      self.gxrod("verify", deck, "--stage", "tones", code=2).stderr)
+        self.assertIn('there is no stage "swin"; did you mean "swing"?', self.gxrod("verify", deck, "--stage", "swin", code=2).stderr)
+        self.assertIn("is only for a deck", self.gxrod("verify", "bend_45", "--stage", "swing", code=2).stderr)
+
     def test_ctrl_c_leaves_what_is_known(self):
         deck = self.write(SWING.replace("end_time = 2.0", "end_time = 200.0"))
         process = subprocess.Popen([GXROD, "verify", deck], cwd=self.folder, stdout=subprocess.PIPE,

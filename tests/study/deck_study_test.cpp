@@ -167,3 +167,87 @@ TEST_CASE("the variants that make sense", "[study]") {
     CHECK(variants[4].overrides == std::vector<std::string>{"rod.beam.elements=24"});
     CHECK(total_cost(variants) == Approx(20.5));
 }
+
+TEST_CASE("a stage is studied after the stages before it, which are refined with it", "[study]") {
+    DeckStudyOptions options;
+    options.stage = 2;
+    const DeckStudy swings = study(bent_and_released,
+                                   {VariantKind::finer_steps,
+                                    VariantKind::finer_mesh,
+                                    VariantKind::turned,
+                                    VariantKind::turned_more,
+                                    VariantKind::resumed,
+                                    VariantKind::two_threads},
+                                   {},
+                                   options);
+    CHECK(swings.stage == "swing");
+    CHECK(swings.end_time == 1.0);
+    const VariantRun* finest = swings.find(VariantKind::finer_steps, 2);
+    REQUIRE(finest != nullptr);
+    CHECK(finest->variant.overrides == std::vector<std::string>{"stage[0].steps=16", "stage[2].steps=200"});
+    CHECK(finest->steps == 216);
+    CHECK(finest->own_steps() == 200);
+    for (const VariantRun& run : swings.runs) {
+        INFO(run.variant.title << ": " << run.failure << run.untried);
+        CHECK(run.is_whole());
+        CHECK(run.untried.empty());
+    }
+    CHECK(swings.is_sound());
+    CHECK(swings.is_orientation_judged());
+    const SeriesReport& tip = find(swings, "beam.end position");
+    CHECK(*tip.steps.order == Approx(2.0).margin(0.1));
+    CHECK(*tip.mesh.order == Approx(2.0).margin(0.1));
+    CHECK(tip.relative(tip.turned_difference) < 1e-8);
+    // It begins bent.
+    const HistoryRow& first = swings.base_rows[2].front();
+    CHECK(Vec3(first[0] - 4.0, first[1], first[2]).norm() > 0.5);
+    const std::vector<std::string> finest_mesh{
+        "rod.beam.elements=16", "rod.beam.order=3", "stage[2].time_step=0.002"};
+    const DeckStudy fine = study(bent_and_released, {}, finest_mesh, options);
+    const HistoryRow& coarse_end = swings.base_rows[2].back();
+    const HistoryRow& fine_end = fine.base_rows[2].back();
+    const double error =
+        Vec3(coarse_end[0] - fine_end[0], coarse_end[1] - fine_end[1], coarse_end[2] - fine_end[2]).norm();
+    const double estimated = tip.steps.errors.back() + tip.mesh.errors.back();
+    CHECK(error > 0.005);
+    CHECK(estimated > 0.95 * error);
+    CHECK(estimated < 2.0 * error);
+}
+
+TEST_CASE("statics after a motion depend on its steps", "[study]") {
+    DeckStudyOptions options;
+    options.stage = 3;
+    const DeckStudy held = study(bent_and_released,
+                                 {VariantKind::finer_steps, VariantKind::turned, VariantKind::resumed},
+                                 {},
+                                 options);
+    CHECK(held.is_static);
+    CHECK(held.depends_on_steps);
+    CHECK(held.runs[0].own_steps() == 2);
+    CHECK(held.runs[0].steps == 56);
+    CHECK(held.is_sound());
+    const SeriesReport& tip = find(held, "beam.end position");
+    CHECK(tip.steps.differences[0] > 1e-4);
+    CHECK(tip.steps.differences[1] == Approx(tip.steps.differences[0] / 4.0).epsilon(0.2));
+    for (const std::string& sentence : judge(held))
+        CHECK_THAT(sentence, !Catch::Contains("second equilibrium"));
+    options.stage = 0;
+    CHECK_FALSE(study(bent_and_released, {}, {}, options).depends_on_steps);
+}
+
+TEST_CASE("which stage is studied", "[study]") {
+    const DeckFile file(bent_and_released);
+    const Problem problem = file.read().build({});
+    CHECK(find_studied_stage(problem, "") == 3);
+    CHECK(find_studied_stage(problem, "swing") == 2);
+    CHECK_THROWS_WITH(
+        find_studied_stage(problem, "tones"),
+        "stage tones finds modes; gxrod verify refines what moves. Take --stage bend or swing or "
+        "hold, or compare runs with more elements");
+    CHECK_THROWS_WITH(
+        find_studied_stage(problem, "swim"),
+        "there is no stage \"swim\"; did you mean \"swing\"?; there are bend, tones, swing, hold");
+    const DeckFile single(swing);
+    CHECK_THROWS_WITH(find_studied_stage(single.read().build({}), "swing"),
+                      "has [analysis] and no stages: leave out --stage");
+}

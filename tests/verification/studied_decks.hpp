@@ -7,6 +7,7 @@
 
 #include "machine/temporary_folder.hpp"
 #include "study/deck_study.hpp"
+#include "study/studied_stage.hpp"
 #include "tools/catch.hpp"
 
 // Decks that are studied, and how.
@@ -31,7 +32,9 @@ inline DeckStudy study(const std::string& text,
     const DeckFile file(text);
     const DeckTemplate deck = file.read();
     std::vector<DeckVariant> variants;
-    for (const DeckVariant& variant : list_variants(deck.build(overrides), 2)) {
+    Problem problem = deck.build(overrides);
+    end_with_stage(options.stage, problem);
+    for (const DeckVariant& variant : list_variants(problem, 2)) {
         const bool is_wanted = variant.kind == VariantKind::as_it_is ||
                                std::find(kinds.begin(), kinds.end(), variant.kind) != kinds.end();
         if (is_wanted) variants.push_back(variant);
@@ -59,7 +62,46 @@ end_time = 2.0
 time_step = 0.02
 )deck";
 
-// The same of a mesh of two elements, beam.msh.
+// A cantilever that is bent, let go, and held again where it is then.
+inline const std::string bent_and_released = R"deck([section.s]
+stiffness = { EA = 1e4, GAy = 1e4, GAz = 1e4, GJ = 100, EIy = 100, EIz = 100 }
+inertia = { rhoA = 1, rhoIy = 0.01, rhoIz = 0.01 }
+[rod.beam]
+section = "s"
+line = { from = [0, 0, 0], to = [4, 0, 0] }
+elements = 4
+[[support]]
+at = "beam.start"
+fix = "all"
+[[support]]
+at = "beam.end"
+fix = ["x", "y"]
+axes = [[0.6, 0.8, 0], [-0.8, 0.6, 0], [0, 0, 1]]
+stages = "hold"
+[[load]]
+at = "beam.end"
+force = [0, 3, 1]
+factor = { bend = "t", swing = "t < 0.5 ? cos(pi*t)^2 : 0" }
+[[stage]]
+name = "bend"
+kind = "static"
+steps = 4
+[[stage]]
+name = "tones"
+kind = "modes"
+[[stage]]
+name = "swing"
+kind = "dynamic"
+end_time = 1.0
+time_step = 0.02
+integrator = "newmark-simplified"
+[[stage]]
+name = "hold"
+kind = "static"
+steps = 2
+)deck";
+
+// The cantilever that swings, of a mesh of two elements, beam.msh.
 inline std::string mesh_swing() {
     std::string text = swing;
     const std::size_t line = text.find("line = ");

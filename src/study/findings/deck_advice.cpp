@@ -51,7 +51,7 @@ class Adviser {
         if (worst.report == nullptr || !worst.report->steps.is_known()) return;
         const ErrorEstimate& steps = worst.report->steps;
         const std::string what = worst.report->series.title();
-        if (study_->is_static) {
+        if (study_->is_static && !study_->follows_motion) {
             if (worst.share > 1e-6) {
                 say("The state depends on the load steps by {} ({}). Elements objective do not; else this "
                     "is a second equilibrium.",

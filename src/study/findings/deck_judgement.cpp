@@ -136,7 +136,7 @@ class Judge {
     void tell_lack_of_steps() {
         const UnrefinedPart part = study_->find_unrefined_part().value_or(UnrefinedPart{});
         const VariantRun& base = study_->runs.front();
-        const bool is_all = part.coarse_steps == base.steps || part.until <= 0.0;
+        const bool is_all = part.coarse_steps == base.own_steps() || part.until <= 0.0;
         const std::string where =
             is_all ? "" : fmt::format("between t = {:.4g} and {:.4g}, ", part.from, part.until);
         const std::string counts =
@@ -151,7 +151,7 @@ class Judge {
             say("Steps that did not converge were cut, and finer ones came to nearly the same ({}): what the "
                 "step adds cannot be determined, nor how right the series are. Take {} before anything else.",
                 counts,
-                is_all ? fmt::format("more than {} steps", base.steps) : "shorter steps");
+                is_all ? fmt::format("more than {} steps", base.own_steps()) : "shorter steps");
         }
     }
 

@@ -29,7 +29,8 @@ std::optional<UnrefinedPart> compare_steps(const VariantRun& coarse,
         return static_cast<double>(fine_steps) >= growth * static_cast<double>(coarse_steps);
     };
     const double end = times.empty() ? 0.0 : times.back();
-    if (!is_refined(coarse.steps, fine.steps)) return UnrefinedPart{0.0, end, coarse.steps, fine.steps};
+    if (!is_refined(coarse.own_steps(), fine.own_steps()))
+        return UnrefinedPart{0.0, end, coarse.own_steps(), fine.own_steps()};
     const std::size_t samples = std::min({coarse.steps_at.size(), fine.steps_at.size(), times.size()});
     std::size_t first = 0;
     for (std::size_t i = 1; i < samples; ++i) {
