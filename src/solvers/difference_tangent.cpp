@@ -82,14 +82,15 @@ void DifferenceTangent::compute(const Integrator& integrator,
                                 const ConstraintRequest& request) {
     const SparsePattern& pattern = system_->pattern();
     const double time = integrator.stage_time(stage);
+    const ConstraintRequest forces{.contact_weight = request.contact_weight};
     values.assign(static_cast<std::size_t>(pattern.nonzeros()), 0.0);
     const std::vector<NodeMotion> here = state.trial;
     for (const auto& group : groups_) {
         move(*system_, integrator, stage, group, 1.0, state);
-        system_->compute_residual(state, time, forward_);
+        system_->compute_residual(state, time, forward_, forces);
         state.trial = here;
         move(*system_, integrator, stage, group, -1.0, state);
-        system_->compute_residual(state, time, backward_);
+        system_->compute_residual(state, time, backward_, forces);
         state.trial = here;
         const Eigen::VectorXd change =
             gather(forward_.nodal, system_->equations()) - gather(backward_.nodal, system_->equations());
@@ -101,6 +102,9 @@ void DifferenceTangent::compute(const Integrator& integrator,
         }
     }
     update_trial_rates(*system_, integrator, stage, state);
+    if (request.added != nullptr) {
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] += (*request.added)[i];
+    }
     add_joint_rows(*system_, integrator, stage, request, state, values);
 }
 

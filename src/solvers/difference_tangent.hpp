@@ -12,8 +12,9 @@ namespace gxrod {
 std::vector<std::vector<std::int64_t>> group_columns(const SparsePattern& pattern);
 
 // Computes the tangent by central differences of the residual, moving the nodes' (δr, δφ) through the
-// integrator: values on the pattern, except rows and columns of joints' multipliers. It is slow: use it to
-// check a tangent, or if there is none. Restores the state.
+// integrator: values on the pattern, except rows and columns of joints' multipliers. Rods that touch each
+// other are not in the pattern: leave contact out by its weight. It is slow: use it to check a tangent, or if
+// there is none. Restores the state.
 class DifferenceTangent {
   public:
     explicit DifferenceTangent(const System& system);

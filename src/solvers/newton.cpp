@@ -213,12 +213,7 @@ class Newton {
                 system_.compute_tangent(
                     state_, time_, workspace_.linearizations, workspace_.values, request_);
                 if (workspace_.frame) workspace_.frame->add_stiffness(state_, time_, workspace_.values);
-                if (workspace_.paired) {
-                    workspace_.paired->set_values(
-                        workspace_.values,
-                        contacts_.compute_tangents(
-                            state_, request_.contact_weight, workspace_.linearizations));
-                }
+                pair_tangent();
                 break;
             case TangentKind::paper:
                 assert(integrator_.has_paper_tangent());
@@ -226,9 +221,30 @@ class Newton {
                 system_.compute_tangent(state_, time_, workspace_.linearizations, workspace_.values);
                 break;
             case TangentKind::difference:
-                DifferenceTangent(system_).compute(integrator_, stage_, state_, workspace_.values, request_);
+                compute_difference_tangent();
+                pair_tangent();
                 break;
         }
+    }
+
+    // Contact has its own derivatives, whose forces are unknowns apart within an iteration.
+    void compute_difference_tangent() {
+        integrator_.linearize(state_, stage_, workspace_.linearizations, team_);
+        std::vector<double> added(static_cast<std::size_t>(system_.pattern().nonzeros()), 0.0);
+        if (request_.added != nullptr) added = *request_.added;
+        contacts_.add_tangents(state_, time_, request_, workspace_.linearizations, added);
+        ConstraintRequest without_contact = request_;
+        without_contact.contact_weight = 0.0;
+        without_contact.added = &added;
+        DifferenceTangent(system_).compute(integrator_, stage_, state_, workspace_.values, without_contact);
+    }
+
+    // Adds the tangents of rods that touch each other.
+    void pair_tangent() {
+        if (!workspace_.paired) return;
+        workspace_.paired->set_values(
+            workspace_.values,
+            contacts_.compute_tangents(state_, request_.contact_weight, workspace_.linearizations));
     }
 
     // False, and so reported, if the increment turns too far.

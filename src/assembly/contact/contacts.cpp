@@ -21,6 +21,14 @@ std::vector<NodeGroup> Contacts::list_groups(const State& state) const {
     return contact_ ? contact_->pairs().list_groups(state) : std::vector<NodeGroup>{};
 }
 
+void Contacts::add_tangents(const State& state,
+                            double time,
+                            const ConstraintRequest& request,
+                            const std::vector<NodeLinearization>& linearizations,
+                            std::vector<double>& values) const {
+    if (contact_) contact_->add_tangents(state, time, request, linearizations, values);
+}
+
 std::vector<PairBlock> Contacts::compute_tangents(
     const State& state, double weight, const std::vector<NodeLinearization>& linearizations) const {
     return contact_ ? contact_->pairs().compute_tangents(state, weight, linearizations)

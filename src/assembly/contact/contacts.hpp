@@ -36,6 +36,12 @@ class Contacts {
     bool have_forces(const State& state, double time) const;
     // Lists the groups of nodes that rods couple, or are likely to couple, where they touch each other.
     std::vector<NodeGroup> list_groups(const State& state) const;
+    // Adds the tangents of contact with obstacles, on the system's pattern.
+    void add_tangents(const State& state,
+                      double time,
+                      const ConstraintRequest& request,
+                      const std::vector<NodeLinearization>& linearizations,
+                      std::vector<double>& values) const;
     // Computes one block for each two elements of rods that touch.
     std::vector<PairBlock> compute_tangents(const State& state,
                                             double weight,
