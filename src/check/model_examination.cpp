@@ -314,13 +314,16 @@ void examine_buckling(const Model& model,
                       const std::vector<StagePlan>& stages,
                       std::vector<Finding>& findings) {
     Model acting = model;
+    bool is_at_reference = true;
     for (std::size_t i = 0; i < stages.size(); ++i) {
+        is_at_reference = is_at_reference && !has_steps(stages[i].analysis);
         if (i > 0 && has_steps(stages[i].analysis)) {
             acting = model;
             set_actions(stages[i].actions, acting);
         }
         if (!std::holds_alternative<BucklingSettings>(stages[i].analysis)) continue;
-        const std::string reason = find_reason_against_factors(acting);
+        std::string reason = find_reason_against_factors(acting);
+        if (reason.empty() && is_at_reference) reason = find_moved_obstacle(acting);
         if (reason.empty()) continue;
         const std::string prefix = stages[i].name.empty() ? "" : "stage " + stages[i].name + ": ";
         findings.push_back({Severity::error, prefix + reason});

@@ -1,5 +1,7 @@
 #include "analyses/shapes/buckling.hpp"
 
+#include "analyses/shapes/buckling_loads.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,32 +15,12 @@
 #include "check/findings/buckling_findings.hpp"
 #include "check/motions/stability.hpp"
 #include "linear/eigen/smallest_factors.hpp"
-#include "model/ties/ties.hpp"
 #include "solvers/newton_steps.hpp"
 #include "solvers/trial_moves.hpp"
 
 namespace gxrod {
 
 namespace {
-
-void unload(JointCoordinate& one) {
-    if (one.motion) one.motion = TimeFunction((*one.motion)(0.0));
-    one.drive = TimeFunction();
-    one.rest = TimeFunction(one.rest(0.0));
-}
-
-// Without loads and gravity, and with what moves where it is at t = 0; supports excepted.
-Model make_unloaded(Model model) {
-    model.loads.clear();
-    model.distributed_loads.clear();
-    model.gravity = TimeVector(Vec3::Zero());
-    for_each_coordinates(model,
-                         [](std::size_t, const std::string&, JointCoordinate& turn, JointCoordinate& slide) {
-                             unload(turn);
-                             unload(slide);
-                         });
-    return model;
-}
 
 // At rest, as the last accepted step.
 State make_still(State state) {
@@ -62,18 +44,24 @@ class FactorFinder {
           load_time_(load_time),
           placements_(state.trial.size(), NodeLinearization{.placement = 1.0}) {}
 
-    BucklingRecord find(const BucklingSettings& settings) {
+    // `pulls_only`: which tendons go slack where they would push.
+    BucklingRecord find(const BucklingSettings& settings, const std::vector<bool>& pulls_only) {
         record_.load_time = load_time_;
         record_.linearization = settings.linearization;
         record_.cause = find_load_without_potential(system_.model());
         record_.is_symmetric = record_.cause.empty();
         record_.failure = find_reason_against_factors(system_.model());
-        if (record_.failure.empty()) record_.failure = find_moved_obstacle();
+        if (record_.failure.empty() && load_time_ != time_)
+            record_.failure = find_moved_obstacle(system_.model());
         if (!record_.failure.empty()) return record_;
         std::vector<double> K = compute_tangent(system_, time_, {});
         record_.failure = solve_for_load(K);
         if (!record_.failure.empty()) return record_;
         std::vector<double> S = compute_change(K);
+        if (S.empty()) {
+            record_.is_complete = true;
+            return record_;
+        }
         if (!record_.is_symmetric) {
             K = make_symmetric(system_.pattern(), K);
             S = make_symmetric(system_.pattern(), S);
@@ -85,24 +73,12 @@ class FactorFinder {
             return record_;
         }
         take_over(found);
+        record_.failure = find_pushing_tendon(pulls_only);
         return record_;
     }
 
   private:
     std::int64_t multiplier_count() const { return system_.equations().attached_count(); }
-
-    // What an obstacle that moves does is not proportional to its way.
-    std::string find_moved_obstacle() const {
-        if (load_time_ == time_) return "";
-        for (const Obstacle& obstacle : system_.model().contact.obstacles) {
-            if (obstacle.motion)
-                return fmt::format(
-                    "buckling factors would leave out the move of obstacle {}: move it in a stage of kind "
-                    "static before",
-                    obstacle.name);
-        }
-        return "";
-    }
 
     std::vector<double> compute_tangent(const System& system,
                                         double time,
@@ -123,9 +99,6 @@ class FactorFinder {
         Residual added = with;
         for (std::size_t i = 0; i < added.nodal.size(); ++i) added.nodal[i] -= without.nodal[i];
         for (std::size_t i = 0; i < added.rows.size(); ++i) added.rows[i] -= without.rows[i];
-        const ConstraintRequest alike{.scaled_as = &K};
-        load_stiffness_ = combine(
-            compute_tangent(system_, load_time_, alike), -1.0, compute_tangent(unloaded, load_time_, alike));
         const Eigen::VectorXd rest = gather(without.nodal, system_.equations(), system_.team());
         Eigen::VectorXd change = -gather_residual(system_, added, K);
         if (system_.supports().move())
@@ -147,7 +120,42 @@ class FactorFinder {
         State loaded = state_;
         system_.joints().advance_multipliers(increments_, change, K, loaded);
         joints_ = loaded.joints_trial;
-        return change.allFinite() ? "" : singular;
+        if (!change.allFinite()) return singular;
+        find_load_stiffness(unloaded, loaded, K);
+        return "";
+    }
+
+    // What loads and the tensions after the increments add to the tangent at the unmoved shape.
+    void find_load_stiffness(const System& unloaded, const State& loaded, const std::vector<double>& K) {
+        const ConstraintRequest alike{.scaled_as = &K};
+        const std::vector<double> without = compute_tangent(unloaded, load_time_, alike);
+        if (system_.model().tendons.empty()) {
+            load_stiffness_ = combine(compute_tangent(system_, load_time_, alike), -1.0, without);
+            return;
+        }
+        const std::vector<Vec6> none(increments_.size(), Vec6::Zero());
+        tensions_before_ = compute_tensions(system_, state_, time_, none);
+        tensions_ = compute_tensions(system_, loaded, load_time_, increments_);
+        const Model pulled_model = set_elastic_tensions(system_, state_, tensions_);
+        const System pulled(pulled_model, system_.team(), touching_groups_of(system_));
+        load_stiffness_ = combine(compute_tangent(pulled, load_time_, alike), -1.0, without);
+    }
+
+    // Linear theory lets tendons push that would go slack before the first factor.
+    std::string find_pushing_tendon(const std::vector<bool>& pulls_only) const {
+        constexpr double rounding = 1e-9;
+        if (record_.factors.empty()) return "";
+        for (std::size_t i = 0; i < tensions_.size(); ++i) {
+            const double added = tensions_[i] - tensions_before_[i];
+            const double tension = tensions_before_[i] + record_.factors.front().factor * added;
+            if (!pulls_only[i] || tension >= -rounding * std::abs(record_.factors.front().factor * added))
+                continue;
+            return fmt::format(
+                "tendon.{} goes slack before the first factor, and would push by linear theory: raise the "
+                "loads in a stage of kind static with small steps, whose stability is counted",
+                system_.model().tendons[i].name);
+        }
+        return "";
     }
 
     // What supports that move to where they are at this time do to the residual, to first order.
@@ -186,8 +194,8 @@ class FactorFinder {
         return largest > std::max(noticeable * of_load, rounding * stiffest);
     }
 
-    // K_σ: of the resultants that the increments add, and of the load itself. It is linear in them, and they
-    // are taken so large that it does not vanish in the round-off of K.
+    // K_σ, empty where it vanishes: of the resultants that the increments add, and of the load itself. It is
+    // linear in them, and they are taken so large that it does not vanish in the round-off of K.
     std::vector<double> compute_change(const std::vector<double>& K) {
         const std::vector<double> once = compute_change(K, 1.0);
         const double largest = find_largest(once);
@@ -195,7 +203,12 @@ class FactorFinder {
             largest > 0.0 ? std::exp2(std::floor(std::log2(find_largest(K) / largest))) : 1.0;
         std::vector<double> change = compute_change(K, factor);
         for (double& value : change) value /= factor;
-        return combine(change, 1.0, load_stiffness_);
+        std::vector<double> both = combine(change, 1.0, load_stiffness_);
+        // A tendon and the rod that follows it cancel, but for round-off.
+        constexpr double rounding = 1e-8;
+        const double part = std::max(find_largest(change), find_largest(load_stiffness_));
+        if (find_largest(both) <= rounding * part) both.clear();
+        return both;
     }
 
     std::vector<double> compute_change(const std::vector<double>& K, double factor) {
@@ -235,6 +248,12 @@ class FactorFinder {
         if (!record_.factors.empty()) estimate_mesh_error(record_.factors.front());
     }
 
+    // Strains of a driven rod do not show how it is pressed.
+    static bool is_driven(const Model& model, int rod) {
+        const auto is_in = [&](const auto& drive) { return drive.rod == rod; };
+        return std::ranges::any_of(model.tendons, is_in) || std::ranges::any_of(model.actuations, is_in);
+    }
+
     // A column of elements of order p, each of the length L and pressed with P, has a factor that is too
     // large by about c x^(2p), x² = P L²/EI. Rods count by their part in the energy of the shape.
     void estimate_mesh_error(const BucklingFactor& found) {
@@ -242,6 +261,7 @@ class FactorFinder {
         const Model& model = system_.model();
         for (std::size_t r = 0; r < model.rods.size(); ++r) {
             const Rod& rod = model.rods[r];
+            if (is_driven(model, static_cast<int>(r))) continue;
             const Mat6& stiffness = model.sections[static_cast<std::size_t>(rod.section)].stiffness;
             double of_rod = 0.0;
             for (const int bending : {4, 5}) {
@@ -296,6 +316,7 @@ class FactorFinder {
     std::vector<NodeLinearization> placements_;
     std::vector<JointState> joints_;  // under the load that is added
     std::vector<Vec6> increments_;
+    std::vector<double> tensions_before_, tensions_;  // of all tendons, before and after the increments
     std::vector<double> load_stiffness_;
     BucklingRecord record_;
 };
@@ -307,7 +328,11 @@ BucklingRecord find_buckling(const System& system,
                              double load_time,
                              const BucklingSettings& settings) {
     const SmallMotions small(system, settings.linearization);
-    return FactorFinder(small.system(), state, load_time).find(settings);
+    const TautSystem taut(small.system(), state, load_time != state.time);
+    std::vector<bool> pulls_only;
+    for (const Tendon& tendon : system.model().tendons)
+        pulls_only.push_back(tendon.winch && tendon.winch->pulls_only);
+    return FactorFinder(taut.system(), state, load_time).find(settings, pulls_only);
 }
 
 }  // namespace gxrod

@@ -31,6 +31,27 @@ std::string find_pressed_section(const Model& model) {
     return "";
 }
 
+// The first tendon whose tension depends on the way to it.
+std::string find_rubbing_tendon(const Model& model) {
+    const auto rubs = [](const Tendon& tendon) {
+        return tendon.friction && tendon.friction->coefficient > 0.0;
+    };
+    const auto found = std::ranges::find_if(model.tendons, rubs);
+    return found == model.tendons.end() ? "" : found->name;
+}
+
+// The first actuation of a rod whose sections do not respond in proportion.
+std::string find_bent_actuation(const Model& model) {
+    for (const Actuation& actuation : model.actuations) {
+        const Rod& rod = model.rods[static_cast<std::size_t>(actuation.rod)];
+        const Section& section = rod.has_varying_sections()
+                                     ? rod.varying.at_forces.front()
+                                     : model.sections[static_cast<std::size_t>(rod.section)];
+        if (section.law) return actuation.key + " does to sections with a law";
+    }
+    return "";
+}
+
 // Whether anything acts that a factor multiplies.
 bool grows(const Model& model) {
     const auto is_load = [](const NodalLoad& load) { return load.has_force() || !is_zero(load.moment); };
@@ -38,9 +59,13 @@ bool grows(const Model& model) {
         return !is_zero(load.force) || !is_zero(load.moment);
     };
     const auto is_moved = [](const Support& support) { return support.moved != std::array<bool, 6>{}; };
+    const auto is_pulled = [](const Tendon& tendon) {
+        return tendon.winch ? !tendon.winch->is_released : !tendon.tension.is_zero();
+    };
     return !model.gravity.is_zero() || std::ranges::any_of(model.loads, is_load) ||
            std::ranges::any_of(model.distributed_loads, is_line_load) ||
-           std::ranges::any_of(model.supports, is_moved) || has_joint_drive(model);
+           std::ranges::any_of(model.supports, is_moved) || !model.actuations.empty() ||
+           std::ranges::any_of(model.tendons, is_pulled) || has_joint_drive(model);
 }
 
 // A spring that pulls or pushes at t = 0; "" without one.
@@ -57,8 +82,10 @@ std::string find_taut_spring(const Model& model) {
 }  // namespace
 
 std::string find_reason_against_factors(const Model& model) {
-    if (!model.tendons.empty()) return leave_out("what tendon." + model.tendons.front().name + " does");
-    if (!model.actuations.empty()) return leave_out("what " + model.actuations.front().key + " does");
+    const std::string rubbing = find_rubbing_tendon(model);
+    if (!rubbing.empty()) return leave_out("how the friction of tendon." + rubbing + " changes its tension");
+    const std::string bent = find_bent_actuation(model);
+    if (!bent.empty()) return leave_out("what " + bent);
     const std::string pressed = find_pressed_section(model);
     if (!pressed.empty()) {
         return fmt::format(
@@ -70,9 +97,20 @@ std::string find_reason_against_factors(const Model& model) {
     if (grows(model)) return "";
     const std::string taut = find_taut_spring(model);
     return fmt::format(
-        "nothing acts that a buckling factor could multiply: no load, gravity, or move of a support "
-        "or joint{}",
+        "nothing acts that a buckling factor could multiply: no load, gravity, tendon, actuation, or move of "
+        "a support or joint{}",
         taut.empty() ? "" : "; the force of spring." + taut + " belongs to the state, and does not grow");
+}
+
+std::string find_moved_obstacle(const Model& model) {
+    for (const Obstacle& obstacle : model.contact.obstacles) {
+        if (obstacle.motion)
+            return fmt::format(
+                "buckling factors would leave out the move of obstacle {}: move it in a stage of kind "
+                "static before",
+                obstacle.name);
+    }
+    return "";
 }
 
 }  // namespace gxrod

@@ -10,4 +10,8 @@ namespace gxrod {
 // the factor, or no load could be multiplied. "" if there is no such reason.
 std::string find_reason_against_factors(const Model& model);
 
+// Returns why the reference shape has no factors if an obstacle moves on it: what it does is not proportional
+// to its way. "" if none moves.
+std::string find_moved_obstacle(const Model& model);
+
 }  // namespace gxrod
