@@ -2,7 +2,8 @@
 
 #include "assembly/system_measures.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -13,58 +14,102 @@ namespace gxrod {
 
 namespace {
 
-// Of the model as it stands, as if it were rigid.
-struct WholeInertia {
-    double mass;
-    Vec3 centre;
-    Mat3 about_centre;
-};
-
 // v = velocity + spin × (r − centre), ω = spin.
 struct RigidRates {
-    Vec3 velocity;
-    Vec3 spin;
-    Vec3 centre;
+    Vec3 velocity = Vec3::Zero();
+    Vec3 spin = Vec3::Zero();
 
-    Vec3 velocity_at(const Vec3& r) const { return velocity + spin.cross(r - centre); }
+    double power_of(const Momentum& about_centre) const {
+        return velocity.dot(about_centre.linear) + spin.dot(about_centre.angular);
+    }
 };
 
-WholeInertia find_inertia(const System& system, const State& state) {
-    std::vector<NodeMotion> motions = state.trial;
-    const auto momentum_of = [&](const RigidRates& rates) {
+// The rigid motions that supports, joints and the plane leave whatever the place of the model: those of a
+// model that nothing holds, and the turns of one that a single point holds.
+struct RigidMotions {
+    Vec3 centre = Vec3::Zero();
+    std::vector<RigidRates> list;
+
+    Momentum about_centre(const Momentum& momentum) const {
+        return {momentum.linear, momentum.angular - centre.cross(momentum.linear)};
+    }
+    void set(const RigidRates& rates, std::vector<NodeMotion>& motions) const {
         for (NodeMotion& motion : motions) {
-            motion.v = rates.velocity_at(motion.r);
+            motion.v = rates.velocity + rates.spin.cross(motion.r - centre);
             motion.omega = rates.spin;
         }
-        return SystemMeasures(system).compute_momentum(motions);
-    };
-    const Momentum along_x = momentum_of({Vec3::UnitX(), Vec3::Zero(), Vec3::Zero()});
-    const Momentum along_y = momentum_of({Vec3::UnitY(), Vec3::Zero(), Vec3::Zero()});
-    WholeInertia inertia{};
-    inertia.mass = along_x.linear.x();
-    inertia.centre = Vec3(along_y.angular.z(), -along_x.angular.z(), along_x.angular.y()) / inertia.mass;
-    for (int i = 0; i < 3; ++i) {
-        const Momentum about = momentum_of({Vec3::Zero(), Vec3::Unit(i), inertia.centre});
-        inertia.about_centre.col(i) = about.angular - inertia.centre.cross(about.linear);
     }
-    return inertia;
+};
+
+bool is_within(const Plane& plane, const RigidRates& rates) {
+    for (int i = 0; i < 3; ++i) {
+        if (plane.holds(i) && rates.velocity[i] != 0.0) return false;
+        if (plane.holds(3 + i) && rates.spin[i] != 0.0) return false;
+    }
+    return true;
 }
 
-// With these momenta; of a plane model within its plane.
-RigidRates find_rigid_rates(const Model& model, const WholeInertia& inertia, const Momentum& momentum) {
-    const Vec3 about_centre = momentum.angular - inertia.centre.cross(momentum.linear);
-    const Vec3 velocity = momentum.linear / inertia.mass;
-    if (!model.plane)
-        return {velocity, inertia.about_centre.partialPivLu().solve(about_centre), inertia.centre};
-    const Vec3 n = Vec3::Unit(model.plane->normal);
-    return {velocity - n.dot(velocity) * n,
-            n.dot(about_centre) / n.dot(inertia.about_centre * n) * n,
-            inertia.centre};
+RigidMotions list_rigid_motions(const Model& model, const State& state) {
+    RigidMotions motions;
+    if (!is_held(model)) {
+        for (const NodeMotion& motion : state.trial)
+            motions.centre += motion.r / static_cast<double>(state.trial.size());
+        for (int i = 0; i < 3; ++i) motions.list.push_back({Vec3::Unit(i), Vec3::Zero()});
+        for (int i = 0; i < 3; ++i) motions.list.push_back({Vec3::Zero(), Vec3::Unit(i)});
+    } else if (model.supports.size() == 1 && model.supports.front().holds_all(0) &&
+               std::ranges::none_of(model.joints, &Joint::has_ground) && model.sleeves.empty()) {
+        const Support& support = model.supports.front();
+        motions.centre = state.trial[static_cast<std::size_t>(support.node)].r;
+        for (int i = 0; i < 3; ++i) {
+            if (!support.holds(3 + i)) motions.list.push_back({Vec3::Zero(), support.axes * Vec3::Unit(i)});
+        }
+    }
+    if (model.plane)
+        std::erase_if(motions.list, [&](const RigidRates& rates) { return !is_within(*model.plane, rates); });
+    return motions;
 }
 
-double find_energy(const WholeInertia& inertia, const RigidRates& rates) {
-    return 0.5 *
-           (inertia.mass * rates.velocity.squaredNorm() + rates.spin.dot(inertia.about_centre * rates.spin));
+// The rigid part of the rates as found, the one that momenta and impulses leave, and the energy of that one.
+struct RigidPart {
+    RigidRates found, due;
+    double energy_due = 0.0;
+};
+
+// Of momenta about the centre.
+RigidPart find_rigid_part(const System& system,
+                          const RigidMotions& motions,
+                          const State& state,
+                          const Momentum& found,
+                          const Momentum& due) {
+    RigidPart part;
+    const auto count = static_cast<Eigen::Index>(motions.list.size());
+    if (count == 0) return part;
+    Eigen::MatrixXd inertia(count, count);
+    Eigen::VectorXd along_found(count), along_due(count);
+    std::vector<NodeMotion> moving = state.trial;
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const RigidRates& rates = motions.list[static_cast<std::size_t>(i)];
+        motions.set(rates, moving);
+        const Momentum momentum = motions.about_centre(SystemMeasures(system).compute_momentum(moving));
+        for (Eigen::Index j = 0; j < count; ++j)
+            inertia(j, i) = motions.list[static_cast<std::size_t>(j)].power_of(momentum);
+        along_found[i] = rates.power_of(found);
+        along_due[i] = rates.power_of(due);
+    }
+    const Eigen::LDLT<Eigen::MatrixXd> factors(inertia);
+    const auto sum_of = [&](const Eigen::VectorXd& sizes) {
+        RigidRates sum;
+        for (Eigen::Index i = 0; i < count; ++i) {
+            sum.velocity += sizes[i] * motions.list[static_cast<std::size_t>(i)].velocity;
+            sum.spin += sizes[i] * motions.list[static_cast<std::size_t>(i)].spin;
+        }
+        return sum;
+    };
+    const Eigen::VectorXd sizes = factors.solve(along_due);
+    part.found = sum_of(factors.solve(along_found));
+    part.due = sum_of(sizes);
+    part.energy_due = 0.5 * sizes.dot(along_due);
+    return part;
 }
 
 // The factor that takes a kinetic energy to the one that is due, a difference of energies as large as `size`.
@@ -85,31 +130,6 @@ Resultant compute_acting(const System& system, const State& state, double time) 
     return SystemMeasures(system).compute_outer_resultant(state, time, no_reactions);
 }
 
-// Rigid motions that carry the momenta: those found, and those due.
-struct RigidMotions {
-    RigidRates found{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-    RigidRates due = found;
-    double energy_due = 0.0;
-};
-
-RigidMotions find_rigid_motions(const System& system,
-                                const StepStart& start,
-                                const Stage& step,
-                                const State& state) {
-    RigidMotions rigid;
-    if (is_held(system.model())) return rigid;
-    const Resultant acting = compute_acting(system, state, step.end_time);
-    Momentum due = start.momentum;
-    due.linear += 0.5 * step.time_step * (start.acting.force + acting.force);
-    due.angular += 0.5 * step.time_step * (start.acting.moment + acting.moment);
-    const WholeInertia inertia = find_inertia(system, state);
-    rigid.found =
-        find_rigid_rates(system.model(), inertia, SystemMeasures(system).compute_momentum(state.trial));
-    rigid.due = find_rigid_rates(system.model(), inertia, due);
-    rigid.energy_due = find_energy(inertia, rigid.due);
-    return rigid;
-}
-
 }  // namespace
 
 StepStart note_step_start(const System& system, const State& state, double time) {
@@ -123,11 +143,22 @@ void conserve(const System& system,
               State& state,
               EquilibriumReport& report) {
     const Balance end = SystemMeasures(system).compute_balance(state, step.end_time);
-    const RigidMotions rigid = find_rigid_motions(system, start, step, state);
-    std::vector<NodeMotion> relative = state.trial;
-    for (NodeMotion& motion : relative) {
-        motion.v -= rigid.found.velocity_at(motion.r);
-        motion.omega -= rigid.found.spin;
+    const RigidMotions motions = list_rigid_motions(system.model(), state);
+    RigidPart rigid;
+    if (!motions.list.empty()) {
+        const Resultant acting = compute_acting(system, state, step.end_time);
+        Momentum due = start.momentum;
+        due.linear += 0.5 * step.time_step * (start.acting.force + acting.force);
+        due.angular += 0.5 * step.time_step * (start.acting.moment + acting.moment);
+        rigid = find_rigid_part(
+            system, motions, state, motions.about_centre(end.momentum), motions.about_centre(due));
+    }
+    std::vector<NodeMotion> found = state.trial, due = state.trial, relative = state.trial;
+    motions.set(rigid.found, found);
+    motions.set(rigid.due, due);
+    for (std::size_t i = 0; i < relative.size(); ++i) {
+        relative[i].v -= found[i].v;
+        relative[i].omega -= found[i].omega;
     }
     const double energy_due = end.kinetic_energy - surplus - rigid.energy_due;
     const double size = end.kinetic_energy + std::abs(end.strain_energy) + std::abs(end.gravity_potential);
@@ -139,9 +170,8 @@ void conserve(const System& system,
         return;
     }
     for (std::size_t i = 0; i < relative.size(); ++i) {
-        NodeMotion& trial = state.trial[i];
-        trial.v = rigid.due.velocity_at(trial.r) + *factor * relative[i].v;
-        trial.omega = rigid.due.spin + *factor * relative[i].omega;
+        state.trial[i].v = due[i].v + *factor * relative[i].v;
+        state.trial[i].omega = due[i].omega + *factor * relative[i].omega;
     }
 }
 
