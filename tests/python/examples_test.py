@@ -48,7 +48,7 @@ def is_stated(name, printed):
 
 def test_each_has_page_picture_and_command():
     folders = [path for path in FOLDER.iterdir() if path.is_dir()]
-    assert len(folders) == 6
+    assert len(folders) == 7
     guide = (SOURCE / "docs" / "guide" / "python.md").read_text(encoding="utf-8")
     for folder in folders:
         name = folder.name
@@ -70,6 +70,18 @@ def test_controller(run):
         rest = gxrod.Simulation(gxrod.Deck.from_text(text).build({"input.tendon.value": pull}))
         rest.run()
         assert rest["tip"].position[2] == pytest.approx(height, abs=5e-4)
+
+
+def test_planned(run):
+    done = run("planned")
+    assert is_stated("planned", done.printed)
+    assert done.best.x.min() >= 0 and done.settled < 0.5
+    # The gradient there is that of differences.
+    value, gradient = done.cost(done.best.x)
+    for step in (10, 70):
+        change = 1e-2 * (np.arange(100) == step)
+        difference = (done.cost(done.best.x + change)[0] - done.cost(done.best.x - change)[0]) / 2e-2
+        assert gradient[step] == pytest.approx(difference, rel=1e-3, abs=1e-5)
 
 
 def test_environment(run):
