@@ -193,7 +193,7 @@ struct DeckSource {
     const std::string& file;
     const MeshFiles& meshes;
     TableFiles tables;
-    bool is_varied = false;  // for one value of a sweep
+    bool is_varied = false;  // for one value of a sweep, or of a number to differentiate by
 };
 
 CheckedTable check_with_tables(const DeckNode& tree,
@@ -267,9 +267,10 @@ Problem build_overridden(const DeckNode& tree,
     note_idle_inputs(problem);
     for (const MeshRecord& table : tables) keep_file(table.file, table.bytes, problem.record.meshes);
     problem.record.name = std::filesystem::path(source.file).filename().string();
+    if (source.is_varied) return problem;
     problem.record.text =
         overrides.empty() ? source.text : write_overridden_deck(problem.record.name, overrides, tree);
-    if (!source.is_varied) prepare_sweeps(tree, deck, problem, faults);
+    prepare_sweeps(tree, deck, problem, faults);
     faults.throw_if_any();
     return problem;
 }
@@ -354,11 +355,9 @@ DeckTemplate::DeckTemplate(std::string text, const std::filesystem::path& file)
       tree_(read_toml(text_, file_)),
       meshes_(file.parent_path()) {}
 
-Problem DeckTemplate::build(const std::vector<std::string>& overrides) const {
-    return build_tree(tree_,
-                      {text_, file_, meshes_, TableFiles(std::filesystem::path(file_).parent_path())},
-                      overrides,
-                      nullptr);
+Problem DeckTemplate::build(const std::vector<std::string>& overrides, bool is_varied) const {
+    const TableFiles tables(std::filesystem::path(file_).parent_path());
+    return build_tree(tree_, {text_, file_, meshes_, tables, is_varied}, overrides, nullptr);
 }
 
 Problem read_resumption(const DeckRecord& before,

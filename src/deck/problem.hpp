@@ -29,8 +29,9 @@ class DeckTemplate {
     // Reads a deck from a text; faults name `file`, and meshes are relative to its folder.
     DeckTemplate(std::string text, const std::filesystem::path& file);
 
-    // Builds the deck as read_problem does.
-    Problem build(const std::vector<std::string>& overrides) const;
+    // Builds the deck as read_problem does; one that is only a variation of another one, which is built so,
+    // without the record's text and sweeps.
+    Problem build(const std::vector<std::string>& overrides, bool is_varied = false) const;
 
     const std::string& file() const { return file_; }  // the file as the user named it
     const std::string& text() const { return text_; }

@@ -74,13 +74,17 @@ Deck& Deck::set_input(const std::string& input, std::function<double(double)> co
     return add([input, course = std::move(course)](Problem& problem) { set_course(input, course, problem); });
 }
 
-Problem Deck::build() const {
+Problem Deck::build() const { return build(false); }
+
+Problem Deck::build_varied() const { return build(true); }
+
+Problem Deck::build(bool is_varied) const {
     for (const std::string& one : overrides_) {
         const std::string key = one.substr(0, one.find('='));
         const std::string lack = describe_missing_parameter(key, read_->tree());
         if (!lack.empty()) throw DeckError({{"--set " + one, 0, 0, key, "the deck has no " + lack}});
     }
-    Problem problem = read_->build(overrides_);
+    Problem problem = read_->build(overrides_, is_varied);
     if (changes_.empty()) return problem;
     const auto apply = [changes = changes_](Problem& built) {
         for (const auto& change : changes) change(built);

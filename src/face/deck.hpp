@@ -62,6 +62,8 @@ class Deck {
     // Checks and builds all. Throws DeckError with all that is wrong, with file, line, column and key of
     // each.
     Problem build() const;
+    // Builds one that is only compared with another one of the same deck, as vary does: without its text.
+    Problem build_varied() const;
 
     // Return the deck as it was read, and what was set since, "KEY=VALUE" in their order.
     const std::shared_ptr<const DeckTemplate>& source() const { return read_; }
@@ -70,6 +72,7 @@ class Deck {
   private:
     explicit Deck(std::shared_ptr<const DeckTemplate> read) : read_(std::move(read)) {}
     Deck& add(std::function<void(Problem&)> change);
+    Problem build(bool is_varied) const;
 
     std::shared_ptr<const DeckTemplate> read_;
     std::vector<std::string> overrides_;

@@ -137,7 +137,7 @@ double find_excess(const Problem& a, const Problem& b) {
 VariedNumber vary(const Deck& deck, const std::string& number) {
     const auto [key, value] = find_number(deck, number);
     double step = relative_step * (value != 0.0 ? std::abs(value) : 1.0);
-    const auto build = [&](double steps) { return Deck(deck).set(key, value + steps * step).build(); };
+    const auto build = [&](double steps) { return Deck(deck).set(key, value + steps * step).build_varied(); };
     Problem up = build(1.0), down = build(-1.0);
     if (!up.model.contact.is_empty()) {
         const double excess = find_excess(up, down);
