@@ -112,7 +112,25 @@ std::vector<Vec6> Ledger::compute_forces(const State& state, double time, const 
     return forces;
 }
 
+// What a stop takes when it begins to hold is the energy that is gone within its step.
 void Ledger::add_step(const State& state, const Step& step) {
+    const Model& model = system_->model();
+    const bool is_blow =
+        model.has_inertia && model.has_time && !limits_energy() && system_->joints().has_just_stopped(state);
+    if (!is_blow) return add_any_step(state, step);
+    State before = state;
+    before.trial = before.previous;
+    before.joints_trial = before.joints_previous;
+    const double error = row(before).energy_error;
+    const double by_scheme = dissipated_by_scheme_;
+    add_any_step(state, step);
+    dissipated_by_scheme_ = by_scheme;
+    State after = state;
+    after.time = step.time;
+    dissipated_ += std::max(error - row(after).energy_error, 0.0);
+}
+
+void Ledger::add_any_step(const State& state, const Step& step) {
     law_dissipation_ = SystemMeasures(*system_).compute_law_dissipation(state, step.time);
     drive_work_ = SystemMeasures(*system_).compute_drive_work(state, step.time);
     if (weighs_powers()) {

@@ -100,6 +100,8 @@ class Ledger {
     void resume(const LedgerMemory& memory);
 
   private:
+    // Adds a step of whose energy nothing is lost at once.
+    void add_any_step(const State& state, const Step& step);
     // Whether the scheme has several stages; it then weighs the powers that they record.
     bool weighs_powers() const { return !power_weights_.empty(); }
     std::vector<Vec6> compute_forces(const State& state, double time, const Residual& residual) const;

@@ -7,6 +7,11 @@
 
 namespace gxrod {
 
+// Which stops hold: those that the multipliers ask for in equations of positions, and those that held at the
+// start of the step in equations of accelerations (by_level); those in both (as_before); or those that are
+// closed at the end of the step (at_end).
+enum class StopChoice { by_level, as_before, at_end };
+
 // Options for contributions to a residual or tangent.
 struct ConstraintRequest {
     ConstraintLevel level = ConstraintLevel::position;
@@ -17,6 +22,7 @@ struct ConstraintRequest {
     const std::vector<double>* scaled_as = nullptr;
     // If given, these values on the system's pattern are added to the tangent before D is chosen.
     const std::vector<double>* added = nullptr;
+    StopChoice stops = StopChoice::by_level;
 };
 
 }  // namespace gxrod

@@ -46,11 +46,14 @@ struct Friction {
     bool acts() const { return force > 0.0 || lever > 0.0; }
 };
 
-// Bounds of a free coordinate, beyond which a spring and a damper act.
+// Bounds of a free coordinate, beyond which a spring and a damper act; without stiffness it stops there.
 struct CoordinateLimits {
     std::optional<double> lower, upper;
     double stiffness = 0.0;
     double damping = 0.0;
+
+    bool act() const { return lower || upper; }
+    bool are_rigid() const { return act() && stiffness == 0.0; }
 };
 
 // The actions on a coordinate that a joint leaves free. A turn is the right-hand turn of B against A about
@@ -81,14 +84,17 @@ struct Joint {
     JointKind kind = JointKind::ball;
     JointSide a, b;  // at most one on the ground
     JointCoordinate turn, slide;
-    double lead = 0.0;    // for a screw: slide per turn
-    double length = 0.0;  // for a distance joint
+    double lead = 0.0;        // for a screw: slide per turn
+    double length = 0.0;      // for a distance joint
+    bool pulls_only = false;  // for a distance joint: holds where it would be longer than that
     // For a generic joint: whether it holds the displacements along A's axes, and the turns about them. Of
     // turns that are not held two are those of a universal joint.
     std::array<bool, 6> held{};
     JointStrength strength;
     bool acts = true;  // in the stage at hand; otherwise it holds nothing
 
+    // Whether it has equations that hold on one side only.
+    bool has_stops() const { return pulls_only || turn.limits.are_rigid() || slide.limits.are_rigid(); }
     bool has_ground() const { return a.anchor.is_ground() || b.anchor.is_ground(); }
     // Returns B's anchor, or A's if B is on the ground.
     const Anchor& moving_anchor() const { return b.anchor.is_ground() ? a.anchor : b.anchor; }

@@ -30,6 +30,10 @@ void check_memory(const Model& model) {
         throw std::invalid_argument(
             "an equilibrium after a joint has broken depends on how it was reached: take `breaks` out of the "
             "joints");
+    if (has_stops(model))
+        throw std::invalid_argument(
+            "there are no derivatives of joints with stops, or that can be slack: give their limits a "
+            "stiffness, or take a spring");
     if (!model.contact.is_empty())
         throw std::invalid_argument(
             "there are no derivatives of contact by multipliers yet: carry derivatives along instead");

@@ -53,6 +53,11 @@ void check_model(const Model& model, const Integrator& integrator) {
     if (has_breaking_joint(model))
         throw std::invalid_argument(
             "the time at which a joint breaks has no derivative here: take `breaks` out of the joints");
+    if (has_stops(model))
+        throw std::invalid_argument(
+            "the time at which a joint becomes taut or meets a stop has no derivative here: give its limits "
+            "a "
+            "stiffness, or take a spring in place of a joint that can be slack");
     const std::vector<std::string> frictions = list_frictions(model);
     if (std::ranges::find(frictions, "contact") != frictions.end())
         throw std::invalid_argument(

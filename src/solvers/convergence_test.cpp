@@ -56,6 +56,8 @@ bool ConvergenceTest::has_reached_round_off(const Residual& residual, const Equi
     constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
     const double nothing = std::max(1e-4 * tolerance_, rounding);
     constexpr double hardly = 1e-10;
+    // A stop that is to be let go has held all in its place.
+    if (!of_accelerations_ && system_->joints().have_stops() && report.joint_gap.size > hardly) return false;
     // What an increment takes into touch has a force from the next one on.
     if (Contacts(*system_).are_possible() && increment_before_ > hardly) return false;
     if (last_increment_ <= nothing) return true;

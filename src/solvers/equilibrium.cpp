@@ -53,6 +53,7 @@ EquilibriumReport solve_accelerations(
     }
     system.supports().set_rates(time, step, state.trial);
     ConstraintRequest request{ConstraintLevel::acceleration, step};
+    request.stops = StopChoice::at_end;
     if (Contacts(system).are_impulses()) request.contact_weight = 0.0;
     system.compute_residual(state, time, workspace.residual, request);
     measure_residual(system, workspace.residual, report);
@@ -173,6 +174,15 @@ void report_end(const EquilibriumReport& end, EquilibriumReport& report) {
     report.iterations = iterations;
 }
 
+// Lists (a, α) of each node, from which the impulses of stops are to be taken; none without stops.
+std::vector<Vec6> list_accelerations(const System& system, const State& state) {
+    std::vector<Vec6> accelerations;
+    if (!system.joints().have_stops()) return accelerations;
+    for (const NodeMotion& motion : state.trial)
+        (accelerations.emplace_back() << motion.a, motion.alpha).finished();
+    return accelerations;
+}
+
 // Of an implicit step that has converged.
 void restore_hidden_constraints(const System& system,
                                 const Stage& stage,
@@ -180,6 +190,11 @@ void restore_hidden_constraints(const System& system,
                                 State& state,
                                 EquilibriumReport& report) {
     const TimeSpan step{stage.step_time, stage.time_step};
+    // What a stop stops loses its velocity by the mass that meets it: the masses' matrix comes first.
+    if (system.joints().have_stops()) {
+        const EquilibriumReport met = solve_accelerations(system, stage.end_time, step, workspace, state);
+        if (!met.converged()) return report_end(met, report);
+    }
     project_velocities(system, stage.end_time, step, workspace, state, report);
     if (!report.converged()) return;
     const EquilibriumReport end = solve_accelerations(system, stage.end_time, step, workspace, state);
@@ -238,8 +253,12 @@ EquilibriumReport solve_stages(const SolverSetup& setup,
         }
     }
     const bool is_implicit = !integrator.is_explicit() && !integrator.is_static();
-    if (total.converged() && is_implicit && has_hidden_constraints(system))
+    if (total.converged() && is_implicit && has_hidden_constraints(system)) {
+        std::vector<Vec6> shocked = list_accelerations(system, state);
         restore_hidden_constraints(system, stage, workspace, state, total);
+        if (total.converged() && system.joints().has_just_stopped(state))
+            integrator.split_impulses(state, stage, shocked);
+    }
     if (total.converged() && is_implicit && system.model().has_inertia)
         split_contact(system, integrator, stage, workspace, state, total);
     return total;

@@ -105,7 +105,9 @@ void project_positions(const System& system,
         report,
         total,
         tolerable,
-        [&](std::vector<double>& rows) { joints.compute_rows(state, time, {}, rows); },
+        [&](std::vector<double>& rows) {
+            joints.compute_rows(state, time, {.stops = StopChoice::at_end}, rows);
+        },
         [&](const std::vector<double>& rows) { return joints.measure_gap(rows, state); },
         [&](std::size_t node, const Vec6& increment) {
             apply_spin(state.previous[node], increment.head<3>(), increment.tail<3>(), state.trial[node]);

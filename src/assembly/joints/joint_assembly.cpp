@@ -55,6 +55,7 @@ JointAssembly::JointAssembly(const Model& model) : model_(&model), wide_(model) 
     for (const Joint& joint : model.joints) {
         const JointRows& rows = joints_.emplace_back(joint);
         are_linear_ = are_linear_ && rows.is_linear();
+        have_stops_ = have_stops_ || rows.has_stops();
         const JointForces& forces = forces_.emplace_back(joint);
         have_forces_ = have_forces_ || !forces.is_empty();
         for (const JointCoordinate* laws : {&joint.turn, &joint.slide}) {
@@ -99,6 +100,7 @@ bool JointAssembly::have_friction_by_multipliers() const {
 void JointAssembly::lay_out(const Layout& layout) {
     equations_ = &layout.equations;
     groups_ = &layout.groups;
+    pattern_ = &layout.pattern;
     length_ = layout.length;
     memory_ = {layout.first_memory, memory_count()};
     places_.reserve(joints_.size());
@@ -164,7 +166,8 @@ JointAssembly::HeldForce JointAssembly::find_held_force(const State& state, std:
     const JointRows& rows = joints_[index];
     HeldForce held{0.0, multipliers(state, index)};
     for (int row = 0; row < rows.count(); ++row) {
-        if (!rows.is_length(row) || row == rows.slide_motor_row()) held.by_multipliers[row] = 0.0;
+        if (!rows.is_length(row) || row == rows.slide_motor_row() || rows.is_stop(row))
+            held.by_multipliers[row] = 0.0;
     }
     held.size = held.by_multipliers.norm();
     if (held.size > 0.0) held.by_multipliers /= held.size;
@@ -214,18 +217,102 @@ void JointAssembly::compute_rows(const State& state,
         const JointVector values = joints_[i].compute_values(
             motions(state.trial, i), state.joints_previous[i].turn, motors, request.level);
         const double factor = holds(state, i) ? request.factor : 0.0;
-        for (int row = 0; row < joints_[i].count(); ++row)
-            rows[static_cast<std::size_t>(first_rows_[i] + row)] = factor * values[row];
+        const RowHolds row_holds = find_row_holds(state, i, request);
+        for (int row = 0; row < joints_[i].count(); ++row) {
+            double& result = rows[static_cast<std::size_t>(first_rows_[i] + row)];
+            result = factor * values[row];
+            if (row_holds[static_cast<std::size_t>(row)]) continue;
+            // A multiplier that is to be let go has not been yet: nothing has converged.
+            constexpr double not_met = 1e-6;
+            const bool is_searched =
+                request.level == ConstraintLevel::position && request.stops == StopChoice::by_level;
+            const bool is_kept = state.joints_trial[i].multipliers[static_cast<std::size_t>(row)] != 0.0;
+            result = is_searched && is_kept ? not_met * measure_of(i, row) : 0.0;
+        }
     }
     wide_.compute_rows(state, time, request, rows);
 }
 
-PairVector JointAssembly::compute_force(const State& state, double time, std::size_t index) const {
+// A stop that holds goes on to hold within a step, whatever its multiplier; it is let go at its end.
+JointAssembly::RowHolds JointAssembly::find_row_holds(const State& state,
+                                                      std::size_t index,
+                                                      const ConstraintRequest& request) const {
+    constexpr double round_off = 1e-13;    // of the length, or in rad
+    constexpr double closed = 1e-9;        // likewise
+    constexpr double still_closed = 1e-4;  // where accelerations alone keep it closed
+    constexpr double still = 1e-8;         // of the speed of both sides
+    RowHolds holds;
+    holds.set();
+    const JointRows& rows = joints_[index];
+    if (!rows.has_stops()) return holds;
+    const JointMotions at = motions(state.trial, index);
+    for (int row = 0; row < rows.count(); ++row) {
+        if (!rows.is_stop(row)) continue;
+        const auto place = static_cast<std::size_t>(row);
+        const double multiplier = state.joints_trial[index].multipliers[place];
+        const StopPlace stop = rows.find_stop(row, at, state.joints_previous[index].turn);
+        const double push = stop.sign * multiplier;
+        const double gap = stop.gap / measure_of(index, row);
+        const bool is_closed = gap <= (multiplier == 0.0 ? closed : still_closed);
+        if (request.stops == StopChoice::as_before ||
+            (request.level == ConstraintLevel::acceleration && request.stops == StopChoice::by_level))
+            holds[place] = state.joints_previous[index].multipliers[place] != 0.0;
+        else if (request.level == ConstraintLevel::position)
+            holds[place] =
+                push > 0.0 ||
+                (request.stops == StopChoice::at_end ? gap < 0.0 : push == 0.0 && gap <= round_off);
+        else if (request.level == ConstraintLevel::velocity)
+            holds[place] = is_closed && (multiplier != 0.0 || stop.approach > 0.0);
+        else
+            holds[place] =
+                is_closed && (multiplier != 0.0 || stop.approach >= -still * measure_speed(at, index, row));
+    }
+    return holds;
+}
+
+double JointAssembly::measure_speed(const JointMotions& at, std::size_t index, int row) const {
+    const Joint& joint = model_->joints[index];
+    const double turning = at.a.omega.norm() + at.b.omega.norm();
+    if (!joints_[index].is_length(row)) return turning;
+    return at.a.v.norm() + at.b.v.norm() + at.a.omega.norm() * joint.a.anchor.arm.norm() +
+           at.b.omega.norm() * joint.b.anchor.arm.norm();
+}
+
+bool JointAssembly::has_just_stopped(const State& state) const {
+    for (std::size_t i = 0; i < joints_.size() && have_stops_; ++i) {
+        if (!joints_[i].has_stops() || !holds(state, i)) continue;
+        const RowHolds row_holds =
+            find_row_holds(state, i, {.level = ConstraintLevel::acceleration, .stops = StopChoice::at_end});
+        for (int row = 0; row < joints_[i].count(); ++row) {
+            const auto place = static_cast<std::size_t>(row);
+            if (joints_[i].is_stop(row) && row_holds[place] &&
+                state.joints_previous[i].multipliers[place] == 0.0)
+                return true;
+        }
+    }
+    return false;
+}
+
+JointVector JointAssembly::acting_multipliers(const State& state,
+                                              std::size_t index,
+                                              const ConstraintRequest& request) const {
+    JointVector acting = multipliers(state, index);
+    if (!joints_[index].has_stops()) return acting;
+    const RowHolds row_holds = find_row_holds(state, index, request);
+    for (int row = 0; row < joints_[index].count(); ++row) {
+        if (!row_holds[static_cast<std::size_t>(row)]) acting[row] = 0.0;
+    }
+    return acting;
+}
+
+PairVector JointAssembly::compute_force(const State& state,
+                                        double time,
+                                        std::size_t index,
+                                        const JointVector& multipliers) const {
     if (!holds(state, index)) return PairVector::Zero();
     const JointMotions at = motions(state.trial, index);
     const JointRows& rows = joints_[index];
-    PairVector force =
-        rows.compute_force(rows.compute_frames(at, ConstraintLevel::position), multipliers(state, index));
+    PairVector force = rows.compute_force(rows.compute_frames(at, ConstraintLevel::position), multipliers);
     if (!forces_[index].is_empty()) {
         const JointState& before = state.joints_previous[index];
         force +=
@@ -243,7 +330,7 @@ void JointAssembly::subtract_forces(const State& state,
     if (empty()) return;
     compute_rows(state, time, request, residual.rows);
     for (std::size_t i = 0; i < joints_.size(); ++i) {
-        const PairVector force = compute_force(state, time, i);
+        const PairVector force = compute_force(state, time, i, acting_multipliers(state, i, request));
         const std::array<int, 2> nodes = nodes_of(model_->joints[i]);
         for (int side = 0; side < 2; ++side) {
             if (nodes[side] < 0) continue;
@@ -342,10 +429,15 @@ void JointAssembly::add_equations(std::size_t index,
     const JointMatrix G = rows.compute_gradient(frames);
     auto of_nodes = matrix.topLeftCorner<12, 12>();
     if (placement != 0.0)
-        of_nodes = -placement * rows.compute_force_derivative(frames, multipliers(state, index));
+        of_nodes =
+            -placement * rows.compute_force_derivative(frames, acting_multipliers(state, index, request));
+    const RowHolds row_holds = find_row_holds(state, index, request);
     for (int column = 0; column < 12; ++column) {
         PairVector sum = of_nodes.col(column);
-        for (int row = 0; row < count; ++row) sum += D[row] * G(row, column) * G.row(row).transpose();
+        for (int row = 0; row < count; ++row) {
+            if (row_holds[static_cast<std::size_t>(row)])
+                sum += D[row] * G(row, column) * G.row(row).transpose();
+        }
         of_nodes.col(column) = sum;
     }
     const JointMatrix H = is_of_positions
@@ -354,9 +446,10 @@ void JointAssembly::add_equations(std::size_t index,
                                     frames, linearizations_of(model_->joints[index], linearizations));
     for (int row = 0; row < count; ++row) {
         const double size = D[row];
+        matrix(12 + row, 12 + row) = -regularization * size;
+        if (!row_holds[static_cast<std::size_t>(row)]) continue;
         matrix.block<12, 1>(0, 12 + row) = -size * G.row(row).transpose();
         matrix.block<1, 12>(12 + row, 0) = -(is_of_positions ? size : size * request.factor) * H.row(row);
-        matrix(12 + row, 12 + row) = -regularization * size;
     }
 }
 
@@ -392,6 +485,16 @@ double JointAssembly::scale_of_row(std::size_t index, int row, const std::vector
     return -values[places.first_diagonal + row * places.stride] / regularization;
 }
 
+bool JointAssembly::has_equation(std::size_t index, int row, const std::vector<double>& values) const {
+    const std::int64_t number = places_[index].first + row;
+    for (const int node : list_nodes(model_->joints[index])) {
+        for (const std::int64_t column : equations_->of_node(node)) {
+            if (column >= 0 && values[pattern_->slot(number, column)] != 0.0) return true;
+        }
+    }
+    return false;
+}
+
 void JointAssembly::set_rows(const std::vector<double>& rows,
                              const std::vector<double>& values,
                              Eigen::VectorXd& vector) const {
@@ -416,7 +519,12 @@ void JointAssembly::advance_multipliers(const std::vector<Vec6>& increments,
             increment_at(increments, joint.b.anchor.node).transpose();
         const JointMatrix G = joints_[i].compute_gradient(motions(state.trial, i));
         for (int row = 0; row < joints_[i].count(); ++row) {
-            state.joints_trial[i].multipliers[row] +=
+            double& multiplier = state.joints_trial[i].multipliers[static_cast<std::size_t>(row)];
+            if (joints_[i].is_stop(row) && !has_equation(i, row, values)) {
+                multiplier = 0.0;
+                continue;
+            }
+            multiplier +=
                 scale_of_row(i, row, values) * (solution[places_[i].first + row] - G.row(row).dot(delta));
         }
     }
@@ -509,6 +617,20 @@ bool JointAssembly::breaks(const State& state, std::size_t index) const {
     return (strength.force && forces > *strength.force) || (strength.moment && moments > *strength.moment);
 }
 
+// Stops that pull at the end of a step hold no longer.
+void JointAssembly::let_go(State& state, std::size_t index) const {
+    const RowHolds row_holds =
+        find_row_holds(state, index, {.level = ConstraintLevel::acceleration, .stops = StopChoice::at_end});
+    const JointMotions at = motions(state.trial, index);
+    for (int row = 0; row < joints_[index].count(); ++row) {
+        if (!joints_[index].is_stop(row)) continue;
+        const auto place = static_cast<std::size_t>(row);
+        double& multiplier = state.joints_trial[index].multipliers[place];
+        const StopPlace stop = joints_[index].find_stop(row, at, state.joints_previous[index].turn);
+        if (!row_holds[place] || stop.sign * multiplier < 0.0) multiplier = 0.0;
+    }
+}
+
 void JointAssembly::commit(State& state, double time) const {
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         const JointState& before = state.joints_previous[i];
@@ -517,6 +639,7 @@ void JointAssembly::commit(State& state, double time) const {
         if (!forces_[i].is_empty())
             write(forces_[i].compute_slips(motions(state.trial, i), before.turn, slips_before(state, i)),
                   memory_of(i).of(state));
+        if (joints_[i].has_stops()) let_go(state, i);
         if (!breaks(state, i)) continue;
         write(JointHold::has_broken, time, memory_of(i).of(state));
         after.multipliers.fill(0.0);

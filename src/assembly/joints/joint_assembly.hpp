@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -66,6 +67,10 @@ class JointAssembly : public Contribution {
     bool holds(const State& state, std::size_t joint) const {
         return joint >= joints_.size() || read_hold(memory_of(joint).of(state)) == JointHold::holds;
     }
+    // Whether joints have one-sided equations, and whether one has begun to hold in the step that ends with
+    // the trial motions: what it stops loses energy.
+    bool have_stops() const { return have_stops_; }
+    bool has_just_stopped(const State& state) const;
     // Prepares the equations, once, when they are numbered.
     void lay_out(const Layout& layout) override;
 
@@ -168,6 +173,18 @@ class JointAssembly : public Contribution {
         ScalarJet turn{}, slide{};
     };
 
+    // Whether each row of a joint holds; the rows of open stops do not.
+    using RowHolds = std::bitset<most_joint_rows>;
+    RowHolds find_row_holds(const State& state, std::size_t joint, const ConstraintRequest& request) const;
+    // The size that the gap of a stop is compared with: the model's length, or a radian.
+    double measure_of(std::size_t joint, int row) const {
+        return joints_[joint].is_length(row) ? length_ : 1.0;
+    }
+    // Measures the speed of both sides in a row's coordinate: the sum of what each has of it at most.
+    double measure_speed(const JointMotions& at, std::size_t joint, int row) const;
+    void let_go(State& state, std::size_t joint) const;
+    // Whether the tangent with these values has the equation of a row.
+    bool has_equation(std::size_t joint, int row, const std::vector<double>& values) const;
     JointPlace place_of(const std::vector<NodeMotion>& nodes, std::size_t joint, const State& state) const;
     JointInputs inputs_at(std::size_t joint, const State& state, double time) const;
     // The force that the joint's points hold, from its multipliers: its size, and the size's derivative by
@@ -188,8 +205,18 @@ class JointAssembly : public Contribution {
     const NodeMotion& motion(const std::vector<NodeMotion>& nodes, int node) const;
     JointMotions motions(const std::vector<NodeMotion>& nodes, std::size_t joint) const;
     JointVector multipliers(const State& state, std::size_t joint) const;
+    // Returns those of rows that hold; others are 0.
+    JointVector acting_multipliers(const State& state,
+                                   std::size_t joint,
+                                   const ConstraintRequest& request) const;
     // Computes the forces of a joint on the nodes of A and B.
-    PairVector compute_force(const State& state, double time, std::size_t joint) const;
+    PairVector compute_force(const State& state,
+                             double time,
+                             std::size_t joint,
+                             const JointVector& multipliers) const;
+    PairVector compute_force(const State& state, double time, std::size_t joint) const {
+        return compute_force(state, time, joint, multipliers(state, joint));
+    }
     void add_equations(std::size_t joint,
                        const State& state,
                        const std::vector<NodeLinearization>& linearizations,
@@ -208,6 +235,7 @@ class JointAssembly : public Contribution {
     const Model* model_;
     const EquationNumbers* equations_ = nullptr;
     const ScaleGroups* groups_ = nullptr;
+    const SparsePattern* pattern_ = nullptr;
     double length_ = 1.0;
     MemorySlice memory_;
     WideAssembly wide_;
@@ -221,6 +249,7 @@ class JointAssembly : public Contribution {
     bool are_driven_ = false;
     bool have_forces_ = false;
     bool is_damped_ = false;
+    bool have_stops_ = false;
 };
 
 }  // namespace gxrod

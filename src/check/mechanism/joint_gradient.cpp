@@ -6,6 +6,8 @@
 namespace gxrod {
 namespace {
 
+constexpr double round_off = 1e-12;
+
 // At rest in the places of t = 0; the ground is at the origin.
 NodeMotion start_of(const Model& model, const Anchor& anchor) {
     NodeMotion motion;
@@ -18,7 +20,13 @@ NodeMotion start_of(const Model& model, const Anchor& anchor) {
 JointMatrix compute_start_gradient(const Model& model, const Joint& joint) {
     const NodeMotion a = start_of(model, joint.a.anchor);
     const NodeMotion b = start_of(model, joint.b.anchor);
-    return JointRows(joint).compute_gradient({a, b});
+    const JointRows rows(joint);
+    JointMatrix gradient = rows.compute_gradient({a, b});
+    for (int row = 0; row < rows.count(); ++row) {
+        if (rows.is_stop(row) && rows.find_stop(row, {a, b}, 0.0).gap > round_off)
+            gradient.row(row).setZero();
+    }
+    return gradient;
 }
 
 Eigen::Matrix<double, Eigen::Dynamic, 12> compute_coordinate_gradients(const Model& model,

@@ -46,7 +46,8 @@ std::string name_side(const Model& model, const Anchor& anchor) {
 }
 
 std::string describe_limits(const CoordinateLimits& limits) {
-    const std::string stiffness = fmt::format(" (stiffness {:.6g})", limits.stiffness);
+    const std::string stiffness =
+        limits.are_rigid() ? " (stops)" : fmt::format(" (stiffness {:.6g})", limits.stiffness);
     if (!limits.lower) return fmt::format("limit below {:.6g}", *limits.upper) + stiffness;
     if (!limits.upper) return fmt::format("limit above {:.6g}", *limits.lower) + stiffness;
     return fmt::format("limits {:.6g} to {:.6g}", *limits.lower, *limits.upper) + stiffness;
@@ -72,6 +73,7 @@ std::string describe_actions(const char* name, const JointCoordinate& coordinate
 std::string describe_joint(const Model& model, const Joint& joint) {
     const JointCard& card = card_of(joint.kind);
     std::string text = fmt::format("joint {}: {}{}", joint.name, card.word, describe_axes(joint));
+    if (joint.pulls_only) text += " at most,";
     if (card.is_at_one_place) {
         text += fmt::format(" at {} between {} and {}",
                             in_parentheses(find_place(model, joint.a.anchor)),

@@ -69,7 +69,7 @@ void add_coordinate_tangent(const Coordinate& coordinate,
 }  // namespace
 
 bool is_acted_on(const JointCoordinate& laws) {
-    const bool has_limits = laws.limits.lower || laws.limits.upper;
+    const bool has_limits = laws.limits.act() && !laws.limits.are_rigid();
     return laws.stiffness != 0.0 || laws.damping != 0.0 || !laws.drive.is_zero() || laws.friction.acts() ||
            has_limits;
 }

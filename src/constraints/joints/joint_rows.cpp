@@ -31,6 +31,7 @@ JointRows::JointRows(const Joint& joint) : arms_(arms_of(joint)), coordinates_(j
                  is_at_node(joint.a.anchor) && is_at_node(joint.b.anchor);
     add_kind(joint);
     add_motors(joint);
+    add_stops(joint);
 }
 
 // The equations below have the separation d = r_B − r_A of the points, and the axes a₁ a₂ a₃ that A carries
@@ -64,7 +65,7 @@ void JointRows::add_kind(const Joint& joint) {
             add_points();
             return add_equal_axes(joint);
         case JointKind::distance:  // (d·d/L − L)/2 = 0
-            return add_distance(joint.length);
+            return add_distance(joint);
         case JointKind::generic:
             return add_held(joint);
         case JointKind::sleeve:
@@ -97,11 +98,14 @@ void JointRows::add_across(const Joint& joint) {
         add({.is_length = true, .product = {carry_on_a(joint, across), separation()}});
 }
 
-void JointRows::add_distance(double length) {
-    add({.is_length = true,
-         .factor = 0.5 / length,
-         .product = {separation(), separation()},
-         .constant = -0.5 * length});
+void JointRows::add_distance(const Joint& joint) {
+    Row row{.is_length = true,
+            .factor = 0.5 / joint.length,
+            .product = {separation(), separation()},
+            .constant = -0.5 * joint.length};
+    if (joint.pulls_only) row.upper = 0.0;
+    has_stops_ = joint.pulls_only;
+    add(row);
 }
 
 // aᵢ·d = 0 for each displacement that is held. A turn that alone is free is that of a hinge, about aₖ; two
@@ -136,6 +140,42 @@ void JointRows::add_motors(const Joint& joint) {
         add({.is_length = true, .product = coordinates_.slide->product(), .motor = Motor::slide});
 }
 
+void JointRows::add_stops(const Joint& joint) {
+    if (joint.turn.limits.are_rigid() && coordinates_.turn) {
+        const CoordinateLimits& limits = joint.turn.limits;
+        add({.factor = 0.0, .turn_factor = 1.0, .lower = limits.lower, .upper = limits.upper});
+        has_stops_ = true;
+    }
+    if (joint.slide.limits.are_rigid() && coordinates_.slide) {
+        const CoordinateLimits& limits = joint.slide.limits;
+        add({.is_length = true,
+             .product = coordinates_.slide->product(),
+             .lower = limits.lower,
+             .upper = limits.upper});
+        has_stops_ = true;
+    }
+}
+
+// The bound of a stop that is nearer to its coordinate.
+double JointRows::find_bound(const Row& row, double coordinate) {
+    if (!row.lower) return *row.upper;
+    if (!row.upper) return *row.lower;
+    return coordinate - *row.lower < *row.upper - coordinate ? *row.lower : *row.upper;
+}
+
+StopPlace JointRows::find_stop(int index, const JointMotions& motions, double turn_before) const {
+    const Row& row = rows_[index];
+    const JointFrames frames = compute_frames(motions, ConstraintLevel::velocity);
+    const ScalarJet jet = row.turn_factor != 0.0 ? coordinates_.turn->compute_jet(frames, turn_before)
+                                                 : row.product.compute_jet(frames);
+    const double factor = row.factor + row.turn_factor;  // one of them is 0
+    const double coordinate = factor * jet.value + row.constant;
+    const double rate = factor * jet.rate;
+    const double bound = find_bound(row, coordinate);
+    const double sign = row.upper && bound == *row.upper ? -1.0 : 1.0;
+    return {sign * (coordinate - bound), -sign * rate, sign};
+}
+
 double JointRows::compute_prescribed(const Row& row, const JointMotors& motors, ConstraintLevel level) const {
     if (row.motor == Motor::none) return 0.0;
     const PrescribedCoordinate& prescribed = row.motor == Motor::turn ? motors.turn : motors.slide;
@@ -162,7 +202,9 @@ JointVector JointRows::compute_values(const JointMotions& motions,
         if (row.turn_factor != 0.0)
             values[i] +=
                 row.turn_factor * at_level(coordinates_.turn->compute_jet(frames, turn_before), level);
-        if (level == ConstraintLevel::position) values[i] += row.constant;
+        if (level != ConstraintLevel::position) continue;
+        values[i] += row.constant;
+        if (is_stop(i)) values[i] -= find_bound(row, values[i]);
     }
     return values;
 }
@@ -174,7 +216,8 @@ JointGap JointRows::compute_gap(const JointMotions& motions,
     JointGap gap;
     for (int i = 0; i < count_; ++i) {
         double& largest = rows_[i].is_length ? gap.length : gap.angle;
-        largest = std::max(largest, std::abs(values[i]));
+        const double open = is_stop(i) ? -find_stop(i, motions, turn_before).gap : std::abs(values[i]);
+        largest = std::max(largest, open);
     }
     return gap;
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 
 #include "constraints/joints/joint_coordinate.hpp"
 #include "model/joint.hpp"
@@ -34,11 +35,19 @@ struct JointGap {
     double angle = 0.0;
 };
 
+// Where a one-sided equation is: the distance of its coordinate from the nearer bound, positive inside, the
+// rate at which it comes nearer, and the sign of its multiplier when the bound holds.
+struct StopPlace {
+    double gap = 0.0;
+    double approach = 0.0;
+    double sign = 0.0;
+};
+
 // The equations Φ = 0 of one joint, docs/theory/joints.md (J6) to (J11), each with a multiplier λ: the joint
 // exerts Gᵀλ on the nodes of A and B, G = ∂Φ/∂(δr, δφ); for a point's equations λ is the force of A on B.
 // Lengths are in the deck's unit, turns and products of unit vectors are not scaled. Turns of any number are
 // possible: `turn_before` is the turn at the last accepted step. A joint that does not act in the stage has
-// no equations.
+// no equations. Stops are one-sided: Φ is then the coordinate less the nearer bound, (J30).
 class JointRows {
   public:
     explicit JointRows(const Joint& joint);
@@ -52,6 +61,10 @@ class JointRows {
     // The rows of motors; −1 without a motor.
     int turn_motor_row() const { return find_motor_row(Motor::turn); }
     int slide_motor_row() const { return find_motor_row(Motor::slide); }
+    // Whether there are one-sided rows, and whether a row is one.
+    bool has_stops() const { return has_stops_; }
+    bool is_stop(int row) const { return rows_[row].lower || rows_[row].upper; }
+    StopPlace find_stop(int row, const JointMotions& motions, double turn_before) const;
     // The coordinates that the joint leaves free, prescribed or not.
     const JointCoordinates& coordinates() const { return coordinates_; }
 
@@ -100,6 +113,7 @@ class JointRows {
         double turn_factor = 0.0;
         double constant = 0.0;
         Motor motor = Motor::none;
+        std::optional<double> lower = {}, upper = {};  // bounds of a stop
     };
 
     int find_motor_row(Motor motor) const;
@@ -109,9 +123,11 @@ class JointRows {
     void add_aligned_axes(const Joint& joint);
     void add_equal_axes(const Joint& joint);
     void add_across(const Joint& joint);
-    void add_distance(double length);
+    void add_distance(const Joint& joint);
     void add_held(const Joint& joint);
     void add_motors(const Joint& joint);
+    void add_stops(const Joint& joint);
+    static double find_bound(const Row& row, double coordinate);
     double compute_prescribed(const Row& row, const JointMotors& motors, ConstraintLevel level) const;
 
     JointReaction compute_reaction(const JointFrames& frames, const JointVector& multipliers) const;
@@ -121,6 +137,7 @@ class JointRows {
     std::array<Row, most_joint_rows> rows_;
     int count_ = 0;
     bool is_linear_ = false;
+    bool has_stops_ = false;
 };
 
 }  // namespace gxrod

@@ -9,6 +9,7 @@
 #include "deck/joints/joint_table.hpp"
 #include "deck/supports/components.hpp"
 #include "model/settings/analysis_traits.hpp"
+#include "model/settings/scheme_card.hpp"
 
 namespace gxrod {
 namespace {
@@ -56,6 +57,26 @@ void check_breaks(const JointTable& given, const BuildContext& context) {
         fmt::format("a stage of kind {} cannot go on from a joint that breaks; expected static, quasi-static "
                     "or dynamic stages",
                     kind_of(analysis)));
+}
+
+// Stops begin to hold at the end of a step, of which an explicit scheme has no equations.
+void check_stops(const JointTable& given, const Joint& joint, const BuildContext& context) {
+    const auto* dynamic = std::get_if<DynamicSettings>(&context.stages[context.stage].analysis);
+    if (dynamic == nullptr || !card_of(dynamic->scheme).is_explicit || !joint.has_stops()) return;
+    const std::string_view word = card_of(dynamic->scheme).word;
+    if (joint.pulls_only)
+        context.add_fault(given,
+                          given.slack,
+                          fmt::format("a joint cannot become taut in {}, an explicit scheme; expected an "
+                                      "implicit one, or a spring that only pulls",
+                                      word));
+    else
+        context.add_fault(
+            given,
+            given.limits,
+            fmt::format("without stiffness they cannot begin to hold in {}, an explicit scheme; expected an "
+                        "implicit one, or a stiffness",
+                        word));
 }
 
 // Of nodes and joints.
@@ -111,6 +132,7 @@ void build_joint_actions(BuildContext& context) {
         set_coordinates(given, size, joint, context);
         joint.acts = acts_in_stage(given, context);
         check_breaks(given, context);
+        check_stops(given, joint, context);
         if (joint.acts) check_sides(given, joint, held, context);
         check_motors(given, size, context);
     }

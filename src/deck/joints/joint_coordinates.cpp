@@ -80,6 +80,8 @@ class CoordinateCheck {
             if (actions.move != nullptr) check_motor(actions, coordinate);
             if (actions.friction != nullptr) check_friction(*actions.friction, coordinate);
             if (actions.limits != nullptr) check_limits(*actions.limits);
+            if (actions.limits != nullptr && !actions.limits->stiffness)
+                check_stop(*actions.limits, actions, coordinate);
         }
     }
 
@@ -171,13 +173,40 @@ class CoordinateCheck {
     }
 
     void check_limits(const JointLimitsTable& limits) const {
-        if (!limits.stiffness) {
-            context_.add_fault(
-                limits, limits.stiffness, "missing; expected a number greater than 0 or an expression");
-        }
         if (!limits.lower || !limits.upper || *limits.lower <= *limits.upper) return;
         context_.add_fault(
             limits, limits.lower, fmt::format("{:.6g} is above upper, {:.6g}", *limits.lower, *limits.upper));
+    }
+
+    // A stop holds at its bounds, one of which is there, and does not push what is beyond them at t = 0.
+    void check_stop(const JointLimitsTable& limits,
+                    const GivenActions& actions,
+                    std::string_view coordinate) const {
+        const auto expect_stiffness = [&](const std::string& what) {
+            context_.add_fault(limits, limits.stiffness, "missing; " + what + "; expected a stiffness");
+        };
+        if (limits.gives(limits.damping)) return expect_stiffness("a stop has no damping");
+        if (given_.is_sleeve()) return expect_stiffness("the limits of a sleeve are springs");
+        if (actions.move != nullptr)
+            return expect_stiffness(
+                fmt::format("`move` says what the {} is, and a stop without stiffness holds it", coordinate));
+        if (given_.type == JointKind::screw && given_.limits->turn && given_.limits->slide)
+            return expect_stiffness("the turn of a screw says what its slide is, and one stop is enough");
+        if (limits.lower && limits.upper && *limits.lower == *limits.upper)
+            return expect_stiffness(fmt::format("the {} has no range between the stops", coordinate));
+        if (limits.lower && *limits.lower > 0.0)
+            context_.add_fault(limits, limits.lower, describe_outside(*limits.lower, "above", coordinate));
+        if (limits.upper && *limits.upper < 0.0)
+            context_.add_fault(limits, limits.upper, describe_outside(*limits.upper, "below", coordinate));
+    }
+
+    static std::string describe_outside(double bound, std::string_view where, std::string_view coordinate) {
+        return fmt::format(
+            "{:.6g} is {} 0, the {} at t = 0, where a stop would jump; expected 0 between the stops, or a "
+            "stiffness",
+            bound,
+            where,
+            coordinate);
     }
 
     const JointTable& given_;

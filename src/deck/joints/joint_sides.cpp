@@ -107,6 +107,15 @@ bool place_apart(const JointTable& given, double size, Joint& joint, const Build
     const double now = (find_place(context.model, *b) - find_place(context.model, *a)).norm();
     const double least = same_place * std::max(size, now);
     joint.length = given.length.value_or(now);
+    joint.pulls_only = given.slack.value_or(false);
+    if (joint.pulls_only && given.length) {
+        if (joint.length >= now - least) return true;
+        context.add_fault(
+            given,
+            given.length,
+            fmt::format("the points are {:.9g} apart at t = 0; expected at least this length", now));
+        return false;
+    }
     if (now <= least) {
         context.add_fault(given,
                           given.between,

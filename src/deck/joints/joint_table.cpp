@@ -103,12 +103,13 @@ const TableSpec& limits_table() {
     return make_table<JointLimitsTable>("limits", []<class T>(Table<T>& table, KeysOf which) {
         // clang-format off
         table
-            .key("lower", &T::lower, "Below it a spring pushes the coordinate up.")
+            .key("lower", &T::lower, "Below it a spring, or a stop, pushes the coordinate up.")
                 .unit(choose(which, "angle", "length")).otherwise("none").also("min minimum from")
-            .key("upper", &T::upper, "Above it a spring pushes the coordinate down.")
+            .key("upper", &T::upper, "Above it a spring, or a stop, pushes the coordinate down.")
                 .unit(choose(which, "angle", "length")).otherwise("none").also("max maximum to")
-            .key("stiffness", &T::stiffness, "Of that spring. Required with a bound.")
-                .unit(choose(which, "moment/angle", "force/length")).above(0).also("k")
+            .key("stiffness", &T::stiffness, "Of that spring.")
+                .unit(choose(which, "moment/angle", "force/length")).above(0)
+                .otherwise("a stop, which holds at the bound and does not rebound").also("k")
             .key("damping", &T::damping, "Of a damper that acts with it.")
                 .unit(choose(which, "moment·time/angle", "force·time/length")).at_least(0).also("c d");
         // clang-format on
@@ -213,9 +214,13 @@ const TableSpec& joint_table() {
             .unit("1").required().remark("the axis that B carries").only_for(types_that(&JointCard::has_axis_b))
         .key("lead", &T::lead, "Of a screw: the slide along the axis in one turn; negative if left-handed.")
             .unit("length").required().remark("the slide in one turn").only_for(types_that(has_lead)).also("pitch")
-        .key("length", &T::length, "Of a distance: that of the points, for a check of where they are.")
+        .key("length", &T::length, "Of a distance: that of the points, for a check of where they are; if it can be "
+             "slack, the largest one.")
             .unit("length").above(0).otherwise("as it is at t = 0").only_for(types_that(is_at_two_places))
             .also("distance l l0")
+        .key("slack", &T::slack, "Of a distance: holds only where the points would be further apart than `length`, as a rope "
+             "does. When it becomes taut it does not rebound.")
+            .otherwise("false").only_for(types_that(is_at_two_places)).also("rope tension_only pulls_only cable")
         .key("move", &T::move, "A motor: the coordinate since t = 0. It is 0 at t = 0 in a dynamic analysis. A turn "
              "is the right-hand one of B against A, a slide that of B along the axis.")
             .unit("angle or length").otherwise("free").only_for(types_that(has_free_coordinate))
@@ -229,7 +234,7 @@ const TableSpec& joint_table() {
             .has_as("spring.damping", "damping damper c")
         .key("friction", &T::friction, friction_table(), "Dry friction of the coordinate.")
             .only_for(types_that(has_free_coordinate))
-        .key("limits", &T::limits, limits_table(), "Springs at the ends of a coordinate's range.")
+        .key("limits", &T::limits, limits_table(), "Springs or stops at the ends of a coordinate's range.")
             .only_for(types_that(has_free_coordinate)).also("limit stops stop range bounds")
         .with(add_holding_keys)
         .with(add_copies<T>)

@@ -104,6 +104,10 @@ bool has_joint_friction(const Model& model) {
     return any_coordinate(model, [](const JointCoordinate& one) { return one.friction.acts(); });
 }
 
+bool has_stops(const Model& model) {
+    return std::ranges::any_of(model.joints, [](const Joint& joint) { return joint.has_stops(); });
+}
+
 bool has_breaking_joint(const Model& model) {
     return std::ranges::any_of(model.joints, [](const Joint& joint) { return joint.strength.is_limited(); });
 }

@@ -163,5 +163,7 @@ bool has_joint_friction(const Model& model);
 // Returns whether a motor, a drive or the rest of a spring can move a coordinate of a joint or sleeve.
 bool has_joint_drive(const Model& model);
 bool has_breaking_joint(const Model& model);
+// Returns whether a joint has equations that hold on one side only.
+bool has_stops(const Model& model);
 
 }  // namespace gxrod

@@ -34,7 +34,11 @@ struct StagesOfStep {
     }
     // Returns the request for tangents, all of whose equations are by positions; rows of residuals are
     // converted to these.
-    ConstraintRequest tangent_request() const { return {ConstraintLevel::position, span()}; }
+    ConstraintRequest tangent_request() const {
+        ConstraintRequest request{ConstraintLevel::position, span()};
+        if (!asks_for_positions) request.stops = StopChoice::as_before;
+        return request;
+    }
     // Computes, to first order, by how much positions would miss the equations of joints to give these rows.
     std::vector<std::vector<double>> convert_rows(const std::vector<Residual>& residuals) const;
 

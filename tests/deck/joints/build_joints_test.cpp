@@ -342,9 +342,15 @@ TEST_CASE("Frictions and limits that cannot be are errors", "[deck][joint]") {
           "force");
     CHECK(hinge("limits = { lower = 2, upper = 1, stiffness = 1 }\n") ==
           "x.toml:25:20: joint.j.limits.lower: 2 is above upper, 1");
-    CHECK(
-        hinge("limits = { lower = 0 }\n") ==
-        "x.toml:25:10: joint.j.limits.stiffness: missing; expected a number greater than 0 or an expression");
+    CHECK(hinge("limits = { lower = 0 }\n").empty());
+    CHECK_THAT(hinge("limits = { lower = 0.2, upper = 1 }\n"),
+               Contains("joint.j.limits.lower: 0.2 is above 0, the turn at t = 0, where a stop would jump"));
+    CHECK_THAT(hinge("limits = { upper = -0.2 }\n"), Contains("joint.j.limits.upper: -0.2 is below 0"));
+    CHECK_THAT(hinge("limits = { lower = 0, upper = 0 }\n"),
+               Contains("joint.j.limits.stiffness: missing; the turn has no range between the stops"));
+    CHECK_THAT(hinge("move = \"t^2\"\nlimits = { upper = 1 }\n"),
+               Contains("joint.j.limits.stiffness: missing; `move` says what the turn is"));
+    CHECK_THAT(hinge("limits = { upper = 1, damping = 1 }\n"), Contains("a stop has no damping"));
     CHECK(hinge("spring = { rest = 1 }\n")
               .starts_with("x.toml:25:10: joint.j.spring: missing; expected stiffness or damping"));
 }
@@ -475,6 +481,29 @@ TEST_CASE("A sleeve slides along a rod that is one line", "[deck][joint][sleeve]
 TEST_CASE("A joint's name is no point's", "[deck][joint]") {
     CHECK(faults_of(parts + "[joint.b]\ntype = \"ball\"\nbetween = [\"b\", \"r.end\"]\n") ==
           "x.toml:21:1: joint.b: body.b has this name too, and points go by it");
+}
+
+TEST_CASE("A distance that can be slack is at most its length", "[deck][joint]") {
+    const auto rope = [](const std::string& keys) {
+        return "type = \"distance\"\nbetween = [\"ground\", \"b\"]\nat_a = [0, 0, 0]\n" + keys;
+    };
+    const Joint built = read_joint(rope("length = 3\nslack = true\n"));
+    CHECK(built.pulls_only);
+    CHECK(built.length == 3.0);
+    CHECK(read_joint(rope("slack = true\n")).length == 2.0);
+    CHECK_FALSE(read_joint(rope("")).pulls_only);
+    CHECK_THAT(faults(rope("length = 1\nslack = true\n")),
+               Contains("joint.j.length: the points are 2 apart at t = 0; expected at least this length"));
+    CHECK_THAT(faults(from_ground("ball") + "slack = true\n"), Contains("does not use this key"));
+    const std::string analysis =
+        "[analysis]\nkind = \"dynamic\"\nend_time = 1\ntime_step = 0.1\nintegrator = "
+        "\"runge-kutta-4\"\n";
+    std::string deck = parts.substr(0, parts.find("[analysis]")) +
+                       parts.substr(parts.find("[", parts.find("[analysis]") + 1)) + analysis;
+    CHECK_THAT(faults_of(deck + joint(rope("slack = true\n"))),
+               Contains("joint.j.slack: a joint cannot become taut in runge-kutta-4, an explicit scheme"));
+    CHECK_THAT(faults_of(deck + joint(from_ground("hinge") + "axis = [0, 0, 1]\nlimits = { upper = 1 }\n")),
+               Contains("joint.j.limits: without stiffness they cannot begin to hold in runge-kutta-4"));
 }
 
 }  // namespace gxrod::test
