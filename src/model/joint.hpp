@@ -111,6 +111,7 @@ struct Sleeve {
     Anchor point;        // B
     double place = 0.0;  // arc length at t = 0
     JointCoordinate slide = {};
+    bool holds_turn = false;  // whether B does not turn against the rod's section where it is
 };
 
 }  // namespace gxrod

@@ -45,7 +45,7 @@ WideGradient compute_slide_gradient(const Model& model, int sleeve) {
     moved.sleeves[static_cast<std::size_t>(sleeve)].slide.motion = TimeFunction(0.0);
     const SleeveRows rows(moved, moved.sleeves[static_cast<std::size_t>(sleeve)]);
     WideGradient gradient = compute_start_gradient(moved, rows);
-    gradient.rows = gradient.rows.bottomRows(1).eval();
+    gradient.rows = gradient.rows.middleRows(SleeveMotion::slide, 1).eval();
     return gradient;
 }
 

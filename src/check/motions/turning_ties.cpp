@@ -132,8 +132,10 @@ Cause find_cause(const Model& model, const Gear& gear) {
 }
 
 Cause find_cause(const Sleeve& sleeve, const TurningFrame& frame) {
-    if (!sleeve.point.is_ground() || is_on_axis(sleeve.point.arm, frame)) return {};
-    return off_axis;
+    if (!sleeve.point.is_ground()) return {};
+    if (sleeve.holds_turn)
+        return {"holds the turn about the axis against the ground", "Leave out turn = false"};
+    return is_on_axis(sleeve.point.arm, frame) ? Cause{} : off_axis;
 }
 
 Cause find_cause(const Model& model, const Tie& tie, const TurningFrame& frame) {

@@ -90,13 +90,14 @@ std::string describe_joint(const Model& model, const Joint& joint) {
 
 std::string describe_sleeve(const Model& model, const Sleeve& sleeve) {
     const Rod& rod = model.rods[sleeve.rod];
-    return fmt::format("joint {}: sleeve at {} between rod {}, {:.6g} of {:.6g} along it, and {}{}\n",
+    return fmt::format("joint {}: sleeve at {} between rod {}, {:.6g} of {:.6g} along it, and {}{}{}\n",
                        sleeve.name,
                        in_parentheses(find_place(model, sleeve.point)),
                        rod.name,
                        sleeve.place,
                        rod.length,
                        name_side(model, sleeve.point),
+                       sleeve.holds_turn ? ", which does not turn against the section" : "",
                        describe_actions("slide", sleeve.slide));
 }
 

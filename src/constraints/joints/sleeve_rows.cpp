@@ -38,7 +38,49 @@ SleeveRows::SleeveRows(const Model& model, const Sleeve& sleeve)
       name_("joint " + sleeve.name),
       rod_(&model.rods[sleeve.rod]),
       nodes_(rod_->nodes),
-      line_(arc_lengths_of_nodes(*rod_)) {}
+      line_(arc_lengths_of_nodes(*rod_)) {
+    if (!sleeve.holds_turn) return;
+    const SmoothLine::Piece& piece = line_.pieces()[static_cast<std::size_t>(line_.find_piece(sleeve.place))];
+    const auto weights = piece.compute_weights<1>(sleeve.place);
+    Mat3 section = Mat3::Zero();
+    for (int i = 0; i < piece.count; ++i)
+        section +=
+            weights[0][static_cast<std::size_t>(i)] * rod_->triad_at(piece.first + i).toRotationMatrix();
+    turn_axes_ = find_turn_axes(section);
+}
+
+SleeveTurn SleeveRows::find_turn(const Situation& at, const WidePlace& place, ConstraintLevel level) const {
+    std::vector<SleeveTurn::Carrier> nodes;
+    for (int i = 0; i < at.points.piece->count; ++i) {
+        const int position = first_node(at) + i;
+        nodes.push_back(
+            carry_axes(&place.nodes[nodes_[position]], rod_->triad_at(position).toRotationMatrix()));
+    }
+    const NodeMotion* b = has_node() ? &place.nodes[sleeve_->point.node] : nullptr;
+    const ScalarJet slide = at.motion().compute_jets(level)[SleeveMotion::slide];
+    return {*at.points.piece, slide, std::move(nodes), carry_axes(b, turn_axes_)};
+}
+
+Eigen::RowVectorXd SleeveRows::compute_place_gradient(const Situation& at, const WidePlace& place) const {
+    const SleeveMotion::Gradient gradient = at.motion().compute_gradient();
+    return pull_back(at, place, gradient.row(SleeveMotion::slide).transpose()).transpose();
+}
+
+// By the changes of s, ṡ and s̈, and of what nodes carry.
+Eigen::MatrixXd SleeveRows::compute_turn_change(const Situation& at,
+                                                const WidePlace& place,
+                                                const std::vector<NodeLinearization>& linearizations) const {
+    const int points = at.points.unknowns();
+    SleeveMotion::Change change = SleeveMotion::Change::Zero(SleeveMotion::function_count, 3 * points);
+    change.row(0).head(points) = at.motion().compute_gradient().row(SleeveMotion::slide);
+    change.row(1) = at.motion().compute_change(ConstraintLevel::velocity).row(SleeveMotion::slide);
+    change.row(2) = at.motion().compute_change(ConstraintLevel::acceleration).row(SleeveMotion::slide);
+    const Eigen::MatrixXd of_nodes = pull_back_change(at, place, change, linearizations);
+    std::vector<const NodeLinearization*> of_node;
+    for (const int node : list_nodes(place)) of_node.push_back(&linearizations[node]);
+    return find_turn(at, place, ConstraintLevel::acceleration)
+        .compute_acceleration_derivative({of_nodes.row(0), of_nodes.row(1), of_nodes.row(2)}, of_node);
+}
 
 std::vector<std::vector<int>> SleeveRows::list_groups() const {
     const int owner = has_node() ? sleeve_->point.node : nodes_.front();
@@ -121,7 +163,12 @@ Eigen::VectorXd SleeveRows::compute_values(const WidePlace& place,
     const Situation at = find_situation(place);
     const SleeveMotion::Functions functions = at.motion().compute_jets(level);
     Eigen::VectorXd values(count());
-    for (int row = 0; row < count(); ++row) values[row] = at_level(functions[row], level);
+    for (int row = 0; row < lengths(); ++row) values[row] = at_level(functions[row], level);
+    if (sleeve_->holds_turn) {
+        const SleeveTurn::Rows turns = find_turn(at, place, level).compute_jets();
+        for (int row = 0; row < SleeveTurn::row_count; ++row)
+            values[lengths() + row] = at_level(turns[static_cast<std::size_t>(row)], level);
+    }
     if (!sleeve_->slide.motion) return values;
     const PrescribedCoordinate motor = compute_motor(sleeve_->slide.motion, place.time, step, level);
     values[SleeveMotion::slide] -= at_level({motor.value, motor.rate, motor.acceleration}, level);
@@ -150,8 +197,12 @@ Eigen::MatrixXd SleeveRows::compute_gradient(const WidePlace& place) const {
     const Situation at = find_situation(place);
     const SleeveMotion::Gradient gradient = at.motion().compute_gradient();
     Eigen::MatrixXd of_nodes(count(), unknowns(at));
-    for (int row = 0; row < count(); ++row)
+    for (int row = 0; row < lengths(); ++row)
         of_nodes.row(row) = pull_back(at, place, gradient.row(row).transpose()).transpose();
+    if (sleeve_->holds_turn)
+        of_nodes.bottomRows<SleeveTurn::row_count>() =
+            find_turn(at, place, ConstraintLevel::position)
+                .compute_gradient(compute_place_gradient(at, place));
     return of_nodes;
 }
 
@@ -191,13 +242,17 @@ Eigen::MatrixXd SleeveRows::compute_acceleration_derivative(
     const WidePlace& place, const std::vector<NodeLinearization>& linearizations) const {
     const Situation at = find_situation(place);
     const SleeveMotion::Change change = at.motion().compute_change(ConstraintLevel::acceleration);
-    return pull_back_change(at, place, change, linearizations).topRows(count());
+    Eigen::MatrixXd of_nodes(count(), unknowns(at));
+    of_nodes.topRows(lengths()) = pull_back_change(at, place, change, linearizations).topRows(lengths());
+    if (sleeve_->holds_turn)
+        of_nodes.bottomRows<SleeveTurn::row_count>() = compute_turn_change(at, place, linearizations);
+    return of_nodes;
 }
 
 // A motor's multiplier acts along the line, as laws do.
 SleeveMotion::Weights SleeveRows::weigh(const Eigen::VectorXd& multipliers) const {
     SleeveMotion::Weights weights = SleeveMotion::Weights::Zero();
-    weights.head(multipliers.size()) = multipliers;
+    weights.head(lengths()) = multipliers.head(lengths());
     return weights;
 }
 
@@ -222,7 +277,14 @@ Eigen::MatrixXd SleeveRows::pull_back_hessian(const Situation& at,
 
 Eigen::MatrixXd SleeveRows::compute_force_derivative(const WidePlace& place,
                                                      const Eigen::VectorXd& multipliers) const {
-    return pull_back_hessian(find_situation(place), place, weigh(multipliers));
+    const Situation at = find_situation(place);
+    SleeveMotion::Weights weights = weigh(multipliers);
+    if (!sleeve_->holds_turn) return pull_back_hessian(at, place, weights);
+    const SleeveTurn turn = find_turn(at, place, ConstraintLevel::position);
+    const Vec3 moments = multipliers.tail<SleeveTurn::row_count>();
+    weights[SleeveMotion::slide] += turn.compute_push(moments);
+    return pull_back_hessian(at, place, weights) +
+           turn.compute_force_derivative(moments, compute_place_gradient(at, place));
 }
 
 CoordinateForce SleeveRows::compute_law(const Situation& at, const WidePlace& place) const {
@@ -238,6 +300,9 @@ Vec3 SleeveRows::compute_force_on_point(const Situation& at,
                                         const Eigen::VectorXd& multipliers) const {
     SleeveMotion::Weights weights = weigh(multipliers);
     if (has_laws()) weights[SleeveMotion::slide] += compute_law(at, place).value;
+    if (sleeve_->holds_turn)
+        weights[SleeveMotion::slide] += find_turn(at, place, ConstraintLevel::position)
+                                            .compute_push(multipliers.tail<SleeveTurn::row_count>());
     return at.motion().compute_gradient().leftCols<3>().transpose() * weights;
 }
 
@@ -248,7 +313,13 @@ Eigen::VectorXd SleeveRows::compute_ground_force(const WidePlace& place,
     const Situation at = find_situation(place);
     SleeveMotion::Weights weights = weigh(multipliers);
     if (has_laws()) weights[SleeveMotion::slide] += compute_law(at, place).value;
-    return pull_back(at, place, at.motion().compute_gradient().transpose() * weights);
+    Eigen::VectorXd force = pull_back(at, place, at.motion().compute_gradient().transpose() * weights);
+    if (sleeve_->holds_turn)
+        force += find_turn(at, place, ConstraintLevel::position)
+                     .compute_gradient(compute_place_gradient(at, place))
+                     .transpose() *
+                 multipliers.tail<SleeveTurn::row_count>();
+    return force;
 }
 
 bool SleeveRows::has_laws() const { return is_acted_on(sleeve_->slide); }
@@ -367,7 +438,13 @@ JointValues SleeveRows::compute_joint_values(const WidePlace& place,
     values.slide = slide.value;
     values.slide_rate = slide.rate;
     values.force = compute_force_on_point(at, place, multipliers);
-    values.force_in_joint = compute_force_axes(at, place.nodes).transpose() * values.force;
+    const Mat3 axes = compute_force_axes(at, place.nodes);
+    values.force_in_joint = axes.transpose() * values.force;
+    if (sleeve_->holds_turn) {
+        values.moment = find_turn(at, place, ConstraintLevel::position)
+                            .compute_moment(multipliers.tail<SleeveTurn::row_count>());
+        values.moment_in_joint = axes.transpose() * values.moment;
+    }
     values.drive_slide =
         sleeve_->slide.motion ? multipliers[SleeveMotion::slide] : sleeve_->slide.drive(place.time);
     values.friction =

@@ -5,21 +5,22 @@
 
 #include "constraints/joints/joint_force.hpp"
 #include "constraints/joints/sleeve_motion.hpp"
+#include "constraints/joints/sleeve_turn.hpp"
 #include "constraints/joints/wide_rows.hpp"
 #include "model/model.hpp"
 
 namespace gxrod {
 
 // The equations of a sleeve, docs/theory/joints.md (J25) to (J28): b₁ · d = b₂ · d = 0, so that B's point is
-// on the rod's line, and for a motor s − s₀ = f(t). b₁ and b₂ lie across the line at the sleeve's place in
-// the last accepted step.
+// on the rod's line, for a motor s − s₀ = f(t), and three of SleeveTurn if B does not turn. b₁ and b₂ lie
+// across the line at the sleeve's place in the last accepted step.
 class SleeveRows : public WideRows {
   public:
     SleeveRows(const Model& model, const Sleeve& sleeve);
 
     const std::string& name() const override { return name_; }
-    int count() const override { return sleeve_->slide.motion ? 3 : 2; }
-    bool is_length(int /*row*/) const override { return true; }
+    int count() const override { return lengths() + (sleeve_->holds_turn ? SleeveTurn::row_count : 0); }
+    bool is_length(int row) const override { return row < lengths(); }
     std::vector<std::vector<int>> list_groups() const override;
     std::vector<int> list_nodes(const WidePlace& place) const override;
 
@@ -72,6 +73,8 @@ class SleeveRows : public WideRows {
         SleeveMotion motion() const { return {points, place, across}; }
     };
 
+    // The number of equations that are lengths; those of the turn follow.
+    int lengths() const { return sleeve_->slide.motion ? 3 : 2; }
     bool has_node() const { return !sleeve_->point.is_ground(); }
     // The number of unknowns of the nodes that the equations couple.
     int unknowns(const Situation& at) const { return 6 * (at.points.piece->count + (has_node() ? 1 : 0)); }
@@ -91,6 +94,13 @@ class SleeveRows : public WideRows {
                                 const WidePlace& place,
                                 const Eigen::VectorXd& multipliers) const;
 
+    // The turn of B, with the rates of its place that the level needs.
+    SleeveTurn find_turn(const Situation& at, const WidePlace& place, ConstraintLevel level) const;
+    Eigen::RowVectorXd compute_place_gradient(const Situation& at, const WidePlace& place) const;
+    Eigen::MatrixXd compute_turn_change(const Situation& at,
+                                        const WidePlace& place,
+                                        const std::vector<NodeLinearization>& linearizations) const;
+
     // Take forces, and derivatives, from the points' positions to the nodes' unknowns.
     Eigen::VectorXd pull_back(const Situation& at,
                               const WidePlace& place,
@@ -108,6 +118,7 @@ class SleeveRows : public WideRows {
     const Rod* rod_;
     std::vector<int> nodes_;  // nodes of the rod, from start to end
     SmoothLine line_;
+    Mat3 turn_axes_ = Mat3::Identity();  // of B at t = 0, if it does not turn
 };
 
 }  // namespace gxrod

@@ -95,6 +95,7 @@ class SleeveBuilder {
         const std::optional<Anchor> anchor = find_anchor(given_, given_.between[1], given_.at, context_);
         if (!anchor) return std::nullopt;
         Sleeve sleeve{.name = given_.name, .rod = static_cast<int>(*index), .point = *anchor};
+        sleeve.holds_turn = !given_.turn.value_or(true);
         const Rod& rod = context_.model.rods[*index];
         if (!is_line(rod)) {
             add_fault(fmt::format(

@@ -129,8 +129,9 @@ const TableSpec& break_table() {
     return table;
 }
 
+bool is_sleeve(const JointCard& card) { return card.kind == JointKind::sleeve; }
 bool is_generic(const JointCard& card) { return card.kind == JointKind::generic; }
-bool is_between_nodes(const JointCard& card) { return card.kind != JointKind::sleeve; }
+bool is_between_nodes(const JointCard& card) { return !is_sleeve(card); }
 bool holds_anything(const JointCard& card) { return is_between_nodes(card) && card.kind != JointKind::free; }
 bool is_at_two_places(const JointCard& card) { return !card.is_at_one_place; }
 bool has_free_coordinate(const JointCard& card) { return card.has_turn || card.has_slide; }
@@ -221,10 +222,13 @@ const TableSpec& joint_table() {
         .key("slack", &T::slack, "Of a distance: holds only where the points would be further apart than `length`, as a rope "
              "does. When it becomes taut it does not rebound.")
             .otherwise("false").only_for(types_that(is_at_two_places)).also("rope tension_only pulls_only cable")
+        .key("turn", &T::turn, "Of a sleeve: whether the point turns as it likes. false: it does not turn against the rod's "
+             "section at the place where it is.")
+            .otherwise("true").only_for(types_that(is_sleeve)).also("turns rotates rotation_free")
         .key("move", &T::move, "A motor: the coordinate since t = 0. It is 0 at t = 0 in a dynamic analysis. A turn "
              "is the right-hand one of B against A, a slide that of B along the axis.")
             .unit("angle or length").otherwise("free").only_for(types_that(has_free_coordinate))
-            .also("motor motion prescribed angle turn rotation displacement slide")
+            .also("motor motion prescribed angle rotation displacement slide")
         .key("drive", &T::drive, "Moment, or force, that A exerts on B along the axis.")
             .unit("moment or force").otherwise("0").only_for(types_that(has_free_coordinate))
             .also("actuator torque force moment motor_torque")

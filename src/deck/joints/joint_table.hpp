@@ -44,7 +44,7 @@ struct JointTable : ActingTable {
     std::optional<WordList> holds;
     double lead = 0.0;
     std::optional<double> length;
-    std::optional<bool> slack;
+    std::optional<bool> slack, turn;
     std::optional<CoordinateFunctions> move, drive;
     std::optional<CoordinateTable<JointSpringTable>> spring;
     std::optional<CoordinateTable<JointFrictionTable>> friction;

@@ -87,7 +87,9 @@ bool have_same_mesh(const Model& before, const Model& now) {
     const auto same_joint = [&](const Joint& a, const Joint& b) {
         return a.kind == b.kind && a.a.axes == b.a.axes && a.b.axes == b.b.axes;
     };
-    const auto same_sleeve = [](const Sleeve& a, const Sleeve& b) { return a.rod == b.rod; };
+    const auto same_sleeve = [](const Sleeve& a, const Sleeve& b) {
+        return a.rod == b.rod && a.holds_turn == b.holds_turn;
+    };
     const auto same_tendon = [&](const Tendon& a, const Tendon& b) {
         return a.name == b.name && a.winch.has_value() == b.winch.has_value() &&
                a.friction.has_value() == b.friction.has_value();

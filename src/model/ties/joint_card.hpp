@@ -77,7 +77,7 @@ inline constexpr std::array<JointCard, 12> joint_cards{
       .summary = ", held along and about {held} of the axes with x {axis},"},
      {.kind = JointKind::sleeve,
       .word = "sleeve",
-      .leaves_free = "all turns, slide along the rod",
+      .leaves_free = "slide along the rod, all turns unless turn = false",
       .has_slide = true}}};
 
 constexpr const JointCard& card_of(JointKind kind) { return joint_cards[static_cast<std::size_t>(kind)]; }

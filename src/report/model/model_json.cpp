@@ -80,7 +80,7 @@ Json describe_sleeve(const Model& model, const Sleeve& sleeve, const NodeNumbers
     const JointCard& card = card_of(JointKind::sleeve);
     return {{"name", sleeve.name},
             {"type", std::string(card.word)},
-            {"leaves_free", std::string(card.leaves_free)},
+            {"leaves_free", sleeve.holds_turn ? "slide along the rod" : "all turns, slide along the rod"},
             {"ends", describe_ends(sleeve.point, sleeve.point, number)},
             {"axes", to_json(Quat(Quat::Identity()))},
             {"moved", sleeve.slide.motion.has_value()},

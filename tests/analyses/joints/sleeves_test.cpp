@@ -256,3 +256,162 @@ TEST_CASE("An eye's force is given along the rod, and across it in the axes of t
     CHECK(own[1] == Approx(0.6 * global[1] + 0.8 * global[2]).epsilon(1e-4));
     CHECK(own[2] == Approx(-0.8 * global[1] + 0.6 * global[2]).epsilon(1e-4));
 }
+
+namespace {
+
+// A cantilever of a bent section; a body at its middle node, which a moment turns.
+const std::string carrier = R"deck(
+[section.s]
+stiffness = { EA = 1e5, GAy = 4e4, GAz = 4e4, GJ = 30, EIy = 40, EIz = 60 }
+inertia = { rhoA = 1, rhoIy = 0.01, rhoIz = 0.01 }
+[rod.bar]
+section = "s"
+line = { from = [0, 0, 0], to = [2, 0, 0] }
+elements = 6
+order = 2
+[[support]]
+at = "bar.start"
+fix = "all"
+[body.block]
+mass = 0.5
+inertia = [0.02, 0.03, 0.04]
+at = [1, 0, 0]
+[[load]]
+at = "block"
+force = [3, 4, -8]
+moment = [5, -7, 9]
+[[load]]
+at = "bar.end"
+force = [0, 6, 2]
+[joint.collar]
+between = BETWEEN
+TYPE
+[[history]]
+name = "tip"
+at = "bar.end"
+quantities = ["displacement"]
+[[history]]
+name = "block"
+at = "block"
+quantities = ["displacement", "rotation_vector"]
+[[history]]
+name = "collar"
+at = "collar"
+quantities = ["force", "moment"]
+)deck";
+
+// The angle after this time of θ'' = −k sin θ from rest, by Runge and Kutta's method.
+double swing_freely(double angle, double k, double time) {
+    constexpr int steps = 4000;
+    const double h = time / steps;
+    std::array<double, 2> y{angle, 0.0};
+    const auto rate = [&](const std::array<double, 2>& at, double part, const std::array<double, 2>& by) {
+        return std::array{at[1] + part * h * by[1], -k * std::sin(at[0] + part * h * by[0])};
+    };
+    for (int i = 0; i < steps; ++i) {
+        const auto k1 = rate(y, 0.0, {0.0, 0.0}), k2 = rate(y, 0.5, k1), k3 = rate(y, 0.5, k2),
+                   k4 = rate(y, 1.0, k3);
+        for (std::size_t j = 0; j < 2; ++j) y[j] += h / 6.0 * (k1[j] + 2.0 * k2[j] + 2.0 * k3[j] + k4[j]);
+    }
+    return y[0];
+}
+
+std::string carrier_with(const std::string& between, const std::string& type, const std::string& analysis) {
+    return replaced(replaced(carrier, "BETWEEN", between), "TYPE", type) + analysis;
+}
+
+}  // namespace
+
+// At a node the line and the section's axes are the node's: a collar that does not slide is a weld there.
+TEST_CASE("A sleeve that neither slides nor turns is a weld", "[analyses][joints][sleeve]") {
+    const std::string statics = "[analysis]\nkind = \"static\"\nsteps = 4\n";
+    const std::string dynamics =
+        "[analysis]\nkind = \"dynamic\"\nend_time = 0.2\ntime_step = 0.005\nintegrator = \"sdirk-4\"\n";
+    for (const std::string& analysis : {statics, dynamics}) {
+        const Motion sleeve(
+            carrier_with("[\"bar\", \"block\"]", "type = \"sleeve\"\nturn = false\nmove = 0\n", analysis));
+        const Motion weld(carrier_with("[\"bar@0.5\", \"block\"]", "type = \"weld\"\n", analysis));
+        for (const char* name :
+             {"tip/displacement", "block/displacement", "block/rotation_vector", "collar/moment"}) {
+            INFO(name);
+            const double end = analysis == statics ? 1.0 : 0.2;
+            const Motion::Row one = sleeve.at(end, name), other = weld.at(end, name);
+            for (std::size_t i = 0; i < 3; ++i) CHECK(one[i] == Approx(other[i]).epsilon(1e-7).margin(1e-9));
+        }
+    }
+}
+
+// On a straight rod at rest.
+TEST_CASE("A sleeve that does not turn on a rod at rest is a slider", "[analyses][joints][sleeve]") {
+    const std::string loads =
+        "[[load]]\nat = \"bead\"\nforce = [\"0.2*sin(3*t)\", 2, -1]\nmoment = [\"2*t\", 1, "
+        "-3]\n[[history]]\nname = "
+        "\"held\"\nat = \"sleeve\"\nquantities = [\"moment\"]\n";
+    const std::string sleeve =
+        replaced(resting_rod, "type = \"sleeve\"", "type = \"sleeve\"\nturn = false") + loads;
+    std::string slider =
+        replaced(resting_rod, "type = \"sleeve\"", "type = \"slider\"\naxis = [1, 0, 0]") + loads;
+    slider = replaced(slider, "[\"bar\", \"bead\"]", "[\"ground\", \"bead\"]");
+    for (const std::string& scheme : schemes) {
+        INFO(scheme);
+        const Motion one(sleeve, with(scheme, "0.02")), other(slider, with(scheme, "0.02"));
+        for (const char* name : {"sleeve/slide", "sleeve/slide_rate", "held/moment"}) {
+            INFO(name);
+            const Motion::Row a = one.at(2.0, name), b = other.at(2.0, name);
+            for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i] == Approx(b[i]).epsilon(1e-9).margin(1e-9));
+        }
+    }
+}
+
+// A stiff, light half ring of radius 1 hangs from both ends; a collar slides on it from an angle of 1 rad off
+// its lowest point. If it turns with the ring it is a pendulum of the inertia m R² + J, otherwise of m R².
+TEST_CASE("A collar that does not turn on a ring turns with it", "[analyses][joints][sleeve]") {
+    const std::string ring = R"deck(gravity = [0, 0, -9.81]
+[section.s]
+stiffness = { EA = 1e8, GAy = 1e8, GAz = 1e8, GJ = 1e8, EIy = 1e8, EIz = 1e8 }
+inertia = { rhoA = 1e-3, rhoIy = 1e-5, rhoIz = 1e-5 }
+[rod.ring]
+section = "s"
+arc = { from = [-1, 0, 0], through = [0, 0, -1], to = [1, 0, 0] }
+elements = 16
+order = 3
+[[support]]
+at = "ring.start"
+fix = "all"
+[[support]]
+at = "ring.end"
+fix = "all"
+[body.block]
+mass = 2
+inertia = [0.9, 1.5, 0.7]
+at = [0.8414709848078965, 0, -0.5403023058681398]
+[joint.collar]
+type = "sleeve"
+between = ["ring", "block"]
+turn = TURN
+[analysis]
+kind = "dynamic"
+integrator = "sdirk-4"
+end_time = 1
+time_step = 0.01
+[[history]]
+name = "block"
+at = "block"
+quantities = ["position", "rotation_vector"]
+[[history]]
+name = "collar"
+at = "collar"
+quantities = ["slide", "gap"]
+)deck";
+    for (const bool turns : {true, false}) {
+        INFO(turns);
+        const Motion motion(replaced(ring, "TURN", turns ? "true" : "false"));
+        const double angle = swing_freely(1.0, 2.0 * 9.81 / (turns ? 2.0 : 3.5), 1.0);
+        const Motion::Row at = motion.at(1.0, "block/position");
+        CHECK(std::atan2(at[0], -at[2]) == Approx(angle).epsilon(1e-5));
+        CHECK(std::hypot(at[0], at[2]) == Approx(1.0).epsilon(1e-5));
+        const Motion::Row turn = motion.at(1.0, "block/rotation_vector");
+        CHECK(std::abs(turn[1]) == Approx(turns ? 0.0 : std::abs(angle - 1.0)).epsilon(1e-4).margin(1e-8));
+        CHECK(motion.largest("/histories/collar/gap") < 1e-9);
+    }
+}

@@ -26,7 +26,7 @@ struct SleeveSample {
 };
 
 // A rod of nodes 0 to 7 along x, in unequal elements; the point is carried by node 8, or by the ground.
-SleeveSample make_sample(bool is_on_ground, bool has_motor) {
+SleeveSample make_sample(bool is_on_ground, bool has_motor, bool holds_turn = false) {
     RandomValues random(77);
     SleeveSample sample;
     Rod rod;
@@ -36,11 +36,15 @@ SleeveSample make_sample(bool is_on_ground, bool has_motor) {
         rod.nodes.push_back(i);
         arc_lengths.push_back(0.4 * i + 0.05 * (i % 3));
     }
-    set_line_elements(rod, arc_lengths, std::vector<Quat>(rod_nodes, Quat::Identity()));
+    std::vector<Quat> triads(rod_nodes, Quat::Identity());
+    for (int i = 0; i < rod_nodes && holds_turn; ++i)
+        triads[static_cast<std::size_t>(i)] = exp_quaternion(0.2 * i * Vec3(0.3, -0.2, 0.5));
+    set_line_elements(rod, arc_lengths, triads);
     sample.model.rods.push_back(rod);
     Sleeve sleeve;
     sleeve.name = "sleeve";
     sleeve.place = 1.5;
+    sleeve.holds_turn = holds_turn;
     if (is_on_ground)
         sleeve.point.arm = Vec3(1.42, 0.1, -0.05);
     else
@@ -68,14 +72,17 @@ SleeveSample make_sample(bool is_on_ground, bool has_motor) {
     return sample;
 }
 
-// Calls check(sample, rows) with and without a motor, on a body and on the ground.
+// Calls check(sample, rows) with and without a motor, on a body and on the ground, free to turn or not.
 template <class Check>
 void for_each_sleeve(Check&& check) {
     for (const bool is_on_ground : {false, true}) {
         for (const bool has_motor : {false, true}) {
-            const SleeveSample sample = make_sample(is_on_ground, has_motor);
-            INFO("on ground " << is_on_ground << ", motor " << has_motor);
-            check(sample, sample.rows());
+            for (const bool holds_turn : {false, true}) {
+                const SleeveSample sample = make_sample(is_on_ground, has_motor, holds_turn);
+                INFO("on ground " << is_on_ground << ", motor " << has_motor << ", holds turn "
+                                  << holds_turn);
+                check(sample, sample.rows());
+            }
         }
     }
 }
@@ -89,7 +96,7 @@ Eigen::MatrixXd differentiate_sleeve(const SleeveSample& sample,
 }
 
 Eigen::VectorXd make_multipliers(const SleeveRows& rows) {
-    return Eigen::Vector3d(0.8, -1.3, 0.6).head(rows.count());
+    return (Vec6() << 0.8, -1.3, 0.6, 0.9, -0.4, 1.1).finished().head(rows.count());
 }
 
 }  // namespace
@@ -107,7 +114,7 @@ TEST_CASE("The gradient of a sleeve is the derivative of its equations", "[const
 TEST_CASE("The equations of a sleeve at each level are the derivatives by time of those before",
           "[constraints][joints][sleeve]") {
     for_each_sleeve([](const SleeveSample& sample, const SleeveRows& rows) {
-        if (rows.count() > 2) return;  // the motor's part is a matter of its time alone
+        if (rows.count() % 3 == 0) return;  // the motor's part is a matter of its time alone
         check_levels(sample.state, [&](const Nodes& nodes, Level level) {
             return rows.compute_values(sample.at(nodes), level, {});
         });
@@ -179,9 +186,29 @@ TEST_CASE("A sleeve's forces on the line and the point are in balance", "[constr
     CHECK(nodes.size() == 7);
 }
 
+// Multipliers of any motion without a change of the equations: none of them does work.
+TEST_CASE("A sleeve that does not turn exerts no moment in all", "[constraints][joints][sleeve]") {
+    const SleeveSample sample = make_sample(false, true, true);
+    const SleeveRows rows = sample.rows();
+    const std::vector<int> nodes = rows.list_nodes(sample.here());
+    const Eigen::VectorXd multipliers =
+        make_multipliers(rows).array() * Eigen::Array<double, 6, 1>(0, 0, 0, 1, 1, 1);
+    const Eigen::VectorXd force = rows.compute_force(sample.here(), multipliers);
+    Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const Vec6 on_node = force.segment<6>(6 * static_cast<Eigen::Index>(i));
+        sum += on_node.head<3>();
+        moment += on_node.tail<3>() +
+                  sample.state.trial[static_cast<std::size_t>(nodes[i])].r.cross(Vec3(on_node.head<3>()));
+    }
+    CHECK(sum.norm() < 1e-14 * force.norm());
+    CHECK(moment.norm() < 1e-14 * force.norm());
+}
+
 TEST_CASE("All that a sleeve on the ground exerts on the rod is the ground's",
           "[constraints][joints][sleeve]") {
-    const SleeveSample sample = make_sample(true, false);
+    const bool holds_turn = GENERATE(false, true);
+    const SleeveSample sample = make_sample(true, false, holds_turn);
     const SleeveRows rows = sample.rows();
     const Eigen::VectorXd multipliers = make_multipliers(rows);
     const Eigen::VectorXd all =
