@@ -342,7 +342,45 @@ Stage SteppedAnalysis::next_stage() const {
 }
 
 EquilibriumReport SteppedAnalysis::solve_trial() {
-    return solve_step({system_, *integrator_, newton_}, next_stage(), workspace_, state_);
+    const auto solve = [&] {
+        return solve_step({system_, *integrator_, newton_}, next_stage(), workspace_, state_);
+    };
+    if (follower_ == nullptr) return solve();
+    constexpr int most_trials = 30;
+    follower_->begin(state_.time, trial_time());
+    int iterations = 0;
+    for (int trial = 0; trial < most_trials; ++trial) {
+        if (trial > 0) undo_trial(state_);
+        system_.forget_loads();
+        EquilibriumReport report = solve();
+        iterations = report.iterations += iterations;
+        if (!report.converged() || !is_to_follow()) return report;
+    }
+    EquilibriumReport report;
+    report.outcome = Outcome::out_of_iterations;
+    report.iterations = iterations;
+    return report;
+}
+
+// Shows the trial to the follower; what is derived of the last accepted state stays.
+bool SteppedAnalysis::is_to_follow() {
+    const double time = trial_time();
+    std::vector<Vec6> reactions = SystemMeasures(system_).compute_reactions(workspace_.residual);
+    std::vector<PointValues> points = SystemValues(system_).compute_point_values(state_, time, watched_);
+    const auto bodies = SystemValues(system_).compute_body_surroundings(state_, time);
+    const auto joints = system_.joints().compute_joint_values(state_, time);
+    const auto tendons = system_.model().tendons.empty()
+                             ? decltype(tendon_values_){}
+                             : SystemValues(system_).compute_tendon_values(state_, time);
+    const TieValues ties = compute_tie_values(system_.model(), state_.trial);
+    Snapshot snapshot{axis_time() + time - state_.time, state_.trial, {}, reactions, points};
+    snapshot.ties = &ties;
+    snapshot.joints = joints;
+    snapshot.bodies = bodies;
+    snapshot.tendons = tendons;
+    contact_record_ = record_contacts(system_, state_, time, watched_contacts_, false);
+    contact_record_.show_in(snapshot);
+    return follower_->follow(snapshot, time);
 }
 
 bool SteppedAnalysis::take_step(EquilibriumReport& report) {

@@ -7,6 +7,7 @@
 #include "analyses/ledger.hpp"
 #include "analyses/path_work.hpp"
 #include "analyses/step_energy.hpp"
+#include "analyses/step_follower.hpp"
 #include "analyses/step_interior.hpp"
 #include "assembly/system.hpp"
 #include "assembly/system_measures.hpp"
@@ -83,6 +84,8 @@ class SteppedAnalysis {
     // Returns the snapshot of the last accepted state; valid until the next step. Sections of all elements
     // are included only if asked for.
     Snapshot snapshot(bool with_elements = true);
+    // Sets what acts by the ends of the steps that are to come, and must outlive them; nullptr: nothing.
+    void follow(StepFollower* follower) { follower_ = follower; }
     // Keeps the steps for whose ends this holds, so that they can be looked into.
     void keep_steps(std::function<bool(double from, double to)> is_wanted) {
         is_wanted_ = std::move(is_wanted);
@@ -143,6 +146,8 @@ class SteppedAnalysis {
     const std::vector<double>& jumps() const { return jumps_; }
     // Finds the trial motions at the end of the next step.
     virtual EquilibriumReport solve_trial();
+    // Whether what follows the steps asks for the trial again.
+    bool is_to_follow();
     // The time of the loads on the trial motions. On a path it is not the end of the step, and at a jump it
     // is just before.
     virtual double trial_time() const { return steps_->next_time(); }
@@ -244,6 +249,7 @@ class SteppedAnalysis {
     TieValues ties_;
     std::vector<TendonValues> tendon_values_;
     ContactRecord contact_record_;
+    StepFollower* follower_ = nullptr;
     std::vector<SectionValues> section_values_;
     std::vector<Vec6> reactions_;
 };

@@ -16,6 +16,11 @@ bool winds_up(const SignalPlan& plan, double output, double error) {
            (plan.lower && output < *plan.lower && error < 0.0);
 }
 
+void check_finite(const SignalPlan& plan, double value, double time) {
+    if (!std::isfinite(value))
+        throw EvaluationError(fmt::format("signal {} is not a finite number at t = {:.6g}", plan.name, time));
+}
+
 }  // namespace
 
 SignalBoard::SignalBoard(const Problem& problem) {
@@ -29,18 +34,18 @@ SignalBoard::SignalBoard(const Problem& problem) {
         signals_, {}, [](const Signal& signal) { return signal.plan->input->signal_rank(); });
 }
 
+double SignalBoard::measure(Signal& signal, const Snapshot& snapshot) {
+    const SignalPlan::Measure& measure = *signal.plan->measure;
+    return signal.watch.front().compute(measure.quantity, snapshot)[measure.column];
+}
+
 void SignalBoard::measure(const Snapshot& snapshot) {
     for (Signal& signal : signals_) {
-        if (signal.watch.empty()) continue;
-        const SignalPlan::Measure& measure = *signal.plan->measure;
-        const HistoryRow row = signal.watch.front().compute(measure.quantity, snapshot);
-        signal.state.measured = row[measure.column];
+        if (!signal.watch.empty()) signal.state.measured = measure(signal, snapshot);
     }
 }
 
-double SignalBoard::compute(Signal& signal, const Times& times) {
-    const SignalPlan& plan = *signal.plan;
-    SignalState& state = signal.state;
+double SignalBoard::compute(const SignalPlan& plan, SignalState& state, const Times& times) {
     const double raw = plan.measure ? state.measured : plan.value(times.stage);
     const bool is_first = state.is_started == 0.0;
     const double elapsed = is_first ? 0.0 : times.axis - state.time;
@@ -55,13 +60,15 @@ double SignalBoard::compute(Signal& signal, const Times& times) {
     if (plan.pid) {
         const PidGains& gains = *plan.pid;
         const double without = gains.proportional * now + gains.derivative * rate;
-        const double integral = state.integral + elapsed * now;
+        const double mean = plan.is_continuous ? 0.5 * (before + now) : now;
+        const double integral = state.integral + elapsed * mean;
         if (!winds_up(plan, without + gains.integral * integral, gains.integral * now))
             state.integral = integral;
         value = without + gains.integral * state.integral;
     }
     if (plan.lower) value = std::max(value, *plan.lower);
     if (plan.upper) value = std::min(value, *plan.upper);
+    state.largest = std::max(state.largest, std::abs(value));
     return value;
 }
 
@@ -74,20 +81,78 @@ void SignalBoard::note_change(Signal& signal, double value) {
     signal.last = value;
 }
 
-void SignalBoard::act(const SteppedAnalysis& analysis, double axis_start) {
+void SignalBoard::act(SteppedAnalysis& analysis, double axis_start) {
     if (signals_.empty()) return;
     const Times times{analysis.state().time, axis_start + analysis.state().time};
     for (Signal& signal : signals_) {
         // Set already, before a step that failed.
         if (signal.state.is_started != 0.0 && signal.state.time == times.axis) continue;
-        const double value = compute(signal, times);
-        if (!std::isfinite(value))
-            throw EvaluationError(fmt::format(
-                "signal {} is not a finite number at t = {:.6g}", signal.plan->name, times.stage));
+        const double value = compute(*signal.plan, signal.state, times);
+        check_finite(*signal.plan, value, times.stage);
+        if (signal.plan->is_continuous) {
+            start_course(signal, value, times.stage);
+            continue;
+        }
         signal.plan->input->set(value, times.stage, analysis.steps().next_time());
         note_change(signal, value);
     }
+    axis_start_ = axis_start;
+    analysis.follow(has_continuous() ? this : nullptr);
     analysis.system().forget_loads();
+}
+
+bool SignalBoard::has_continuous() const {
+    return std::ranges::any_of(signals_, [](const Signal& signal) { return signal.plan->is_continuous; });
+}
+
+// It goes on from where it was, as it went before.
+void SignalBoard::start_course(Signal& signal, double value, double time) {
+    Input& input = *signal.plan->input;
+    const InputState before = input.state();
+    const double length = before.to_time - before.from_time;
+    signal.from = before.is_set != 0.0 ? input(time) : value;
+    signal.slope = before.is_set != 0.0 && length > 0.0 ? (before.to - before.from) / length : 0.0;
+    input.lead(time, signal.from, time, signal.from);
+}
+
+void SignalBoard::begin(double from, double to) {
+    step_from_ = from;
+    for (Signal& signal : signals_) {
+        if (!signal.plan->is_continuous) continue;
+        signal.was_tried = false;
+        signal.plan->input->lead(from, signal.from, to, signal.from + signal.slope * (to - from));
+    }
+}
+
+// By the secant of the last two trials: what a signal is at the end of a step depends on where it goes in it.
+double SignalBoard::choose_end(Signal& signal, double found) {
+    constexpr double least = 0.1;  // of 1 less the slope
+    const double end = signal.plan->input->end();
+    double next = found;
+    if (signal.was_tried && end != signal.tried) {
+        const double slope = (found - signal.found) / (end - signal.tried);
+        if (std::abs(1.0 - slope) > least) next = (found - slope * end) / (1.0 - slope);
+    }
+    signal.was_tried = true;
+    signal.tried = end;
+    signal.found = found;
+    return next;
+}
+
+bool SignalBoard::follow(const Snapshot& trial, double time) {
+    constexpr double tolerated = 1e-10;
+    bool has_changed = false;
+    for (Signal& signal : signals_) {
+        if (!signal.plan->is_continuous) continue;
+        SignalState state = signal.state;
+        if (!signal.watch.empty()) state.measured = measure(signal, trial);
+        const double found = compute(*signal.plan, state, {time, axis_start_ + time});
+        check_finite(*signal.plan, found, time);
+        if (std::abs(found - signal.plan->input->end()) <= tolerated * state.largest) continue;
+        has_changed = true;
+        signal.plan->input->lead(step_from_, signal.from, time, choose_end(signal, found));
+    }
+    return has_changed;
 }
 
 std::vector<SignalState> SignalBoard::states() const {

@@ -347,7 +347,7 @@ bool SteppedRun::take_step() {
 }
 
 void SteppedRun::set_signals() {
-    if (is_timed(stages_->settings())) signals_.act(analysis(), stages_->axis_start());
+    if (is_timed(stages_->settings())) signals_.act(stages_->analysis(), stages_->axis_start());
 }
 
 RestartRecord SteppedRun::restart_record() const {

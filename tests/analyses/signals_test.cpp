@@ -143,3 +143,78 @@ TEST_CASE("Gains that are too high for the steps are warned of", "[analyses][sig
     CHECK_THAT(warnings("0.02"), Contains("signal push goes to and fro from step to step"));
     CHECK(warnings("0.001").find("to and fro") == std::string::npos);
 }
+
+namespace {
+
+// A cart that a signal of its place and speed pushes within each step.
+const std::string steered = R"deck([body.cart]
+mass = 2
+inertia = [1, 1, 1]
+at = [0, 0, 0]
+[joint.rail]
+type = "slider"
+between = ["ground", "cart"]
+axis = [1, 0, 0]
+CONTROL
+[[history]]
+name = "rail"
+at = "rail"
+quantities = ["slide", "slide_rate"]
+[analysis]
+kind = "dynamic"
+end_time = 2
+time_step = STEP
+integrator = "SCHEME"
+)deck";
+
+const std::string signals_of_steering = R"deck(drive = "push"
+[signal.place]
+measure = "rail.slide"
+continuous = true
+[signal.speed]
+measure = "rail.slide_rate"
+continuous = true
+[signal.push]
+value = "8*(1 - place) - 4*speed"
+continuous = true
+start = 8
+)deck";
+
+std::string steer(const std::string& control, const std::string& scheme, const std::string& step) {
+    return replaced(replaced(replaced(steered, "CONTROL", control), "SCHEME", scheme), "STEP", step);
+}
+
+}  // namespace
+
+// A spring and a damper say the same at the ends of steps, where this scheme asks for forces.
+TEST_CASE("A continuous controller is a spring and a damper, step by step", "[analyses][signals]") {
+    const std::string spring = "spring = { stiffness = 8, damping = 4, rest = 1 }\n";
+    const Motion signal(steer(signals_of_steering, "newmark-simplified", "0.02"));
+    const Motion same(steer(spring, "newmark-simplified", "0.02"));
+    for (const double t : {0.02, 0.5, 2.0}) {
+        CHECK(signal.at(t, "rail/slide")[0] == Approx(same.at(t, "rail/slide")[0]).epsilon(1e-8));
+        CHECK(signal.at(t, "rail/slide_rate")[0] ==
+              Approx(same.at(t, "rail/slide_rate")[0]).epsilon(1e-7).margin(1e-8));
+    }
+}
+
+TEST_CASE("Continuous controllers are of the second order in the step", "[analyses][signals]") {
+    const double decay = 1.0, omega = std::sqrt(3.0);
+    const double exact =
+        1.0 - std::exp(-decay * 2.0) * (std::cos(omega * 2.0) + decay / omega * std::sin(omega * 2.0));
+    for (const char* scheme : {"newmark-simplified", "generalized-alpha", "sdirk-4", "radau-5"}) {
+        INFO(scheme);
+        const auto error = [&](const char* step) {
+            return std::abs(Motion(steer(signals_of_steering, scheme, step)).at(2.0, "rail/slide")[0] - exact);
+        };
+        const double coarse = error("0.04"), fine = error("0.02");
+        CHECK(coarse < 2e-3);
+        CHECK(coarse / fine == Approx(4.0).epsilon(0.15));
+    }
+}
+
+TEST_CASE("A run with continuous signals resumes to the last bit", "[analyses][signals]") {
+    const std::string deck = steer(signals_of_steering, "newmark-simplified", "0.02");
+    const Motion whole(deck), resumed(deck, {}, 33);
+    CHECK(resumed.all("/histories/rail/slide") == whole.all("/histories/rail/slide"));
+}

@@ -19,7 +19,7 @@ struct SignalTable : TableHead {
     std::optional<std::string> measure;
     std::optional<CheckedTimeFunction> value;
     std::optional<double> filter, lower, upper;
-    std::optional<bool> rate;
+    std::optional<bool> rate, continuous;
     std::optional<PidTable> pid;
     std::optional<InputHold> hold;
     double start = 0.0;
@@ -70,6 +70,10 @@ class SignalBuilder {
         plan.filter = given_.filter.value_or(0.0);
         plan.is_rate = given_.rate.value_or(false);
         if (given_.pid) plan.pid = {given_.pid->proportional, given_.pid->integral, given_.pid->derivative};
+        plan.is_continuous = given_.continuous.value_or(false);
+        if (plan.is_continuous && given_.hold)
+            context_.add_fault(
+                given_, given_.hold, "a continuous signal goes on a straight line to the end of each step");
         plan.lower = given_.lower;
         plan.upper = given_.upper;
         if (plan.lower && plan.upper && !(*plan.lower < *plan.upper))
@@ -152,6 +156,9 @@ const TableSpec& signal_table() {
         .key("upper", &T::upper, "The signal is at most this.").otherwise("none").also("max maximum")
         .key("hold", &T::hold, "How it goes to its next value. step: at once. linear: on a straight line over the next step.")
             .otherwise("`\"step\"`")
+        .key("continuous", &T::continuous, "true: it acts in the step whose end it measures, on a straight line through "
+             "the step, as an analogue controller does. false: it acts in the next step.")
+            .otherwise("false").also("implicit analog analogue immediate")
         .key("start", &T::start, "What it is at the start, and until the first step of a quasi-static or dynamic stage.")
         .exactly_one_of({"measure", "value"})
         .shown_by(
@@ -169,7 +176,9 @@ const TableSpec& signal_table() {
 void plan_signals(BuildContext& context) {
     for (const SignalTable& given : tables_of<SignalTable>(context.deck, signal_table())) {
         const std::shared_ptr<Input>& input = context.deck.inputs.at(given.name);
-        input->plan(TimeFunction(given.start), given.hold.value_or(InputHold::step));
+        const bool is_linear = given.continuous.value_or(false);
+        input->plan(TimeFunction(given.start),
+                    is_linear ? InputHold::linear : given.hold.value_or(InputHold::step));
         context.model.inputs.push_back(input);
     }
 }

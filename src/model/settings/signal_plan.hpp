@@ -31,6 +31,7 @@ struct SignalPlan {
     TimeFunction value;           // without a measure; of time, inputs and other signals
     double filter = 0.0;          // time constant of a low pass of the first order; 0: none
     bool is_rate = false;         // the rate of change of that
+    bool is_continuous = false;   // follows what it measures within each step, not one step later
     std::optional<PidGains> pid;  // the controller's output, that being the error
     std::optional<double> lower, upper;
 };

@@ -56,6 +56,11 @@ class Input {
         const double from = hold_ == InputHold::linear ? (*this)(time) : value;
         state_ = {1.0, planned_(0.0), time, from, std::max(time, until), value};
     }
+    // Sets its course within a step, a straight line, and returns where that ends.
+    void lead(double time, double from, double until, double to) {
+        state_ = {1.0, planned_(0.0), time, from, until, to};
+    }
+    double end() const { return state_.to; }
     // Restarts at t = 0 of the next stage.
     void begin_stage() {
         if (state_.is_set != 0.0) state_ = {1.0, state_.planned, 0.0, state_.to, 0.0, state_.to};

@@ -43,7 +43,8 @@ void visit_vectors(Row& row, Visitor&& visit) {
         for (auto* number : {&row.is_set, &row.planned, &row.from_time, &row.from, &row.to_time, &row.to})
             visit_vectors(*number, visit);
     } else if constexpr (std::is_same_v<Kind, SignalState>) {
-        for (auto* number : {&row.measured, &row.is_started, &row.time, &row.filtered, &row.integral})
+        for (auto* number :
+             {&row.measured, &row.is_started, &row.time, &row.filtered, &row.integral, &row.largest})
             visit_vectors(*number, visit);
     } else if constexpr (std::is_same_v<Kind, double>) {
         visit(Eigen::Map<std::conditional_t<std::is_const_v<Row>, const Vec1, Vec1>>(&row));

@@ -9,6 +9,7 @@ struct SignalState {
     double time = 0.0;        // when it was set last, on the axis that stages share
     double filtered = 0.0;    // behind the filter, then
     double integral = 0.0;    // of the error, up to then
+    double largest = 0.0;     // its largest size so far
 };
 
 }  // namespace gxrod

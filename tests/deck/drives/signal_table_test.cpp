@@ -89,6 +89,8 @@ TEST_CASE("What is wrong with a signal is reported with its place", "[deck][sign
                Contains("signal.push.lower: expected less than upper, 6"));
     CHECK_THAT(faults_of(replaced(controlled, "value = \"error\"", "value = \"error\"\nrate = true")),
                Contains("a controller has `derivative`"));
+    CHECK_THAT(faults_of(replaced(controlled, "hold = \"linear\"", "hold = \"linear\"\ncontinuous = true")),
+               Contains("signal.push.hold: a continuous signal goes on a straight line"));
 }
 
 }  // namespace gxrod::test
