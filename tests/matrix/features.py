@@ -355,6 +355,19 @@ def hinge_limits(deck, draw):
                  limits={"lower": -0.3, "upper": draw.uniform(0.05, 0.2), "stiffness": 50.0})
 
 
+@feature("root", follows_load=True, kinked=True)
+def stops(deck, draw):
+    put_on_joint(deck, type="hinge", axis=[0, 1, 0], spring={"stiffness": 1.0},
+                 limits={"lower": -0.3, "upper": draw.uniform(0.05, 0.2)})
+
+
+@feature("rope", follows_load=True, kinked=True)
+def rope(deck, draw):
+    deck["joint"] = deck.get("joint", {}) | {"rope": {"type": "distance", "between": ["ground", "beam.end"], "at_a": [1, 0, 1],
+                                                      "length": draw.uniform(1.01, 1.05), "slack": True}}
+    deck["history"].append({"name": "rope", "at": "rope", "quantities": ["force"]})
+
+
 @feature("root")
 def universal(deck, draw):
     put_on_joint(deck, type="universal", axis=[0, 1, 0], axis_b=[0, 0, 1])
@@ -403,6 +416,15 @@ def second_rod(deck, draw):
 def pendulum(deck, draw):
     deck["rod"]["side"] = {"section": "bar", "line": {"from": [1, 0, 0], "to": [1, 0, -0.4]}, "elements": 3, "order": 2}
     deck["joint"] = deck.get("joint", {}) | {"knee": {"type": "ball", "between": ["beam.end", "side.start"]}}
+
+
+@feature("second-rod")
+def collar(deck, draw):
+    """Slides along the beam and does not turn against it."""
+    deck["rod"]["side"] = {"section": "bar", "line": {"from": [0.6, 0, 0], "to": [0.6, 0.2, 0.2]}, "elements": 2, "order": 2}
+    deck["joint"] = deck.get("joint", {}) | {"collar": {"type": "sleeve", "between": ["beam", "side.start"], "turn": False,
+                                                        "spring": {"stiffness": draw.uniform(10, 40)}}}
+    deck["history"].append({"name": "collar", "at": "collar", "quantities": ["slide", "moment"]})
 
 
 # Water, air, ground, contact

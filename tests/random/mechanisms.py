@@ -170,6 +170,7 @@ class Maker:
         line = rod["line"]
         place = line["from"] + draw.uniform(0.4, 0.6) * (line["to"] - line["from"])
         others = [part for part in self.parts if part.name != name]
+        holds_turn = False
         if others and draw.chance(0.5):
             other = draw.pick(others).point(draw)[0]
         elif self.is_floating:
@@ -179,10 +180,13 @@ class Maker:
         else:
             other = self.add_body(90, place).name
             self.parts.append(Part(other, place))
+            holds_turn = draw.chance(0.5)
         stiffness = 30.0 * self.mass / self.time**2
         self.mechanism["joint"]["sleeve"] = {
             "type": "sleeve", "between": [name, other], "at": place,
             "coordinates": {"slide": {"spring": {"stiffness": stiffness}}}}
+        if holds_turn:
+            self.mechanism["joint"]["sleeve"]["turn"] = False
 
     # What acts
 

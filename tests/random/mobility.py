@@ -63,7 +63,8 @@ class Mobility:
         relative = self.relative(joint, joint["at"], joint["at"])
         if joint["type"] == "sleeve":
             line = self.mechanism["rod"][joint["between"][0]]["line"]
-            return np.linalg.svd(unit(line["to"] - line["from"])[None])[2][1:] @ relative[3:]
+            across = np.linalg.svd(unit(line["to"] - line["from"])[None])[2][1:] @ relative[3:]
+            return across if joint.get("turn", True) else np.vstack([across, relative[:3]])
         free = np.array(allowed(joint, self.size)).reshape(-1, 6)
         forbidden = np.linalg.svd(free, full_matrices=True)[2][np.linalg.matrix_rank(free):] if len(free) else np.eye(6)
         return forbidden @ relative
