@@ -80,23 +80,24 @@ TEST_CASE("The riser and the mooring of the guide are decks", "[deck]") {
 
 TEST_CASE("The mechanisms of the guide are decks", "[deck][joint]") {
     const std::vector<std::string> decks = decks_of("mechanisms.md");
-    REQUIRE(decks.size() == 9);
+    REQUIRE(decks.size() == 10);
     const Model crank = read(decks[0]).model;
     REQUIRE(crank.joints.size() == 4);
     CHECK(crank.joints[1].a.anchor.arm == Vec3(0.15, 0, 0));
     CHECK(crank.joints[0].turn.motion);
-    const Model shaft = read(decks[2]).model;
+    CHECK(read(decks[2]).model.joints.at(0).pulls_only);
+    const Model shaft = read(decks[3]).model;
     CHECK(shaft.joints.at(1).kind == JointKind::free);
-    const std::string wire = replaced(replaced(decks[3], "\"frame\"", "\"ground\""), "bead\"]", "top\"]");
+    const std::string wire = replaced(replaced(decks[4], "\"frame\"", "\"ground\""), "bead\"]", "top\"]");
     CHECK(read(body_deck + wire).model.joints[0].held == std::array{false, true, true, false, false, false});
-    CHECK(read(decks[5]).model.sleeves.at(0).place == Approx(0.25));
-    CHECK(read(decks[6]).model.gears.at(0).ratio == 5.0);
-    CHECK(read(decks[7]).model.joints.size() == 4);
+    CHECK(read(decks[6]).model.sleeves.at(0).place == Approx(0.25));
+    CHECK(read(decks[7]).model.gears.at(0).ratio == 5.0);
+    CHECK(read(decks[8]).model.joints.size() == 4);
     const std::string hinge =
         "[joint.j]\ntype = \"hinge\"\nbetween = [\"ground\", \"top\"]\naxis = [0, 0, 1]\n";
     const std::string actions = replaced(decks[1], "drive    =", "# drive =");
     CHECK(read(body_deck + hinge + actions).model.joints[0].turn.friction.force == 0.3);
-    const std::string until = replaced(decks[4], "stages =", "# stages =");
+    const std::string until = replaced(decks[5], "stages =", "# stages =");
     CHECK(read(body_deck + hinge + until).model.joints[0].strength.moment == 20.0);
 }
 
