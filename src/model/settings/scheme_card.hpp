@@ -28,7 +28,7 @@ struct SchemeCard {
     bool has_paper_tangent = false;  // Rubin (2007), (5.6)
     bool takes_contact = false;      // takes the impulses of contact
     bool resolves_contact = false;   // contact acts at its stages like any other force
-    bool conserves_energy = false;   // by means that only free elastic bodies of rods have
+    bool conserves_energy = false;   // by scaling the rates at the end of each step
     // Advice for steps that do not resolve the highest frequencies, and for steps that had to be cut.
     std::string_view if_unresolved = {};
     std::string_view if_cut = {};
