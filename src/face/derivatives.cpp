@@ -44,7 +44,8 @@ void check_has_gradient(const HistoryRequest& request, std::size_t quantity) {
     const bool is_point =
         node_of(request.target) >= 0 || std::holds_alternative<WatchedPoint>(request.target);
     if (!is_point && (tie == nullptr || !is_element(tie->kind)))
-        throw std::invalid_argument("history " + request.name + " is of a " + (tie ? "joint" : "whole") +
+        throw std::invalid_argument("history " + request.name + " is of a " +
+                                    (tie ? "joint" : "tendon or of contact") +
                                     "; there are gradients of points, springs and bushings");
     if (part_of(*quantities_of(request).at(quantity)) == SnapshotPart::reactions)
         throw std::invalid_argument("there are no gradients of reactions; carry derivatives along instead");
