@@ -205,7 +205,8 @@ TEST_CASE("Continuous controllers are of the second order in the step", "[analys
     for (const char* scheme : {"newmark-simplified", "generalized-alpha", "sdirk-4", "radau-5"}) {
         INFO(scheme);
         const auto error = [&](const char* step) {
-            return std::abs(Motion(steer(signals_of_steering, scheme, step)).at(2.0, "rail/slide")[0] - exact);
+            return std::abs(Motion(steer(signals_of_steering, scheme, step)).at(2.0, "rail/slide")[0] -
+                            exact);
         };
         const double coarse = error("0.04"), fine = error("0.02");
         CHECK(coarse < 2e-3);
