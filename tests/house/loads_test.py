@@ -24,7 +24,7 @@ QUESTIONS = {
     "check/summaries/condition_summary.cpp": "what does a summary say of it?",
     "deck/checks/check_conserving.cpp": "is it a force that energy-momentum cannot conserve?",
     "report/model/load_arrows.cpp": "what arrows does a page draw?",
-    "analyses/shapes/buckling.cpp": "is it left out with the other loads?",
+    "analyses/shapes/buckling_loads.cpp": "is it left out with the other loads?",
     "check/mesh_frequencies.cpp": "is it left out with the other loads?",
 }
 # The places that a list of loads does not concern.

@@ -14,6 +14,7 @@
 #include "assembly/small_motions.hpp"
 #include "check/findings/buckling_findings.hpp"
 #include "check/motions/stability.hpp"
+#include "linear/eigen/eigenvalue_count.hpp"
 #include "linear/eigen/smallest_factors.hpp"
 #include "solvers/newton_steps.hpp"
 #include "solvers/trial_moves.hpp"
@@ -58,10 +59,6 @@ class FactorFinder {
         record_.failure = solve_for_load(K);
         if (!record_.failure.empty()) return record_;
         std::vector<double> S = compute_change(K);
-        if (S.empty()) {
-            record_.is_complete = true;
-            return record_;
-        }
         if (!record_.is_symmetric) {
             K = make_symmetric(system_.pattern(), K);
             S = make_symmetric(system_.pattern(), S);
@@ -73,6 +70,7 @@ class FactorFinder {
             return record_;
         }
         take_over(found);
+        if (found.values.size() == 0) count_within_strains(K, S);
         record_.failure = find_pushing_tendon(pulls_only);
         return record_;
     }
@@ -194,7 +192,7 @@ class FactorFinder {
         return largest > std::max(noticeable * of_load, rounding * stiffest);
     }
 
-    // K_σ, empty where it vanishes: of the resultants that the increments add, and of the load itself. It is
+    // K_σ: of the resultants that the increments add, and of the load itself. It is
     // linear in them, and they are taken so large that it does not vanish in the round-off of K.
     std::vector<double> compute_change(const std::vector<double>& K) {
         const std::vector<double> once = compute_change(K, 1.0);
@@ -203,12 +201,7 @@ class FactorFinder {
             largest > 0.0 ? std::exp2(std::floor(std::log2(find_largest(K) / largest))) : 1.0;
         std::vector<double> change = compute_change(K, factor);
         for (double& value : change) value /= factor;
-        std::vector<double> both = combine(change, 1.0, load_stiffness_);
-        // A tendon and the rod that follows it cancel, but for round-off.
-        constexpr double rounding = 1e-8;
-        const double part = std::max(find_largest(change), find_largest(load_stiffness_));
-        if (find_largest(both) <= rounding * part) both.clear();
-        return both;
+        return combine(change, 1.0, load_stiffness_);
     }
 
     std::vector<double> compute_change(const std::vector<double>& K, double factor) {
@@ -252,6 +245,33 @@ class FactorFinder {
     static bool is_driven(const Model& model, int rod) {
         const auto is_in = [&](const auto& drive) { return drive.rod == rod; };
         return std::ranges::any_of(model.tendons, is_in) || std::ranges::any_of(model.actuations, is_in);
+    }
+
+    // Where no factor was found, counts those up to strains of a tenth, beyond which nothing is linear: a
+    // tendon and the rod that follows it cancel but for shear.
+    void count_within_strains(const std::vector<double>& K, const std::vector<double>& S) {
+        constexpr double large_strain = 0.1;
+        double strain = 0.0;
+        for (const Rod& rod : system_.model().rods) {
+            for (int element = 0; element < rod.element_count(); ++element)
+                strain = std::max(strain, std::abs(find_extension(rod, element)));
+        }
+        if (strain == 0.0) return;
+        record_.limit = large_strain / strain;
+        EigenvalueCount counter(system_.pattern(), system_.team(), multiplier_count());
+        record_.counted_positive = counter.count(K, record_.limit, S);
+        record_.counted_negative = counter.count(K, -record_.limit, S);
+        record_.is_complete = record_.counted_positive == 0 && record_.counted_negative == 0;
+    }
+
+    // By how much the load extends an element, relative, along the line through its ends.
+    double find_extension(const Rod& rod, int element) const {
+        const std::size_t first = static_cast<std::size_t>(element) * static_cast<std::size_t>(rod.order + 1);
+        const auto a = static_cast<std::size_t>(rod.element_nodes[first]);
+        const auto b =
+            static_cast<std::size_t>(rod.element_nodes[first + static_cast<std::size_t>(rod.order)]);
+        const Vec3 chord = state_.trial[b].r - state_.trial[a].r;
+        return chord.dot(increments_[b].head<3>() - increments_[a].head<3>()) / chord.squaredNorm();
     }
 
     // A column of elements of order p, each of the length L and pressed with P, has a factor that is too
