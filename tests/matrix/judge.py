@@ -398,13 +398,13 @@ class Judge:
             if done.returncode != 0:
                 raise Mismatch(f"gxrod {words[0]}: exit code {done.returncode}: {done.stderr.strip()[:300]}")
 
-    def verify(self):
+    def verify(self, *tables):
         """gxrod verify has nothing to blame on itself."""
-        table = kinds.motion("newmark-simplified")
-        outcome = self.run(table)
+        tables = tables or (kinds.motion("newmark-simplified"),)
+        outcome = self.run(*tables)
         if not outcome.is_done:
             raise Ended(outcome)
-        self.write("deck", table)
+        self.write("deck", *tables)
         done = self.call("verify", "deck.toml")
         if done.returncode == 5 and not UNCLEAR.search(done.stdout + done.stderr):
             self.used.append(Outcome(5, "warning: " + done.stdout, outcome.file))
