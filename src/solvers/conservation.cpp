@@ -3,6 +3,7 @@
 #include "assembly/system_measures.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,8 +25,7 @@ struct RigidRates {
     }
 };
 
-// The rigid motions that supports, joints and the plane leave whatever the place of the model: those of a
-// model that nothing holds, and the turns of one that a single point holds.
+// The rigid motions that a model can make wherever it is.
 struct RigidMotions {
     Vec3 centre = Vec3::Zero();
     std::vector<RigidRates> list;
@@ -41,31 +41,57 @@ struct RigidMotions {
     }
 };
 
-bool is_within(const Plane& plane, const RigidRates& rates) {
+// Adds what is held at a node asks of rigid motions (v, ω): that the node, and any place that it can reach,
+// does not move along it. `arm`: the node's place from the centre; `axes`: those of the support, in columns.
+template <class Holder>
+void add_conditions(const Holder& holder, const Vec3& arm, const Mat3& axes, std::vector<Vec6>& rows) {
+    const auto add = [&](const Vec3& by_velocity, const Vec3& by_spin) {
+        rows.emplace_back((Vec6() << by_velocity, by_spin).finished());
+    };
     for (int i = 0; i < 3; ++i) {
-        if (plane.holds(i) && rates.velocity[i] != 0.0) return false;
-        if (plane.holds(3 + i) && rates.spin[i] != 0.0) return false;
-    }
-    return true;
-}
-
-RigidMotions list_rigid_motions(const Model& model, const State& state) {
-    RigidMotions motions;
-    if (!is_held(model)) {
-        for (const NodeMotion& motion : state.trial)
-            motions.centre += motion.r / static_cast<double>(state.trial.size());
-        for (int i = 0; i < 3; ++i) motions.list.push_back({Vec3::Unit(i), Vec3::Zero()});
-        for (int i = 0; i < 3; ++i) motions.list.push_back({Vec3::Zero(), Vec3::Unit(i)});
-    } else if (model.supports.size() == 1 && model.supports.front().holds_all(0) &&
-               std::ranges::none_of(model.joints, &Joint::has_ground) && model.sleeves.empty()) {
-        const Support& support = model.supports.front();
-        motions.centre = state.trial[static_cast<std::size_t>(support.node)].r;
-        for (int i = 0; i < 3; ++i) {
-            if (!support.holds(3 + i)) motions.list.push_back({Vec3::Zero(), support.axes * Vec3::Unit(i)});
+        const Vec3 axis = axes.col(i);
+        if (holder.holds(3 + i)) add(Vec3::Zero(), axis);
+        if (!holder.holds(i)) continue;
+        add(axis, arm.cross(axis));
+        for (int free = 0; free < 3; ++free) {
+            if (!holder.holds(free)) add(Vec3::Zero(), axes.col(free).cross(axis));
         }
     }
-    if (model.plane)
-        std::erase_if(motions.list, [&](const RigidRates& rates) { return !is_within(*model.plane, rates); });
+}
+
+// docs/theory/newmark.md, (M4).
+RigidMotions list_rigid_motions(const Model& model, const State& state) {
+    constexpr double round_off = 1e-12;
+    RigidMotions motions;
+    const bool is_on_ground =
+        std::ranges::any_of(model.joints, &Joint::has_ground) ||
+        std::ranges::any_of(model.sleeves, [](const Sleeve& sleeve) { return sleeve.point.is_ground(); });
+    if (is_on_ground) return motions;
+    const auto place_of = [&](const Support& support) {
+        return state.trial[static_cast<std::size_t>(support.node)].r;
+    };
+    if (!model.supports.empty()) {
+        motions.centre = place_of(model.supports.front());
+    } else {
+        for (const NodeMotion& motion : state.trial)
+            motions.centre += motion.r / static_cast<double>(state.trial.size());
+    }
+    std::vector<Vec6> rows;
+    for (const Support& support : model.supports)
+        add_conditions(support, place_of(support) - motions.centre, support.axes.toRotationMatrix(), rows);
+    if (model.plane) add_conditions(*model.plane, Vec3::Zero(), Mat3::Identity(), rows);
+    Eigen::MatrixXd kernel = Eigen::MatrixXd::Identity(6, 6);
+    if (!rows.empty()) {
+        Eigen::MatrixXd conditions(static_cast<Eigen::Index>(rows.size()), 6);
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            conditions.row(static_cast<Eigen::Index>(i)) = rows[i].transpose();
+        Eigen::FullPivLU<Eigen::MatrixXd> factors(conditions);
+        factors.setThreshold(round_off);
+        if (factors.dimensionOfKernel() == 0) return motions;
+        kernel = factors.kernel();
+    }
+    for (Eigen::Index i = 0; i < kernel.cols(); ++i)
+        motions.list.push_back({kernel.col(i).head<3>(), kernel.col(i).tail<3>()});
     return motions;
 }
 
