@@ -58,7 +58,8 @@ std::optional<PlacedPoint> BuildContext::place(const std::string& point) const {
 
 void BuildContext::reject_velocities(const Place& place, const std::string& path) const {
     const bool moves = std::ranges::any_of(stages, [](const StagePlan& one) {
-        return std::holds_alternative<DynamicSettings>(one.analysis);
+        const auto* motion = std::get_if<DynamicSettings>(&one.analysis);
+        return motion != nullptr && motion->has_inertia;
     });
     if (moves) {
         faults.add(place,
