@@ -88,7 +88,6 @@ Ledger::Ledger(const System& system,
     contact_loss_ = before->contact_loss;
     initial_contact_energy_ = before->initial_contact_energy;
     largest_energy_ = before->largest_energy;
-    energy_error_ = row(state).energy_error;
 }
 
 LedgerTotals Ledger::totals(const State& state) const {
@@ -150,15 +149,12 @@ void Ledger::add_any_step(const State& state, const Step& step) {
     }
     dissipated_ += law_dissipation_ + system_->joints().compute_slip_dissipation(state);
     add_fluid_work(state, step.time);
-    const bool touched_before = contact_energy_ != 0.0;
     add_contact_work(state, step.time);
     if (integrator_->conserves()) balance_ = SystemMeasures(*system_).compute_balance(state, step.time);
-    if (!limits_energy()) {
-        dissipated_by_scheme_ += compute_scheme_dissipation(state, step.time_step);
-    } else if (weighs_powers()) {
-        book_gain(state, step, touched_before);
-    } else {
+    if (limits_energy()) {
         book_loss(state, step.time);
+    } else {
+        dissipated_by_scheme_ += compute_scheme_dissipation(state, step.time_step);
     }
 }
 
@@ -167,34 +163,21 @@ bool Ledger::limits_energy() const {
     return Contacts(*system_).are_possible() && model.has_inertia && model.has_time;
 }
 
-LedgerRow Ledger::measure_step(const State& state, double time) {
+void Ledger::book_loss(const State& state, double time) {
     balance_ = SystemMeasures(*system_).compute_balance(state, time);
     const LedgerRow at_end = row(state);
     largest_energy_ =
         std::max({largest_energy_,
                   at_end.kinetic_energy + std::abs(at_end.strain_energy) + at_end.contact_energy,
                   std::abs(at_end.external_work)});
-    return at_end;
-}
-
-void Ledger::book_loss(const State& state, double time) {
-    energy_error_ = measure_step(state, time).energy_error;
+    energy_error_ = at_end.energy_error;
     if (energy_error_ < 0.0) dissipated_by_scheme_ -= std::exchange(energy_error_, 0.0);
-}
-
-// Quadrature of work has errors of both signs in any step: what contact has no part in is no gain.
-void Ledger::book_gain(const State& state, const Step& step, bool touched_before) {
-    const double error = measure_step(state, step.time).energy_error;
-    const double change = error - std::exchange(energy_error_, error);
-    if (step.is_shortened || touched_before || contact_energy_ != 0.0)
-        contact_gain_ = std::max(contact_gain_ + change, 0.0);
 }
 
 double Ledger::surplus() const {
     constexpr double tolerated = 1e-4;
-    const double gained = weighs_powers() ? contact_gain_ : energy_error_;
-    if (!limits_energy() || gained <= tolerated * largest_energy_) return 0.0;
-    return gained - 0.5 * tolerated * largest_energy_;
+    if (!limits_energy() || energy_error_ <= tolerated * largest_energy_) return 0.0;
+    return energy_error_ - 0.5 * tolerated * largest_energy_;
 }
 
 // Of the mean of the forces at both ends of the step, in every scheme.
@@ -278,7 +261,6 @@ void Ledger::end_settling(const State& state, double time, const Residual& resid
     strain_energy_ = balance.strain_energy;
     if (integrator_->is_static() || balance_) balance_ = balance;
     dissipated_ += std::max(error_before_settling_ - row(state).energy_error, 0.0);
-    energy_error_ = row(state).energy_error;
     largest_energy_before_ = largest_energy_;
     measure_largest_energy();
 }
@@ -353,8 +335,6 @@ LedgerMemory Ledger::memory() const {
     }
     memory.strain_energy = strain_energy_;
     memory.largest_energy = largest_energy_;
-    memory.energy_error = energy_error_;
-    memory.contact_gain = contact_gain_;
     return memory;
 }
 
@@ -374,8 +354,6 @@ void Ledger::resume(const LedgerMemory& memory) {
     load_step_ = {memory.force_change, memory.movement, memory.load_step};
     strain_energy_ = memory.strain_energy;
     largest_energy_ = memory.largest_energy;
-    energy_error_ = memory.energy_error;
-    contact_gain_ = memory.contact_gain;
 }
 
 LedgerRow Ledger::row(const State& state) const {

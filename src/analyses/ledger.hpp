@@ -49,12 +49,13 @@ class Ledger {
         double time_step;
         const Residual& residual;
         const std::vector<Power>& stage_powers;
-        bool is_shortened = false;  // whether contact has shortened an increment
     };
     void add_step(const State& state, const Step& step);
     // Returns how much of the energy after the step that was just added nothing explains, beyond what is
     // tolerated; 0 in analyses that do not limit it.
     double surplus() const;
+    // Returns whether something touches at the end of the step.
+    bool touches() const { return contact_energy_ != 0.0; }
     // Whether steps must not gain energy: of motions with contact.
     bool limits_energy() const;
 
@@ -112,11 +113,8 @@ class Ledger {
     void add_contact_work(const State& state, double time);
     // Updates the largest energy after a step, in statics.
     void measure_largest_energy();
-    // Books what a step has lost or gained, where steps must not gain energy.
+    // Books what a step has lost, where steps must not gain energy.
     void book_loss(const State& state, double time);
-    void book_gain(const State& state, const Step& step, bool touched_before);
-    // The balance after a step that must not gain energy, and the largest energy so far.
-    LedgerRow measure_step(const State& state, double time);
     double compute_scheme_dissipation(const State& state, double time_step) const;
 
     const System* system_;
@@ -137,7 +135,6 @@ class Ledger {
     double largest_energy_before_ = 0.0;
     double largest_energy_ = 0.0;  // strain energy or work in statics, all energy where it is limited
     double energy_error_ = 0.0;    // after the last step, where energy is limited
-    double contact_gain_ = 0.0;    // of all steps in which contact acts at stages
     StepWork step_work_;           // work of the last load step
     std::vector<Vec6>
         held_;  // forces that would hold the start in place, in statics; empty from the first step on

@@ -17,12 +17,8 @@ struct TriedStep {
     SolverWorkspace& workspace;
     State& state;
 
-    Ledger::Step books(const EquilibriumReport& report) const {
-        return {stage.end_time,
-                stage.time_step,
-                workspace.residual,
-                workspace.stage_powers,
-                report.shortened > 0};
+    Ledger::Step books() const {
+        return {stage.end_time, stage.time_step, workspace.residual, workspace.stage_powers};
     }
 };
 

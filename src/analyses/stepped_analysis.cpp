@@ -474,7 +474,7 @@ EquilibriumReport SteppedAnalysis::advance() {
         *ledger_ = std::move(*tried_ledger_);
         tried_ledger_.reset();
     } else {
-        ledger_->add_step(state_, tried_step().books(report));
+        ledger_->add_step(state_, tried_step().books());
     }
     if (has_relaxed()) {
         ledger_->settle_load_step();

@@ -122,8 +122,6 @@ void visit_numbers(Place& place, Visitor&& visit) {
     visit("load_step", record.ledger.load_step);
     visit("strain_energy", record.ledger.strain_energy);
     visit("largest_strain_energy_or_work", record.ledger.largest_energy);
-    visit("energy_error", record.ledger.energy_error);
-    visit("contact_gain", record.ledger.contact_gain);
     visit("is_framed", record.is_framed);
     visit("accepted_steps", record.totals.steps);
     visit("rejected_steps", record.totals.rejected_steps);

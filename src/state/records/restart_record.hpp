@@ -34,8 +34,6 @@ struct LedgerMemory {
     double load_step = 0.0;
     double strain_energy = 0.0;   // in statics, at the end of that step
     double largest_energy = 0.0;  // in statics: strain energy or work, so far
-    double energy_error = 0.0;    // of motions with contact, at the end of the last step
-    double contact_gain = 0.0;    // what stages at which contact acts have gained, less what was taken
 };
 
 // Counts and largest values of a run so far.
