@@ -190,7 +190,7 @@ axis_b = [0, 0, 1]
     for (const std::string& deck : {bar + arm + clamp + blow + motion,
                                     weight + bar + arm + hinge + motion,
                                     weight + bar + arm + knee + hinge + motion,
-                                    bar + arm + knee + blow + motion,
+                                    bar + arm + knee + blow + motion + "start = \"project\"\n",
                                     bar + damped + arm + clamp + blow + motion,
                                     bar + plastic + arm + clamp + blow + motion,
                                     bar + arm + clamp + pull + motion,
@@ -237,7 +237,11 @@ TEST_CASE("energy-momentum of what is held is of order 2", "[analyses]") {
                                      {"analysis.end_time=0.4",
                                       "analysis.integrator=" + scheme,
                                       std::string("analysis.time_step=") + step});
-        return run_to_end(problem.model, dynamic_of(problem)).r;
+        Vec3 place;
+        run(problem.model, dynamic_of(problem), [&](const DynamicAnalysis& analysis) {
+            place = analysis.state().trial.back().r;
+        });
+        return place;
     };
     const Vec3 exact = end("radau-5", "2e-3");
     std::vector<double> errors;

@@ -291,9 +291,10 @@ TEST_CASE("Buckling refuses what a factor cannot multiply, by its name", "[issue
         "}, poisson = 0.3 }\n";
     CHECK_THAT(errors_of(read(beam("[fluid]\ndensity = 100\n", contents) + analysis)),
                Contains("pressures of contents") && Contains("section bar"));
-    CHECK_THAT(
-        errors_of(read(beam("[tendon.pull]\non = \"beam\"\noffset = [0, 0.05]\ntension = 2\n") + analysis)),
-        Contains("tendon.pull"));
+    CHECK_THAT(errors_of(read(
+                   beam("[tendon.pull]\non = \"beam\"\noffset = [0, 0.05]\ntension = 2\nfriction = 0.1\n") +
+                   analysis)),
+               Contains("tendon.pull"));
 }
 
 TEST_CASE("A coarse mesh of a column is named with how much it is off", "[issues][shapes]") {

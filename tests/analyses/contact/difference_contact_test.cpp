@@ -35,7 +35,7 @@ at = "lower.start"
 fix = "all"
 [[load]]
 at = "lower.end"
-force = [0, 0, "-2*t^2"]
+force = [0, 0, "-10*t^2"]
 [obstacle.ball]
 sphere = { centre = [0.6, 0.02, -0.16], radius = 0.1 }
 [analysis]
