@@ -22,14 +22,12 @@ QUESTIONS = {
     "check/motions/turning_loads.cpp": "is it steady in a frame that turns?",
     "check/shape_report.cpp": "what is its name, where it is left out?",
     "check/summaries/condition_summary.cpp": "what does a summary say of it?",
-    "deck/checks/check_conserving.cpp": "is it a force that energy-momentum cannot conserve?",
     "report/model/load_arrows.cpp": "what arrows does a page draw?",
     "analyses/shapes/buckling_loads.cpp": "is it left out with the other loads?",
     "check/mesh_frequencies.cpp": "is it left out with the other loads?",
 }
 # The places that a list of loads does not concern.
 IRRELEVANT = {
-    "distributed_loads": {"deck/checks/check_conserving.cpp"},  # they do not depend on velocities
 }
 
 

@@ -19,7 +19,6 @@ ALONE = {
     "check/findings/plane_findings.cpp": "can a bushing push out of the plane?",
     "check/motions/spinning_parts.cpp": "is a bushing alike to all sides of what spins?",
     "check/motions/turning_ties.cpp": "is a spring or a bushing alike to all sides of an axis?",
-    "deck/checks/check_conserving.cpp": "has a spring a law?",
     "face/own_laws.cpp": "which spring gets a law of the program?",
     "study/turned_problem.cpp": "how do the axes of a bushing turn?",
 }

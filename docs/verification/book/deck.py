@@ -164,11 +164,26 @@ class Deck:
         return start + x[:, None] * along + z[:, None] * np.array([0.0, 0.0, 1.0])
 
     def _arc(self, arc):
+        if "through" in arc:
+            return self._arc_through(*(self.vector(arc[key]) for key in ("from", "through", "to")))
         centre, axis, start = (self.vector(arc[key]) for key in ("centre", "axis", "from"))
         angles = np.linspace(0.0, self.number(arc["angle"]), ARC_POINTS)[:, None]
         axis = axis / np.linalg.norm(axis)
         radius = start - centre
         return centre + np.cos(angles) * radius + np.sin(angles) * np.cross(axis, radius)
+
+    @staticmethod
+    def _arc_through(start, middle, end):
+        """From `start` to `end` on the circle through three points."""
+        to_middle, to_end = middle - start, end - start
+        axis = np.cross(to_middle, to_end)
+        to_centre = np.cross(axis, to_middle * (to_end @ to_end) - to_end * (to_middle @ to_middle)) / (2 * axis @ axis)
+        radius = -to_centre
+        axis = axis / np.linalg.norm(axis)
+        sideways = np.cross(axis, radius)
+        turn = np.arctan2((to_end + radius) @ sideways, (to_end + radius) @ radius) % (2 * np.pi)
+        angles = np.linspace(0.0, turn, ARC_POINTS)[:, None]
+        return start + to_centre + np.cos(angles) * radius + np.sin(angles) * sideways
 
     def springs(self):
         """Both ends of each, at the start."""

@@ -47,9 +47,13 @@ void check_alike(const std::string& deck) {
         return deck + "newton = { tolerance = 1e-10, max_iterations = 60, tangent = \"" + tangent + "\" }\n";
     };
     ContactRun consistent(with("consistent")), differences(with("difference"));
-    consistent.finish();
+    bool has_touched = false;
+    while (!consistent.is_finished()) {
+        consistent.step();
+        has_touched = has_touched || !consistent.touches().empty();
+    }
     differences.finish();
-    CHECK(!consistent.touches().empty());
+    CHECK(has_touched);
     CHECK(differences.touches().size() == consistent.touches().size());
     CHECK((differences.at("lower.end").r - consistent.at("lower.end").r).norm() < 1e-8);
     CHECK(differences.reaction("lower.start")[2] ==
