@@ -26,9 +26,6 @@ QUESTIONS = {
     "analyses/shapes/buckling_loads.cpp": "is it left out with the other loads?",
     "check/mesh_frequencies.cpp": "is it left out with the other loads?",
 }
-# The places that a list of loads does not concern.
-IRRELEVANT = {
-}
 
 
 def list_loads(text):
@@ -42,8 +39,6 @@ def find_faults(source):
     faults = []
     for name in list_loads((source / "model/model.hpp").read_text(encoding="utf-8")):
         for place, question in QUESTIONS.items():
-            if place in IRRELEVANT.get(name, ()):
-                continue
             if not re.search(rf"\.{name}\b", (source / place).read_text(encoding="utf-8")):
                 faults.append(f"{place} does not know {name}: {question}")
     return faults

@@ -152,7 +152,8 @@ def draw_motors(pen, deck):
 def draw_mechanism(axes, deck, measured):
     """All of a mechanism, with a mark at the points of these histories that are of no joint."""
     projection, size = choose_projection(deck)
-    is_at_one_place = np.ptp([place for _, place in deck.joints()], axis=0).max() < 1e-9 and not deck.rods
+    have_axes = all("axis" in joint for joint, _ in deck.joints())
+    is_at_one_place = have_axes and np.ptp([place for _, place in deck.joints()], axis=0).max() < 1e-9 and not deck.rods
     pen = symbols.Pen(axes, projection, size if not is_at_one_place else 1.0)
     if is_at_one_place:
         draw_rings(pen, deck)
