@@ -267,6 +267,10 @@ class Deck:
 
     def joint_place(self, joint):
         """Where it is at the start: `at`, else the point that is not the ground, of a rod rather than of a body."""
+        if joint["type"] == "distance":  # at its other end, where that is on the ground
+            for end, key in zip(joint["between"], ("at_a", "at_b")):
+                if end == "ground" and key in joint:
+                    return self.vector(joint[key])
         if "at" in joint:
             return self.vector(joint["at"])
         points = [point for point in joint["between"] if point != "ground" and point not in self.rods]
