@@ -38,7 +38,10 @@ def text_of(rows):
     lines = [f"A cantilever with each of {len({row['features'] for row in singles})} features has been put into each of "
              f"{len({row['kind'] for row in singles})} kinds of analyses, schemes, derivatives and services. Of these {len(singles)} "
              f"cells {count} are refused:", "", "| kind | feature | why |", "|---|---|---|"]
+    gradients = {row["kind"] for row in singles if row["kind"].startswith("gradient")}
     for (features, why), names in sorted(merged.items(), key=lambda entry: entry[1]):
+        if len(gradients) > 1 and gradients <= set(names):
+            names = [name for name in names if name not in gradients] + ["every gradient"]
         lines.append(f"| {', '.join(names)} | {', '.join(features)} | {why} |")
     return "\n".join(lines) + "\n"
 
