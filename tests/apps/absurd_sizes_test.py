@@ -45,7 +45,7 @@ class AbsurdSizes(ProgramTest):
     def test_results_that_the_disk_has_no_room_for(self):
         self.write("body.toml", SPINNING_BODY)
         told = self.refuse("run", "body.toml", "--set", "analysis.steps=1000000000000", "--set", "output.every=1000000000", code=4)
-        self.assertRegex(told, r"body.vtkhdf: would take more than 1.92e\+05 GB, for 1e\+12 steps and 1001 frames, where "
+        self.assertRegex(told, r"body.vtkhdf: would take more than 2.4e\+05 GB, for 1e\+12 steps and 1001 frames, where "
                                r"[0-9.e+]+ GB are free \(a larger output.every or output.interval makes fewer frames; histories have each step\)")
         self.write("rod.toml", ROD)
         told = self.refuse("run", "rod.toml", "--set", "analysis.steps=1000000000", "--set", "output.every=1", code=4)
