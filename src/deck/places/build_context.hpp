@@ -64,8 +64,8 @@ struct BuildContext {
     bool needs_inertia() const;
     bool has_velocities() const { return gxrod::needs_inertia(stages.front().analysis); }
 
-    // Notes that initial velocities given at a place have no effect, in a deck in which nothing moves in time;
-    // reports a fault where the first stage has none and a later one has.
+    // Notes that initial velocities given at a place have no effect, in a deck in which nothing moves in
+    // time; reports a fault where the first stage has none and a later one has.
     void reject_velocities(const Place& place, const std::string& path) const;
 
     void add_fault(const CheckedTable& table, std::string_view key, std::string message) const {
