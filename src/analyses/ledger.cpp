@@ -194,7 +194,7 @@ void Ledger::add_contact_work(const State& state, double time) {
     const ContactWork work = contacts.compute_work(state, time, contact_energy_);
     work_ += work.by_obstacles;
     // What contact would give is left to the surplus.
-    contact_loss_ += limits_energy() && !weighs_powers() ? std::max(work.loss, 0.0) : work.loss;
+    contact_loss_ += limits_energy() ? std::max(work.loss, 0.0) : work.loss;
     if (integrator_->is_static()) step_work_.uncertainty += work.uncertainty;
     const double energy = contacts.compute_energy(state, time);
     contact_change_ = energy - contact_energy_ + work.loss - work.by_obstacles;
