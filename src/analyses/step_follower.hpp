@@ -4,7 +4,7 @@
 
 namespace gxrod {
 
-// What follows the motion within a step and acts on it: it is asked again until both fit.
+// Follows the motion within a step and acts on it. The step is found again until both fit.
 class StepFollower {
   public:
     virtual ~StepFollower() = default;

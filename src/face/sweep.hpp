@@ -8,8 +8,8 @@
 
 namespace gxrod {
 
-// What the driver of a run asked of a step, with which it can be repeated: where to land, on the axis that
-// stages share, and the state of each input.
+// A call keeps what the driver of a run asked of a step, so that it can be repeated: where to land, on the
+// axis that stages share, and the state of each input.
 struct StepCall {
     std::optional<double> landing;
     std::vector<InputState> inputs;

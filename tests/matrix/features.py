@@ -440,7 +440,7 @@ def current(deck, draw):
     deck["fluid"] = {"density": 100.0, "current": {"velocity": [0, f"{draw.uniform(0.1, 0.5)}*P", 0]}}
 
 
-@feature("fluid", damped=True, timed=True, sudden=True)
+@feature("fluid", damped=True, timed=True)
 def wave(deck, draw):
     wet(deck)
     deck["fluid"] = {"density": 100.0, "surface": 0.5, "depth": 10}

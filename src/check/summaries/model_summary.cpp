@@ -210,7 +210,7 @@ std::string describe_signals(const std::vector<SignalPlan>& signals, const Outpu
         text += fmt::format("signal {}: {}", signal.name, source);
         if (signal.lower) text += fmt::format(", at least {:.6g}", *signal.lower);
         if (signal.upper) text += fmt::format(", at most {:.6g}", *signal.upper);
-        text += "; acts one step later\n";
+        text += signal.is_continuous ? "; acts in the step that it measures\n" : "; acts one step later\n";
     }
     return text;
 }

@@ -35,8 +35,8 @@ struct JointGap {
     double angle = 0.0;
 };
 
-// Where a one-sided equation is: the distance of its coordinate from the nearer bound, positive inside, the
-// rate at which it comes nearer, and the sign of its multiplier when the bound holds.
+// The place of a one-sided equation has the distance of its coordinate from the nearer bound, positive
+// inside, the rate at which it comes nearer, and the sign of its multiplier when the bound holds.
 struct StopPlace {
     double gap = 0.0;
     double approach = 0.0;

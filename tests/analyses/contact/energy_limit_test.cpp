@@ -140,6 +140,13 @@ TEST_CASE("What steps lose where something could touch falls with their square",
     }
 }
 
+namespace {
+
+// Without impulses what an impact loses is `numerical_dissipation`.
+bool takes_impulses(const std::string& scheme) { return scheme != "sdirk-4" && scheme != "radau-5"; }
+
+}  // namespace
+
 TEST_CASE("Rods that vibrate after impacts gain no energy at any step", "[analyses][touch]") {
     // A steel-like rod that falls on a floor askew: what its scheme makes of the vibrations doubled its
     // energy.
@@ -168,6 +175,7 @@ plane = { point = [0, 0, 0], normal = [0, 0, 1] }
                 least = std::min(least, energy);
             }
             CHECK(run.least_gap() < 1e-4);  // the skin
+            if (takes_impulses(scheme)) CHECK(run.ledger().contact_loss > 0.01 * start);
         }
     }
 }

@@ -28,6 +28,11 @@ upper = 7
           "signal push: controller (proportional 4, integral 0, derivative 5) of a function of t, at least "
           "-6, at most "
           "7; acts one step later\n");
+    SignalPlan pull;
+    pull.name = "pull";
+    pull.is_continuous = true;
+    CHECK(describe_signals({pull}, {}) ==
+          "signal pull: a function of t; acts in the step that it measures\n");
 }
 
 }  // namespace gxrod::test
