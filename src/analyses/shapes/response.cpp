@@ -78,7 +78,7 @@ class ResponseFinder {
             return response;
         }
         response.motion = spread(x, system_.equations());
-        response.reactions = find_reactions(lambda, response.motion);
+        response.reactions = find_reactions(lambda, values, x, response.motion);
         return response;
     }
 
@@ -96,9 +96,13 @@ class ResponseFinder {
     }
 
     // What is out of balance without the supports, in what these hold.
-    ComplexVectors find_reactions(Complex lambda, const ComplexVectors& motion) const {
-        const Eigen::VectorXcd x = gather_complex(motion, free_system_.equations());
+    ComplexVectors find_reactions(Complex lambda,
+                                  const std::vector<Complex>& held_values,
+                                  const Eigen::VectorXcd& solution,
+                                  const ComplexVectors& motion) const {
+        Eigen::VectorXcd x = gather_complex(motion, free_system_.equations());
         const std::vector<Complex> values = free_problem_.at(lambda);
+        copy_multipliers(held_values, solution, values, x);
         Eigen::VectorXcd forces = -free_force_;
         free_problem_.pattern->visit_entries([&](std::int64_t row, std::int64_t column, std::int64_t slot) {
             forces[row] += values[static_cast<std::size_t>(slot)] * x[column];
@@ -117,6 +121,25 @@ class ResponseFinder {
             }
         }
         return reactions;
+    }
+
+    // Joints pull at what is supported, too. Their equations are scaled in each matrix by its own diagonal.
+    void copy_multipliers(const std::vector<Complex>& held_values,
+                          const Eigen::VectorXcd& solution,
+                          const std::vector<Complex>& values,
+                          Eigen::VectorXcd& x) const {
+        const auto find_scale = [](const System& system, const std::vector<Complex>& all, std::int64_t row) {
+            return all[static_cast<std::size_t>(system.pattern().slot(row, row))];
+        };
+        const std::vector<AttachedUnknowns>& attached = system_.joints().attached();
+        for (std::size_t i = 0; i < attached.size(); ++i) {
+            const std::int64_t held = system_.equations().of_attached(i);
+            const std::int64_t free = free_system_.equations().of_attached(i);
+            for (std::int64_t k = 0; k < attached[i].count; ++k) {
+                x[free + k] = solution[held + k] * find_scale(system_, held_values, held + k) /
+                              find_scale(free_system_, values, free + k);
+            }
+        }
     }
 
     const System& system_;

@@ -102,3 +102,41 @@ TEST_CASE("A sprung hinge lowers what bends it alone", "[analyses][joints]") {
     }
     CHECK(0.5 * lowered[1].factor == Approx(EI * low * low).epsilon(5e-4));
 }
+
+TEST_CASE("A support that a joint pulls at exerts what it would without the joint", "[analyses][joints]") {
+    const auto find = [](const std::string& middle) {
+        const RunSummary summary = run_problem(test::read(R"([section.s]
+stiffness = { EA = 1e4, GAy = 4e3, GAz = 4e3, GJ = 1, EIy = 1, EIz = 2 }
+inertia = { rhoA = 1, rhoJ = 3e-3, rhoIy = 1e-3, rhoIz = 2e-3 }
+[rod.short]
+section = "s"
+line = { from = [0, 0, 0], to = [0, 0, 0.5] }
+y_axis = [0, 1, 0]
+elements = 2
+[rod.beam]
+section = "s"
+line = { from = [0, 0, 0], to = [1, 0, 0] }
+y_axis = [0, 1, 0]
+elements = 4
+order = 3
+[[support]]
+at = "short.start"
+fix = "all"
+[[stage]]
+name = "shake"
+kind = "response"
+omega = { values = [0.5, 3, 10] }
+excite = [{ at = "beam.end", force = [1, 2, 3], moment = [0.1, 0, 0] }]
+)" + middle));
+        REQUIRE(summary.status == RunStatus::complete);
+        return std::get<ResponseRecord>(summary.shapes.at(0).record);
+    };
+    const ResponseRecord whole = find("[[connect]]\npoints = [\"short.start\", \"beam.start\"]\n");
+    const ResponseRecord welded =
+        find("[joint.weld]\ntype = \"weld\"\nbetween = [\"short.start\", \"beam.start\"]\n");
+    for (std::size_t i = 0; i < whole.responses.size(); ++i) {
+        const Vec6 expected = whole.responses[i].reactions.real[0];
+        REQUIRE(expected.norm() > 1.0);
+        CHECK((welded.responses[i].reactions.real[0] - expected).norm() < 1e-7 * expected.norm());
+    }
+}
