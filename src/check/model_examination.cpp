@@ -49,12 +49,8 @@ std::string list_motions(const Model& model,
 bool is_loaded(const Model& model, const ModelPart& part) {
     const auto has_node = [&](int node) { return std::ranges::binary_search(part.nodes, node); };
     const auto has_rod = [&](int rod) { return std::ranges::binary_search(part.rods, rod); };
-    const auto pushes = [&](const NodalLoad& load) {
-        return has_node(load.node) && (load.has_force() || !is_zero(load.moment));
-    };
-    const auto pushes_along = [&](const DistributedLoad& load) {
-        return has_rod(load.rod) && (!is_zero(load.force) || !is_zero(load.moment));
-    };
+    const auto pushes = [&](const NodalLoad& load) { return has_node(load.node) && load.acts(); };
+    const auto pushes_along = [&](const DistributedLoad& load) { return has_rod(load.rod) && load.acts(); };
     const auto is_bent = [&](int rod) {
         return !model.rods[static_cast<std::size_t>(rod)].starts_free_of_stress();
     };
@@ -217,7 +213,7 @@ void find_idle_loads(const Model& model, std::vector<Finding>& findings) {
         const bool is_idle =
             std::any_of(model.supports.begin(), model.supports.end(), [&](const Support& support) {
                 return support.node == load.node && (!load.has_force() || support.holds_all(0)) &&
-                       (is_zero(load.moment) || support.holds_all(3));
+                       (!load.has_moment() || support.holds_all(3));
             });
         if (!is_idle) continue;
         findings.push_back({Severity::warning,
@@ -256,8 +252,7 @@ bool is_pushed_by_fluids(const Surroundings& surroundings) {
 
 bool any_load(const Model& model) {
     const auto strains = [&](const auto& tie) { return is_strained(model, tie); };
-    const auto pushes = [](const auto& load) { return !is_zero(load.force) || !is_zero(load.moment); };
-    const auto acts = [](const NodalLoad& load) { return load.has_force() || !is_zero(load.moment); };
+    const auto acts = [](const auto& load) { return load.acts(); };
     const auto is_bent = [](const Rod& rod) { return !rod.starts_free_of_stress(); };
     const auto moves = [](const Support& support) { return support.moved != std::array<bool, 6>{}; };
     const auto is_moved_obstacle = [](const Obstacle& obstacle) { return obstacle.motion.has_value(); };
@@ -266,7 +261,7 @@ bool any_load(const Model& model) {
            std::ranges::any_of(model.contact.obstacles, is_moved_obstacle) ||
            any_element_tie(model, strains) || std::ranges::any_of(model.rods, is_bent) ||
            has_joint_drive(model) || std::any_of(model.loads.begin(), model.loads.end(), acts) ||
-           std::any_of(model.distributed_loads.begin(), model.distributed_loads.end(), pushes) ||
+           std::any_of(model.distributed_loads.begin(), model.distributed_loads.end(), acts) ||
            std::any_of(model.supports.begin(), model.supports.end(), moves);
 }
 

@@ -100,11 +100,11 @@ void set_load_force(std::size_t load, const MotionForce& force, Problem& problem
         for (NodalLoad& one : loads) {
             if (one.key != key) continue;
             is_there = true;
-            if (one.motion_force)
+            if (one.by_motion)
                 refuse(problem,
                        key + ".force",
                        "depends on the motion already; the program's force cannot be added");
-            one.motion_force = force;
+            one.by_motion = MotionLoad(force);
         }
     };
     set(problem.model.loads);

@@ -1,8 +1,6 @@
 #include "loads/nodal_load.hpp"
 
-#include <algorithm>
-#include <cmath>
-
+#include "loads/motion_load.hpp"
 #include "rotation/rotation_map.hpp"
 
 namespace gxrod {
@@ -26,7 +24,7 @@ Vec6 evaluate_load(const NodalLoad& load, double time) {
 
 Vec6 compute_load(const NodalLoad& load, const Vec6& at_time, const NodeMotion& motion, double time) {
     Vec6 value = at_time;
-    if (load.motion_force) value.head<3>() += load.motion_force(time, motion.r, motion.v);
+    if (load.by_motion) value += load.by_motion.value(time, 0.0, find_point_motion(motion));
     if (load.frame == Frame::spatial) return value;
     const Quat turn = find_turn(load, motion);
     value << turn * value.head<3>().eval(), turn * value.tail<3>().eval();
@@ -45,33 +43,26 @@ Mat6 compute_load_tangent(const NodalLoad& load, const Vec6& value, const NodeLi
     return tangent;
 }
 
-// By central differences. On a kink, the mean of both sides.
-Mat3 compute_motion_force_tangent(const NodalLoad& load,
-                                  const NodeMotion& motion,
-                                  const NodeLinearization& linearization,
-                                  double time,
-                                  double length) {
-    // The cube root of a double's round-off, where that of the difference and its truncation are about equal.
-    constexpr double share = 6e-6;
-    constexpr double share_at_rest = 0.1;
-    const double step = share * std::max(motion.r.norm(), length);
-    const double speed = share_at_rest * std::abs(linearization.rate) * length;
-    const double step_of_v = share * std::max(motion.v.norm(), speed);
-    Mat3 tangent = Mat3::Zero();
-    for (int i = 0; i < 3; ++i) {
-        const Vec3 along = Vec3::Unit(i);
-        const auto differ = [&](double moved, double sped) {
-            const Vec3 r = moved * along;
-            const Vec3 v = sped * along;
-            return Vec3(load.motion_force(time, motion.r + r, motion.v + v) -
-                        load.motion_force(time, motion.r - r, motion.v - v));
-        };
-        if (linearization.placement != 0.0)
-            tangent.col(i) += linearization.placement / (2.0 * step) * differ(step, 0.0);
-        if (linearization.rate != 0.0)
-            tangent.col(i) += linearization.rate / (2.0 * step_of_v) * differ(0.0, step_of_v);
+Mat6 compute_motion_tangent(const NodalLoad& load,
+                            const NodeMotion& motion,
+                            const NodeLinearization& linearization,
+                            double time,
+                            double length) {
+    const MotionDerivative by =
+        differentiate(load.by_motion, time, 0.0, find_point_motion(motion), linearization, length);
+    Mat6 tangent = Mat6::Zero();
+    tangent.leftCols<3>() =
+        linearization.placement * by.leftCols<3>() + linearization.rate * by.middleCols<3>(3);
+    if (load.by_motion.turns) {
+        tangent.rightCols<3>() =
+            linearization.placement * by.middleCols<3>(6) * differentiate_rotation_vector(motion.Lambda) +
+            by.rightCols<3>() * linearization.d_omega;
     }
-    return load.frame == Frame::spatial ? tangent : Mat3(find_turn(load, motion) * tangent);
+    if (load.frame == Frame::spatial) return tangent;
+    const Mat3 axes = find_turn(load, motion).toRotationMatrix();
+    for (const Eigen::Index row : {0, 3})
+        tangent.middleRows<3>(row) = (axes * tangent.middleRows<3>(row)).eval();
+    return tangent;
 }
 
 }  // namespace gxrod

@@ -17,12 +17,12 @@ Vec6 compute_load(const NodalLoad& load, const NodeMotion& motion, double time);
 // Computes the derivative by (δr, δφ), as the load turns with the node; zero for a dead load. `value` is the
 // result of compute_load.
 Mat6 compute_load_tangent(const NodalLoad& load, const Vec6& value, const NodeLinearization& linearization);
-// Computes the derivative of its force by δr, on which place and velocity depend. The load must have a force
-// that depends on the motion. `length` is the model's length, which sets the size of differences.
-Mat3 compute_motion_force_tangent(const NodalLoad& load,
-                                  const NodeMotion& motion,
-                                  const NodeLinearization& linearization,
-                                  double time,
-                                  double length);
+// Computes the derivative by (δr, δφ) of what of the load depends on the motion, for a load that has that.
+// `length` is the model's length, which sets the size of differences.
+Mat6 compute_motion_tangent(const NodalLoad& load,
+                            const NodeMotion& motion,
+                            const NodeLinearization& linearization,
+                            double time,
+                            double length);
 
 }  // namespace gxrod

@@ -13,6 +13,7 @@
 #include "model/drive.hpp"
 #include "model/gear.hpp"
 #include "model/joint.hpp"
+#include "model/point_motion.hpp"
 #include "model/sections/section_law.hpp"
 #include "model/settings/turning_frame.hpp"
 #include "model/surroundings.hpp"
@@ -173,10 +174,6 @@ enum class Frame {
     body       // components in the axes of the section or body
 };
 
-// A force by time and by the position and the velocity of its point of action, global. Not for two threads at
-// once.
-using MotionForce = std::function<Vec3(double time, const Vec3& position, const Vec3& velocity)>;
-
 struct NodalLoad {
     std::string key;  // place in the deck, "load[0]"
     int node = 0;
@@ -184,9 +181,11 @@ struct NodalLoad {
     std::array<TimeFunction, 3> moment;
     Frame frame = Frame::spatial;
     Quat axes = Quat::Identity();  // section or body axes at t = 0, for Frame::body
-    MotionForce motion_force{};    // in addition to force; empty without one
+    MotionLoad by_motion{};        // in addition, in the same frame
 
-    bool has_force() const { return !is_zero(force) || motion_force; }
+    bool has_force() const { return !is_zero(force) || by_motion.has_force; }
+    bool has_moment() const { return !is_zero(moment) || by_motion.has_moment; }
+    bool acts() const { return has_force() || has_moment(); }
 };
 
 // A magnetic flux density, global: a uniform part, and a part that depends on the position.
@@ -212,6 +211,11 @@ struct DistributedLoad {
     // The field, for a magnetic rod. Then `moment` is its magnetic moment, in the frame body, and `force` is
     // zero: the field exerts the forces.
     std::optional<MagneticField> field{};
+    MotionLoad by_motion{};  // in addition, in the same frame
+
+    bool has_force() const { return !is_zero(force) || by_motion.has_force; }
+    bool has_moment() const { return !is_zero(moment) || by_motion.has_moment; }
+    bool acts() const { return has_force() || has_moment(); }
 };
 
 // The components of a node, displacements and rotations, in the order of all of gxrod.

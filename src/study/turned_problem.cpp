@@ -74,13 +74,22 @@ LineFunctions turn(const Quat& rotation, const LineFunctions& functions) {
     return turned;
 }
 
-// Of a load's force that depends on the motion, in the load's frame.
-MotionForce turn(const Quat& rotation, const MotionForce& force, Frame frame) {
+// Of what of a load depends on the motion, in the load's frame.
+MotionLoad turn(const Quat& rotation, MotionLoad load, Frame frame) {
+    if (!load) return load;
     const Mat3 R = rotation.toRotationMatrix();
     const Mat3 out = frame == Frame::body ? Mat3(Mat3::Identity()) : R;
-    return [R, out, force](double time, const Vec3& position, const Vec3& velocity) -> Vec3 {
-        return out * force(time, R.transpose() * position, R.transpose() * velocity);
+    load.value = [R, out, own = load.value](double time, double s, const PointMotion& motion) {
+        const PointMotion back{R.transpose() * motion.position,
+                               R.transpose() * motion.velocity,
+                               R.transpose() * motion.rotation,
+                               R.transpose() * motion.spin};
+        const Vec6 value = own(time, s, back);
+        Vec6 turned;
+        turned << out * value.head<3>(), out * value.tail<3>();
+        return turned;
     };
+    return load;
 }
 
 MagneticField turn(const Quat& rotation, const MagneticField& field) {
@@ -177,13 +186,14 @@ void turn_model(const Quat& rotation, Model& model) {
     for (Support& support : model.supports) support.axes = rotation * support.axes;
     for (NodalLoad& load : model.loads) {
         load.axes = rotation * load.axes;
-        if (load.motion_force) load.motion_force = turn(rotation, load.motion_force, load.frame);
+        load.by_motion = turn(rotation, load.by_motion, load.frame);
         if (load.frame == Frame::body) continue;
         load.force = turn(rotation, load.force);
         load.moment = turn(rotation, load.moment);
     }
     for (DistributedLoad& load : model.distributed_loads) {
         if (load.field) load.field = turn(rotation, *load.field);
+        load.by_motion = turn(rotation, load.by_motion, load.frame);
         if (load.frame == Frame::body) continue;
         load.force = turn(rotation, load.force);
         load.moment = turn(rotation, load.moment);

@@ -212,6 +212,17 @@ def load_by_rate(deck, draw):
     add_load(deck, at="beam.end", force=["-0.2*vx", "-0.2*vy", "-0.2*vz"])
 
 
+@feature("load-turn", damped=True)
+def load_by_turn(deck, draw):
+    add_load(deck, at="beam.end", moment=["-0.05*P*rx - 0.01*wx", "-0.04*P*ry", f"{draw.uniform(0.1, 0.5)}*P - 0.02*wz"])
+
+
+@feature("load-line-motion", damped=True)
+def line_load_by_motion(deck, draw):
+    add_load(deck, on="beam", force_per_length=["-0.1*vx", "-0.3*P*y*s", f"{draw.uniform(-1, 1)}*P - 0.2*vz"],
+             moment_per_length=["-0.03*P*rx", 0, "-0.01*wz"])
+
+
 @feature("load-time", timed=True)
 def load_by_time(deck, draw):
     deck["function"] = deck.get("function", {}) | {"ramp": {"table": [[0, 0], [0.25, 1], [5, 1]]}}

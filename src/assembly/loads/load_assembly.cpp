@@ -4,6 +4,7 @@
 
 #include "assembly/element_geometry.hpp"
 #include "loads/distributed_load.hpp"
+#include "loads/motion_load.hpp"
 #include "loads/nodal_load.hpp"
 #include "loads/shape_functions.hpp"
 
@@ -72,6 +73,15 @@ void LoadAssembly::subtract_forces(const State& state,
         residual.raise_group(groups_->of_node(static_cast<int>(i)), distributed[i]);
         residual.nodal[i] -= distributed[i];
     }
+    for (const LoadedElement& element : values_.elements()) {
+        if (!element.load->by_motion) continue;
+        const LoadVector forces = compute_motion_load(element, time, state.trial);
+        for (std::size_t i = 0; i < element.nodes.size(); ++i) {
+            const Vec6 force = forces.segment<6>(6 * static_cast<Eigen::Index>(i));
+            residual.raise_group(groups_->of_node(element.nodes[i]), force);
+            residual.nodal[static_cast<std::size_t>(element.nodes[i])] -= force;
+        }
+    }
 }
 
 void LoadAssembly::add_tangents(const State& state,
@@ -82,22 +92,23 @@ void LoadAssembly::add_tangents(const State& state,
     values_.move_to(time);
     for (std::size_t i = 0; i < model_->loads.size(); ++i) {
         const NodalLoad& load = model_->loads[i];
-        if (load.frame == Frame::spatial && !load.motion_force) continue;
+        if (load.frame == Frame::spatial && !load.by_motion) continue;
         const NodeMotion& motion = state.trial[load.node];
         const Vec6 force = compute_load(load, values_.nodal()[i], motion, time);
         const NodeLinearization& linearization = linearizations[load.node];
         Mat6 tangent = -compute_load_tangent(load, force, linearization);
-        if (load.motion_force)
-            tangent.topLeftCorner<3, 3>() -=
-                compute_motion_force_tangent(load, motion, linearization, time, length_);
+        if (load.by_motion) tangent -= compute_motion_tangent(load, motion, linearization, time, length_);
         turn_to_own_axes(std::span(&load.node, 1), *equations_, tangent);
         add_to_values<1>(tangent, places_[i], values);
     }
     for (std::size_t i = 0; i < values_.elements().size(); ++i) {
         const LoadedElement& element = values_.elements()[i];
-        if (element.load->frame == Frame::spatial) continue;
+        const MotionLoad& by_motion = element.load->by_motion;
+        if (element.load->frame == Frame::spatial && !by_motion) continue;
         LoadMatrix tangent = -compute_distributed_load_tangent(
             element, {time, values_.moments(i)}, state.trial, linearizations);
+        if (by_motion)
+            tangent -= compute_motion_load_tangent(element, time, state.trial, linearizations, length_);
         turn_to_own_axes(std::span<const int>(element.nodes), *equations_, tangent);
         add_to_values(tangent.data(), element_slots_[i], values);
     }
@@ -111,8 +122,9 @@ void LoadAssembly::subtract_element_forces(const State& state,
         if (model_->distributed_loads[i].rod != place.rod) continue;
         values_.move_to(time);
         const std::size_t loaded = values_.first_element(i) + static_cast<std::size_t>(place.element);
-        forces -= compute_distributed_load(
-            values_.elements()[loaded], {time, values_.moments(loaded)}, state.trial);
+        const LoadedElement& element = values_.elements()[loaded];
+        forces -= compute_distributed_load(element, {time, values_.moments(loaded)}, state.trial);
+        if (element.load->by_motion) forces -= compute_motion_load(element, time, state.trial);
     }
 }
 

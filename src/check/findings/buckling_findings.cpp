@@ -54,16 +54,13 @@ std::string find_bent_actuation(const Model& model) {
 
 // Whether anything acts that a factor multiplies.
 bool grows(const Model& model) {
-    const auto is_load = [](const NodalLoad& load) { return load.has_force() || !is_zero(load.moment); };
-    const auto is_line_load = [](const DistributedLoad& load) {
-        return !is_zero(load.force) || !is_zero(load.moment);
-    };
+    const auto acts = [](const auto& load) { return load.acts(); };
     const auto is_moved = [](const Support& support) { return support.moved != std::array<bool, 6>{}; };
     const auto is_pulled = [](const Tendon& tendon) {
         return tendon.winch ? !tendon.winch->is_released : !tendon.tension.is_zero();
     };
-    return !model.gravity.is_zero() || std::ranges::any_of(model.loads, is_load) ||
-           std::ranges::any_of(model.distributed_loads, is_line_load) ||
+    return !model.gravity.is_zero() || std::ranges::any_of(model.loads, acts) ||
+           std::ranges::any_of(model.distributed_loads, acts) ||
            std::ranges::any_of(model.supports, is_moved) || !model.actuations.empty() ||
            std::ranges::any_of(model.tendons, is_pulled) || has_joint_drive(model);
 }

@@ -142,9 +142,10 @@ std::string find_outer_push(const Model& model, int normal) {
 
 std::string find_push(const Model& model, int normal) {
     for (const NodalLoad& load : model.loads) {
-        if (load.motion_force || pushes_out(load, normal)) return load.key;
+        if (load.by_motion || pushes_out(load, normal)) return load.key;
     }
     for (const DistributedLoad& load : model.distributed_loads) {
+        if (load.by_motion) return load.key;
         if (load.field ? pushes_out(load, *load.field, normal) : pushes_out(load, normal)) return load.key;
     }
     if (!model.gravity.components()[normal].is_zero()) return "gravity";

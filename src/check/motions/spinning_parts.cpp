@@ -110,11 +110,17 @@ std::string find_unsteady_load_of_spin(const Model& model, const TurningFrame& f
     const auto describe = [](const std::string& key) {
         return key + " turns with a part that spins, and is not along its axis. Fix it in space, or make";
     };
+    const auto follows = [](const std::string& key) {
+        return key + " depends on how a part turns that spins. Leave that out, or make";
+    };
     for (const NodalLoad& load : model.loads) {
         if (!is_steady_on_spin(load, frame)) return describe(load.key);
+        if (load.by_motion.turns && frame.spins(load.node)) return follows(load.key);
     }
     for (const DistributedLoad& load : model.distributed_loads) {
         if (!is_steady_on_spin(load, model, frame)) return describe(load.key);
+        const Rod& rod = model.rods[static_cast<std::size_t>(load.rod)];
+        if (load.by_motion.turns && frame.spins(rod.nodes.front())) return follows(load.key);
     }
     const auto is_on_spin = [&](int rod) {
         return frame.spins(model.rods[static_cast<std::size_t>(rod)].nodes.front());

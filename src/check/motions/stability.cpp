@@ -69,7 +69,7 @@ std::string describe_without_potential(const StabilityChange& change, bool has_c
 
 std::string find_load_without_potential(const Model& model) {
     for (const NodalLoad& load : model.loads) {
-        if (load.motion_force) return load.key + " depends on its point's motion";
+        if (load.by_motion) return load.key + " depends on its point's motion";
         const bool has_moment = !is_zero(load.moment);
         if (load.frame != Frame::spatial && !(is_zero(load.force) && !has_moment))
             return load.key + " follows its point";
@@ -77,6 +77,7 @@ std::string find_load_without_potential(const Model& model) {
             return load.key + " is a moment whose axis does not turn with its point";
     }
     for (const DistributedLoad& load : model.distributed_loads) {
+        if (load.by_motion) return load.key + " depends on its rod's motion";
         if (load.field) continue;
         if (load.frame != Frame::spatial && !(is_zero(load.force) && is_zero(load.moment)))
             return load.key + " follows its rod";

@@ -110,24 +110,44 @@ double measure_extent(const Model& model, const TurningFrame& frame) {
     return extent > 0.0 ? extent : 1.0;
 }
 
+// Of what of a load depends on the motion; `length` of the rod, 0 at a point.
+std::string find_unsteadiness(const MotionLoad& load,
+                              double length,
+                              const Model& model,
+                              const TurningFrame& frame) {
+    if (!load) return "";
+    if (load.turns)
+        return "depends on how its point has turned since t = 0: in a frame that turns it is not steady. "
+               "Leave "
+               "that out, or make the motion a dynamic analysis";
+    for (const double part : load_factors) {
+        for (const Eigen::Index first : {0, 3}) {
+            const auto value = [&](double t, const Vec3& place, const Vec3& velocity) {
+                return Vec3(load.value(t, part * length, {place, velocity}).segment<3>(first));
+            };
+            if (turns_along(frame, measure_extent(model, frame), value)) continue;
+            return fmt::format(
+                "depends on where its point is and how fast it moves, not alike to all sides of the axis of "
+                "rotation {}: in a frame that turns it is not steady. Make it so, or make the motion a "
+                "dynamic "
+                "analysis",
+                in_brackets(frame.axis));
+        }
+    }
+    return "";
+}
+
 std::string find_unsteady_force(const Model& model, const TurningFrame& frame) {
     for (const NodalLoad& load : model.loads) {
         if (!is_steady(load, frame.axis)) return describe(load.key);
-        if (!load.motion_force) continue;
-        const auto force = [&](double t, const Vec3& place, const Vec3& velocity) {
-            return load.motion_force(t, place, velocity);
-        };
-        if (turns_along(frame, measure_extent(model, frame), force)) continue;
-        return fmt::format(
-            "{} depends on where its point is and how fast it moves, not alike to all sides of the axis of "
-            "rotation {}: in a frame that turns it is not steady. Make it so, or make the motion a dynamic "
-            "analysis",
-            load.key,
-            in_brackets(frame.axis));
+        const std::string why = find_unsteadiness(load.by_motion, 0.0, model, frame);
+        if (!why.empty()) return load.key + " " + why;
     }
     for (const DistributedLoad& load : model.distributed_loads) {
         const double length = model.rods[static_cast<std::size_t>(load.rod)].length;
         if (!is_steady(load, length, frame.axis)) return describe(load.key);
+        const std::string why = find_unsteadiness(load.by_motion, length, model, frame);
+        if (!why.empty()) return load.key + " " + why;
     }
     return "";
 }

@@ -57,7 +57,7 @@ std::string describe_load(const Model& model, const NodalLoad& load) {
                        load.key,
                        model.nodes[load.node].name,
                        load.has_force() ? " force" : "",
-                       is_zero(load.moment) ? "" : " moment",
+                       load.has_moment() ? " moment" : "",
                        frames[static_cast<std::size_t>(load.frame)]);
 }
 
@@ -70,8 +70,8 @@ std::string describe_load(const Model& model, const DistributedLoad& load) {
     return fmt::format("{} on rod {}:{}{}, {}\n",
                        load.key,
                        model.rods[load.rod].name,
-                       is_zero(load.force) ? "" : " force per length",
-                       is_zero(load.moment) ? "" : " moment per length",
+                       load.has_force() ? " force per length" : "",
+                       load.has_moment() ? " moment per length" : "",
                        frames[static_cast<std::size_t>(load.frame)]);
 }
 

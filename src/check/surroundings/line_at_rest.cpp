@@ -95,9 +95,9 @@ bool are_loads_known(const Model& model) {
     const auto is_known = [&](const auto& functions) {
         return std::ranges::all_of(functions, [](const auto& function) { return function.is_constant(); });
     };
-    const auto is_load_known = [&](const auto& load) { return is_known(load.force); };
+    const auto is_load_known = [&](const auto& load) { return !load.by_motion && is_known(load.force); };
     const auto is_even = [](const DistributedLoad& load) {
-        return std::ranges::all_of(load.force, [](const LineFunction& function) {
+        return !load.by_motion && std::ranges::all_of(load.force, [](const LineFunction& function) {
             return function.is_constant() || function.form().in_time == InTime::constant;
         });
     };

@@ -39,13 +39,16 @@ void check(const CheckedTimeFunction& value, const std::vector<double>& times, c
     });
 }
 
-void check_along(const CheckedLineFunction& value, double length, const BuildContext& context) {
-    if (value.expression.function.is_constant()) return;
+template <class Value>
+void check_along(const Value& value,
+                 const LineFunction& function,
+                 double length,
+                 const BuildContext& context) {
+    if (function.is_constant()) return;
     report_error(value, context, [&] {
         for (const double time : sample_times(context.analysis(), most_line_samples)) {
             for (long i = 0; i <= most_line_samples; ++i) {
-                value.expression.function(
-                    time, length * (static_cast<double>(i) / static_cast<double>(most_line_samples)));
+                function(time, length * (static_cast<double>(i) / static_cast<double>(most_line_samples)));
             }
         }
     });
@@ -60,11 +63,16 @@ std::optional<double> find_length(const std::string& name, const BuildContext& c
 void check_along(const TableHead& table, double length, const BuildContext& context) {
     const auto check_all = [&](const auto& vectors) {
         for (const auto& vector : vectors) {
-            for (const CheckedLineFunction& component : vector.get()) check_along(component, length, context);
+            for (const CheckedLineFunction& component : vector.get())
+                check_along(component, component.expression.function, length, context);
         }
     };
     for (const CheckedLineFunction& one : values_of<CheckedLineFunction>(table))
-        check_along(one, length, context);
+        check_along(one, one.expression.function, length, context);
+    for (const CheckedLineMotionVector& vector : values_of<CheckedLineMotionVector>(table)) {
+        for (const CheckedLineMotionFunction& component : vector)
+            check_along(component, component.expression.by_line.function, length, context);
+    }
     check_all(values_of<CheckedLinePair>(table));
     check_all(values_of<CheckedLineVector>(table));
 }

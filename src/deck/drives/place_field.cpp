@@ -4,11 +4,11 @@ namespace gxrod {
 
 PlaceField make_field(const CheckedMotionVector& components, const Acting& acting) {
     PlaceField field;
-    std::array<MotionComponent, 3> by_place;
+    std::array<PointFunction, 3> by_place;
     for (std::size_t i = 0; i < 3; ++i) {
         const MotionExpression& component = components[i].expression;
         if (component.by_motion) {
-            by_place[i] = acting.apply(component);
+            by_place[i] = acting.apply(component.by_motion, component.has_time);
         } else {
             field.uniform[i] = acting.apply(component.by_time);
         }
@@ -17,7 +17,8 @@ PlaceField make_field(const CheckedMotionVector& components, const Acting& actin
     field.by_place = [by_place](double time, const Vec3& position) {
         Vec3 value = Vec3::Zero();
         for (std::size_t i = 0; i < 3; ++i) {
-            if (by_place[i]) value[static_cast<Eigen::Index>(i)] = by_place[i](time, position, Vec3::Zero());
+            if (by_place[i])
+                value[static_cast<Eigen::Index>(i)] = by_place[i](time, 0.0, {.position = position});
         }
         return value;
     };

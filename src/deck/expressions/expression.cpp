@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <muParser.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -58,8 +59,7 @@ struct Formula {
 struct Values {
     double t = 0.0;
     double s = 0.0;
-    Vec3 position = Vec3::Zero();
-    Vec3 velocity = Vec3::Zero();
+    PointMotion motion = {};
     double length = 0.0;
     double rate = 0.0;
 };
@@ -151,8 +151,11 @@ double* CompiledExpression::find(const std::string& variable) {
     if (variable == "s") return &values_.s;
     if (variable == "length") return &values_.length;
     if (variable == "rate") return &values_.rate;
-    if (variable.size() == 2) return &values_.velocity["xyz"s.find(variable[1])];
-    return &values_.position["xyz"s.find(variable)];
+    Vec3& vector = variable.size() == 1 ? values_.motion.position
+                   : variable[0] == 'v' ? values_.motion.velocity
+                   : variable[0] == 'r' ? values_.motion.rotation
+                                        : values_.motion.spin;
+    return &vector[static_cast<Eigen::Index>("xyz"s.find(variable.back()))];
 }
 
 CompiledExpression::CompiledExpression(const Formula& formula, CompiledFunctions& functions)
@@ -399,7 +402,7 @@ std::optional<PlaceExpression> compile_place_function(const std::string& express
     }
     const bool has_arc_length = compiled.variables.contains("s");
     const auto evaluate = [program = compiled.program, has_arc_length](const Vec3& position, double s) {
-        return program->evaluate({.s = s, .position = position}, [&] {
+        return program->evaluate({.s = s, .motion = {.position = position}}, [&] {
             const std::string at =
                 fmt::format("x = {}, y = {}, z = {}", position[0], position[1], position[2]);
             return has_arc_length ? fmt::format("{}, s = {}", at, s) : at;
@@ -410,19 +413,26 @@ std::optional<PlaceExpression> compile_place_function(const std::string& express
 
 namespace {
 
-std::optional<MotionExpression> compile_by_position(const Formula& formula, const std::string& key) {
+bool is_of_motion(const std::string& variable) { return variable != "t" && variable != "s"; }
+bool is_of_turn(const std::string& variable) { return variable[0] == 'r' || variable[0] == 'w'; }
+
+PointFunction make_point_function(const Compiled& compiled) {
+    return [program = compiled.program](double time, double s, const PointMotion& motion) {
+        return program->evaluate({.t = time, .s = s, .motion = motion});
+    };
+}
+
+std::optional<MotionExpression> compile_by_motion(const Formula& formula, const std::string& key) {
     const Compiled compiled = compile(formula, key);
     if (!compiled.program) return std::nullopt;
-    const bool has_time = compiled.variables.contains("t");
-    if (compiled.variables.size() == (has_time ? 1U : 0U)) {
-        std::optional<TimeFunction> by_time = compile_time_function(formula.text, key, formula.symbols);
-        return MotionExpression{.by_time = std::move(*by_time), .by_motion = {}, .has_time = has_time};
+    MotionExpression expression{.has_time = compiled.variables.contains("t"),
+                                .turns = std::ranges::any_of(compiled.variables, is_of_turn)};
+    if (std::ranges::any_of(compiled.variables, is_of_motion)) {
+        expression.by_motion = make_point_function(compiled);
+    } else {
+        expression.by_time = *compile_time_function(formula.text, key, formula.symbols);
     }
-    const auto evaluate = [program = compiled.program](
-                              double time, const Vec3& position, const Vec3& velocity) {
-        return program->evaluate({.t = time, .position = position, .velocity = velocity});
-    };
-    return MotionExpression{.by_time = {}, .by_motion = evaluate, .has_time = has_time};
+    return expression;
 }
 
 }  // namespace
@@ -430,13 +440,25 @@ std::optional<MotionExpression> compile_by_position(const Formula& formula, cons
 std::optional<MotionExpression> compile_motion_function(const std::string& expression,
                                                         const std::string& key,
                                                         const Symbols& symbols) {
-    return compile_by_position({expression, symbols, Variables::motion}, key);
+    return compile_by_motion({expression, symbols, Variables::motion}, key);
 }
 
 std::optional<MotionExpression> compile_field_function(const std::string& expression,
                                                        const std::string& key,
                                                        const Symbols& symbols) {
-    return compile_by_position({expression, symbols, Variables::field}, key);
+    return compile_by_motion({expression, symbols, Variables::field}, key);
+}
+
+std::optional<LineMotionExpression> compile_line_motion_function(const std::string& expression,
+                                                                 const std::string& key,
+                                                                 const Symbols& symbols) {
+    const Compiled compiled = compile({expression, symbols, Variables::motion_along}, key);
+    if (!compiled.program) return std::nullopt;
+    if (std::ranges::none_of(compiled.variables, is_of_motion))
+        return LineMotionExpression{.by_line = *compile_line_function(expression, key, symbols)};
+    return LineMotionExpression{.by_line = {LineFunction(0.0), compiled.variables.contains("t")},
+                                .by_motion = make_point_function(compiled),
+                                .turns = std::ranges::any_of(compiled.variables, is_of_turn)};
 }
 
 std::optional<SpringExpression> compile_spring_function(const std::string& expression,

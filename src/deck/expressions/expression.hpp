@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "deck/expressions/table_function.hpp"
+#include "model/point_motion.hpp"
 #include "model/time/input.hpp"
 #include "model/time/time_function.hpp"
 #include "rotation/types.hpp"
@@ -84,18 +85,30 @@ std::optional<PlaceExpression> compile_place_function(const std::string& express
                                                       const std::string& key,
                                                       const Symbols& symbols);
 
-// A component of a force as a function of the motion of its point. One of both functions is used.
+// A component of a load as a function of the motion of its point. One of both functions is used.
 struct MotionExpression {
-    TimeFunction by_time;  // used if neither position nor velocity occurs
-    // Returns NaN where it has no value.
-    std::function<double(double time, const Vec3& position, const Vec3& velocity)> by_motion;
-    bool has_time = false;  // whether t occurs
+    TimeFunction by_time{};     // used if nothing of the motion occurs
+    PointFunction by_motion{};  // returns NaN where it has no value
+    bool has_time = false;      // whether t occurs
+    bool turns = false;         // whether rotation or angular velocity occurs
 };
 
-// Makes a function of t, x, y, z, vx, vy and vz.
+// Makes a function of t, x, y, z, vx, vy, vz, rx, ry, rz, wx, wy and wz.
 std::optional<MotionExpression> compile_motion_function(const std::string& expression,
                                                         const std::string& key,
                                                         const Symbols& symbols);
+
+// The same along a rod.
+struct LineMotionExpression {
+    LineExpression by_line{};  // used if nothing of the motion occurs
+    PointFunction by_motion{};
+    bool turns = false;
+};
+
+// Makes a function of these and s.
+std::optional<LineMotionExpression> compile_line_motion_function(const std::string& expression,
+                                                                 const std::string& key,
+                                                                 const Symbols& symbols);
 
 // Makes a function of t, x, y and z.
 std::optional<MotionExpression> compile_field_function(const std::string& expression,

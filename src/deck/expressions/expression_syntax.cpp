@@ -14,7 +14,9 @@ namespace {
 
 const std::vector<std::string>& names_of(Variables variables) {
     static const std::vector<std::string> none, time{"t"}, line{"t", "s"}, arc{"s"},
-        place{"x", "y", "z", "s"}, field{"t", "x", "y", "z"}, motion{"t", "x", "y", "z", "vx", "vy", "vz"},
+        place{"x", "y", "z", "s"}, field{"t", "x", "y", "z"},
+        motion{"t", "x", "y", "z", "vx", "vy", "vz", "rx", "ry", "rz", "wx", "wy", "wz"},
+        motion_along{"t", "s", "x", "y", "z", "vx", "vy", "vz", "rx", "ry", "rz", "wx", "wy", "wz"},
         spring{"length", "rate"};
     switch (variables) {
         case Variables::none:
@@ -31,6 +33,8 @@ const std::vector<std::string>& names_of(Variables variables) {
             return field;
         case Variables::motion:
             return motion;
+        case Variables::motion_along:
+            return motion_along;
         case Variables::spring:
             break;
     }
@@ -42,7 +46,10 @@ const char* describe_variable(const std::string& name) {
     if (name == "s") return "the arc length";
     if (name == "length") return "the spring's length";
     if (name == "rate") return "the rate of the spring's length";
-    return name.size() == 2 ? "a component of the velocity" : "a coordinate";
+    if (name.size() == 1) return "a coordinate";
+    return name[0] == 'v'   ? "a component of the velocity"
+           : name[0] == 'r' ? "a component of the rotation vector"
+                            : "a component of the angular velocity";
 }
 
 bool has(const std::vector<std::string>& names, const std::string& name) {
@@ -173,7 +180,8 @@ class ExpressionCheck {
     // Whether the value is looked at again while a run goes on.
     bool can_change() const {
         return variables_ == Variables::time || variables_ == Variables::line ||
-               variables_ == Variables::field || variables_ == Variables::motion;
+               variables_ == Variables::field || variables_ == Variables::motion ||
+               variables_ == Variables::motion_along;
     }
 
     void use_input(const std::string& name) {

@@ -17,8 +17,10 @@ enum class Variables {
     arc,     // s, and the deck's functions; not t
     place,   // x, y, z of the reference position, s and the deck's functions; not t
     field,   // t, x, y, z of a position, and the deck's functions
-    motion,  // t, x, y, z of a point's position, vx, vy, vz of its velocity, and the deck's functions
-    spring   // length, rate of a spring's length, and the deck's functions; not t
+    motion,  // t, x, y, z of a point's position, vx, vy, vz of its velocity, rx, ry, rz of its rotation
+             // vector, wx, wy, wz of its angular velocity, and the deck's functions
+    motion_along,  // also s, the arc length from a rod's start
+    spring         // length, rate of a spring's length, and the deck's functions; not t
 };
 
 // The names that an expression uses, without the built-in ones.

@@ -131,14 +131,14 @@ LineFunction Acting::apply(const LineExpression& value) const {
                         own.form());
 }
 
-MotionComponent Acting::apply(const MotionExpression& value) const {
+PointFunction Acting::apply(const PointFunction& by_motion, bool has_time) const {
     if (is_absent) return {};
-    const TimeFunction scale = find_motion_factor(value.has_time);
-    const auto held = held_at && (factor || !value.has_time) ? held_at : nullptr;
-    return [own = value.by_motion, scale, held, limit = limit_load_factor](
-               double time, const Vec3& position, const Vec3& velocity) {
+    const TimeFunction scale = find_motion_factor(has_time);
+    const auto held = held_at && (factor || !has_time) ? held_at : nullptr;
+    return [own = by_motion, scale, held, limit = limit_load_factor](
+               double time, double s, const PointMotion& motion) {
         const double t = held ? *held : time;
-        return (limit ? *limit : 1.0) * scale(t) * own(t, position, velocity);
+        return (limit ? *limit : 1.0) * scale(t) * own(t, s, motion);
     };
 }
 

@@ -9,8 +9,6 @@
 // How a load, or the move of a support, acts in the stage at hand.
 namespace gxrod {
 
-using MotionComponent = decltype(MotionExpression::by_motion);
-
 // The factor of the values of one table, and the stages in which they act.
 struct Acting {
     bool is_absent = false;  // does not act in this stage
@@ -26,7 +24,7 @@ struct Acting {
     TimeFunction apply(const TimeFunction& value) const;
     LineFunction apply(const LineExpression& value) const;
     // The function of a component that depends on the motion; an empty one if it does not act.
-    MotionComponent apply(const MotionExpression& value) const;
+    PointFunction apply(const PointFunction& by_motion, bool has_time) const;
 
   private:
     // By which a value that depends on the motion is multiplied, at the time that acts.

@@ -11,9 +11,8 @@ namespace {
 struct LoadTable : ActingTable {
     std::optional<PointName> at;
     std::optional<TableName> on;
-    std::optional<CheckedMotionVector> force;
-    std::optional<CheckedTimeVector> moment;
-    std::optional<CheckedLineVector> force_per_length, moment_per_length;
+    std::optional<CheckedMotionVector> force, moment;
+    std::optional<CheckedLineMotionVector> force_per_length, moment_per_length;
     Frame frame = NodalLoad{}.frame;
     Copies copies;
 };
@@ -28,16 +27,17 @@ const TableSpec& load_table() {
             .also("pos position point node location where")
         .key("on", &T::on, "The name of a rod, for a load along it.")
             .names_of({"rod"}).also("rod beam along")
-        .key("force", &T::force, "Force; x, y, z is where the point is then, vx, vy, vz how fast it moves, global.")
+        .key("force", &T::force, "Force; x, y, z is where the point is then, vx, vy, vz its velocity, rx, ry, rz its rotation vector "
+             "since t = 0, wx, wy, wz its angular velocity, all global.")
             .unit("mass·length/time²").otherwise("[0, 0, 0]").only_with("at").also("f value magnitude vector")
-        .key("moment", &T::moment, "Moment.")
+        .key("moment", &T::moment, "Moment; of the same variables.")
             .unit("mass·length²/time²").otherwise("[0, 0, 0]").only_with("at").also("m torque couple")
         .key("force_per_length", &T::force_per_length,
-             "Force per reference length; s is the arc length from the rod's start.")
+             "Force per reference length; s is the arc length from the rod's start, the others are of the point there.")
             .unit("mass/time²").otherwise("[0, 0, 0]").only_with("on")
             .also("q p distributed line_load force_per_unit_length distributed_force")
         .key("moment_per_length", &T::moment_per_length,
-             "Moment per reference length; s is the arc length from the rod's start.")
+             "Moment per reference length; of the same variables.")
             .unit("mass·length/time²").otherwise("[0, 0, 0]").only_with("on")
         .key("frame", &T::frame, "spatial: fixed in space, a dead load. follower: global components at t = 0, turned "
              "with the node or section. body: components in the section axes of the point named, or along the rod "
@@ -74,74 +74,98 @@ const TableSpec& load_table() {
 
 namespace {
 
-// What the model has for a value of the deck.
-TimeFunction function_of(const CheckedTimeFunction& value, const Acting& acting) {
-    return acting.apply(value.function);
-}
+// The parts of a force, or a moment, that depend on the motion.
+struct MotionParts {
+    std::array<PointFunction, 6> components;  // empty where nothing does
+    bool turns = false;
 
-LineFunction function_of(const CheckedLineFunction& value, const Acting& acting) {
-    return acting.apply(value.expression);
-}
-
-// Three functions; zero if the deck does not give them.
-template <class Function, class Checked>
-std::array<Function, 3> functions_of(const std::optional<std::array<Checked, 3>>& components,
-                                     const Acting& acting) {
-    std::array<Function, 3> functions;
-    if (!components) return functions;
-    for (std::size_t i = 0; i < 3; ++i) functions[i] = function_of((*components)[i], acting);
-    return functions;
-}
-
-void set_force(const CheckedMotionVector& components, const Acting& acting, NodalLoad& load) {
-    std::array<MotionComponent, 3> by_motion;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const MotionExpression& component = components[i].expression;
-        if (component.by_motion) {
-            by_motion[i] = acting.apply(component);
-        } else {
-            load.force[i] = acting.apply(component.by_time);
-        }
+    MotionLoad make_load() const {
+        MotionLoad load;
+        const auto any = [&](std::size_t first) {
+            return components[first] || components[first + 1] || components[first + 2];
+        };
+        load.has_force = any(0);
+        load.has_moment = any(3);
+        load.turns = turns;
+        if (!load.has_force && !load.has_moment) return load;
+        load.value = [all = components](double time, double s, const PointMotion& motion) {
+            Vec6 value = Vec6::Zero();
+            for (std::size_t i = 0; i < 6; ++i) {
+                if (all[i]) value[static_cast<Eigen::Index>(i)] = all[i](time, s, motion);
+            }
+            return value;
+        };
+        return load;
     }
-    if (!by_motion[0] && !by_motion[1] && !by_motion[2]) return;
-    load.motion_force = [by_motion](double time, const Vec3& position, const Vec3& velocity) {
-        Vec3 force = Vec3::Zero();
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (by_motion[i]) force[static_cast<Eigen::Index>(i)] = by_motion[i](time, position, velocity);
+};
+
+TimeFunction rest_of(const CheckedMotionFunction& value, const Acting& acting) {
+    return acting.apply(value.expression.by_time);
+}
+
+bool has_time(const CheckedMotionFunction& value) { return value.expression.has_time; }
+
+LineFunction rest_of(const CheckedLineMotionFunction& value, const Acting& acting) {
+    return acting.apply(value.expression.by_line);
+}
+
+bool has_time(const CheckedLineMotionFunction& value) { return value.expression.by_line.has_time; }
+
+// Three functions without the motion; what depends on it goes to `parts`, from `first` on.
+template <class Function, class Checked>
+std::array<Function, 3> split(const std::optional<std::array<Checked, 3>>& components,
+                              const Acting& acting,
+                              std::size_t first,
+                              MotionParts& parts) {
+    std::array<Function, 3> functions;
+    for (std::size_t i = 0; components && i < 3; ++i) {
+        const Checked& one = (*components)[i];
+        if (!one.expression.by_motion) {
+            functions[i] = rest_of(one, acting);
+            continue;
         }
-        return force;
-    };
+        parts.components[first + i] = acting.apply(one.expression.by_motion, has_time(one));
+        parts.turns = parts.turns || one.expression.turns;
+    }
+    return functions;
 }
 
 void add_nodal_load(const LoadTable& given, const Acting& acting, BuildContext& context) {
     const std::optional<PlacedPoint> point = context.place(given.at->word);
     if (!point) return;
+    MotionParts parts;
     NodalLoad load{.key = given.path,
                    .node = point->node,
-                   .force = {},
-                   .moment = functions_of<TimeFunction>(given.moment, acting),
+                   .force = split<TimeFunction>(given.force, acting, 0, parts),
+                   .moment = split<TimeFunction>(given.moment, acting, 3, parts),
                    .frame = given.frame,
                    .axes = context.axes_at(*point)};
-    if (given.force) set_force(*given.force, acting, load);
+    load.by_motion = parts.make_load();
     context.model.loads.push_back(std::move(load));
 }
 
 void add_distributed_load(const LoadTable& given, const Acting& acting, BuildContext& context) {
     const std::optional<Part> part = find_part(given, *given.on, context);
     if (!part) return;
-    context.model.distributed_loads.push_back(
-        {.key = given.path,
-         .rod = part->rod,
-         .force = functions_of<LineFunction>(given.force_per_length, acting),
-         .moment = functions_of<LineFunction>(given.moment_per_length, acting),
-         .frame = given.frame});
+    MotionParts parts;
+    DistributedLoad load{.key = given.path,
+                         .rod = part->rod,
+                         .force = split<LineFunction>(given.force_per_length, acting, 0, parts),
+                         .moment = split<LineFunction>(given.moment_per_length, acting, 3, parts),
+                         .frame = given.frame};
+    load.by_motion = parts.make_load();
+    context.model.distributed_loads.push_back(std::move(load));
 }
 
 }  // namespace
 
 void build_loads(BuildContext& context) {
-    if (const auto& gravity = top_level_of(context.deck).gravity)
-        context.model.gravity = TimeVector(functions_of<TimeFunction>(gravity, find_acting(context)));
+    if (const auto& gravity = top_level_of(context.deck).gravity) {
+        const Acting acting = find_acting(context);
+        std::array<TimeFunction, 3> components;
+        for (std::size_t i = 0; i < 3; ++i) components[i] = acting.apply((*gravity)[i].function);
+        context.model.gravity = TimeVector(std::move(components));
+    }
     for (const LoadTable& given : tables_of<LoadTable>(context.deck, load_table())) {
         const Acting acting = find_acting(given, context);
         if (acting.is_absent) continue;

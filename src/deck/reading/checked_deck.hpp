@@ -59,9 +59,16 @@ struct CheckedPlaceFunction {
     std::string path;
 };
 
-// A value f(t, x, y, z, vx, vy, vz).
+// A value by time and the motion of a point.
 struct CheckedMotionFunction {
     MotionExpression expression;
+    Place place;
+    std::string path;
+};
+
+// The same along a rod.
+struct CheckedLineMotionFunction {
+    LineMotionExpression expression;
     Place place;
     std::string path;
 };
@@ -91,6 +98,7 @@ using CheckedTimeVector = std::array<CheckedTimeFunction, 3>;
 using CheckedLinePair = std::array<CheckedLineFunction, 2>;
 using CheckedLineVector = std::array<CheckedLineFunction, 3>;
 using CheckedMotionVector = std::array<CheckedMotionFunction, 3>;
+using CheckedLineMotionVector = std::array<CheckedLineMotionFunction, 3>;
 using CheckedPlaceVector = std::array<CheckedPlaceFunction, 3>;
 using TimeTable = std::vector<std::pair<double, double>>;
 // Rows of 2 numbers, each row with its place.

@@ -12,7 +12,9 @@ Function FunctionReader::constant(double value) {
     } else if constexpr (std::is_same_v<Function, LineExpression>) {
         return {LineFunction(value)};
     } else if constexpr (std::is_same_v<Function, MotionExpression>) {
-        return {.by_time = TimeFunction(value), .by_motion = {}};
+        return {.by_time = TimeFunction(value)};
+    } else if constexpr (std::is_same_v<Function, LineMotionExpression>) {
+        return {.by_line = {LineFunction(value)}};
     } else if constexpr (std::is_same_v<Function, SpringExpression>) {
         return {[value](double, double) { return value; }};
     } else {
@@ -119,6 +121,13 @@ std::optional<CheckedMotionFunction> FunctionReader::motion_function(const DeckN
     auto expression = compiled<MotionExpression>(node, path, compile_motion_function);
     if (!expression) return std::nullopt;
     return CheckedMotionFunction{std::move(*expression), node.place, path};
+}
+
+std::optional<CheckedLineMotionFunction> FunctionReader::line_motion_function(const DeckNode& node,
+                                                                              const std::string& path) const {
+    auto expression = compiled<LineMotionExpression>(node, path, compile_line_motion_function);
+    if (!expression) return std::nullopt;
+    return CheckedLineMotionFunction{std::move(*expression), node.place, path};
 }
 
 std::optional<CheckedMotionFunction> FunctionReader::field_function(const DeckNode& node,

@@ -26,6 +26,8 @@ class FunctionReader : public NumberReader {
     std::optional<CheckedLineFunction> line_function(const DeckNode& node, const std::string& path) const;
     std::optional<CheckedPlaceFunction> place_function(const DeckNode& node, const std::string& path) const;
     std::optional<CheckedMotionFunction> motion_function(const DeckNode& node, const std::string& path) const;
+    std::optional<CheckedLineMotionFunction> line_motion_function(const DeckNode& node,
+                                                                  const std::string& path) const;
     std::optional<CheckedMotionFunction> field_function(const DeckNode& node, const std::string& path) const;
     std::optional<CheckedSpringFunction> spring_function(const DeckNode& node, const std::string& path) const;
     // Reads functions with one of the members above.

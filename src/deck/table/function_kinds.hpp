@@ -130,9 +130,20 @@ struct FunctionKind<CheckedPlaceFunction> {
 
 template <>
 struct FunctionKind<CheckedMotionFunction> {
-    static constexpr std::array variables{"t", "x", "y", "z", "vx", "vy", "vz"};
+    static constexpr std::array variables{
+        "t", "x", "y", "z", "vx", "vy", "vz", "rx", "ry", "rz", "wx", "wy", "wz"};
     static constexpr auto read = &FunctionReader::motion_function;
     static double value(const CheckedMotionFunction& of) { return of.expression.by_time(0.0); }
+};
+
+template <>
+struct FunctionKind<CheckedLineMotionFunction> {
+    static constexpr std::array variables{
+        "t", "s", "x", "y", "z", "vx", "vy", "vz", "rx", "ry", "rz", "wx", "wy", "wz"};
+    static constexpr auto read = &FunctionReader::line_motion_function;
+    static double value(const CheckedLineMotionFunction& of) {
+        return of.expression.by_line.function(0.0, 0.0);
+    }
 };
 
 template <>

@@ -4,6 +4,7 @@
 
 #include "loads/distributed_load.hpp"
 #include "loads/magnet.hpp"
+#include "loads/motion_load.hpp"
 #include "loads/nodal_load.hpp"
 
 namespace gxrod {
@@ -25,7 +26,8 @@ Vec6 compute_per_length(const DistributedLoad& load,
                         const NodeMotion& motion,
                         double time,
                         double length) {
-    const Vec6 value = compute_load_per_length(load, time, s);
+    Vec6 value = compute_load_per_length(load, time, s);
+    if (load.by_motion) value += load.by_motion.value(time, s, find_point_motion(motion));
     if (load.frame == Frame::spatial) return value;
     const Vec6 own = turned(load.frame == Frame::body ? motion.Lambda * axes : motion.Lambda, value);
     if (!load.field) return own;

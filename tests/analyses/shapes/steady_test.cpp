@@ -124,14 +124,26 @@ TEST_CASE("loads that do not turn with the frame are refused", "[analyses]") {
     // Between the cross-coupled forces of a bearing and a spring along x.
     add_ramp(model, last_node(model), Vec3::Zero(), Vec3::Zero());
     model.loads.back().key = "load[0]";
-    model.loads.back().motion_force = [](double, const Vec3& r, const Vec3& v) {
+    const MotionLoad bearing([](double, const Vec3& r, const Vec3& v) {
         return Vec3(-2.0 * r.y() - v.x(), 2.0 * r.x() - v.y(), 0.0);
-    };
+    });
+    const MotionLoad sideways([](double, const Vec3& r, const Vec3&) { return Vec3(-r.x(), 0.0, 0.0); });
+    MotionLoad by_turn = bearing;
+    by_turn.turns = true;
+    model.loads.back().by_motion = bearing;
     CHECK_NOTHROW(make(model));
-    model.loads.back().motion_force = [](double, const Vec3& r, const Vec3&) {
-        return Vec3(-r.x(), 0.0, 0.0);
-    };
+    model.loads.back().by_motion = sideways;
     CHECK_THROWS_WITH(make(model), Contains("load[0] depends on where its point is"));
+    model.loads.back().by_motion = by_turn;
+    CHECK_THROWS_WITH(make(model), Contains("load[0] depends on how its point has turned"));
+    model.loads.pop_back();
+    DistributedLoad along;
+    along.key = "load[1]";
+    along.by_motion = bearing;
+    model.distributed_loads.push_back(along);
+    CHECK_NOTHROW(make(model));
+    model.distributed_loads.back().by_motion = sideways;
+    CHECK_THROWS_WITH(make(model), Contains("load[1] depends on where its point is"));
 }
 
 TEST_CASE("a mass on a spring to the axis goes to where the spring holds it", "[analyses][springs]") {

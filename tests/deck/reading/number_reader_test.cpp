@@ -121,7 +121,9 @@ force = 3)") ==
     CHECK(faults_of(body_deck + R"([[load]]
 at = "top"
 force = [0, true, 0])") ==
-          "x.toml:10:13: load[0].force[1]: expected a number or an expression in t, x, y, z, vx, vy and vz, "
+          "x.toml:10:13: load[0].force[1]: expected a number or an expression in t, x, y, z, vx, vy, vz, rx, "
+          "ry, "
+          "rz, wx, wy and wz, "
           "found a boolean");
     CHECK(faults_of(body_deck + R"([[load]]
 at = "top"
