@@ -31,12 +31,23 @@ void advise_on_iterations(const Failure& failure, Advice& advice) {
     advice.push_back(shorter_steps(failure));
     advice.push_back("a finer mesh (elements, order) there");
     advice.push_back("a larger newton.max_iterations");
+    if (!failure.open_joint.empty()) {
+        advice.push_back(
+            "a look at the mechanism near this position: at the end of its stroke, or where it can fold up "
+            "in two "
+            "ways, a motor cannot move it further");
+    }
     if (failure.phase == Phase::load_step || failure.phase == Phase::instant) {
         advice.push_back(
             "a dynamic analysis, if this is a load that the structure cannot carry without a jump to another "
             "shape");
     }
 }
+
+constexpr const char* damping_scheme =
+    "integrator = \"generalized-alpha\", which damps what is too fast for the steps";
+constexpr const char* keeping_scheme =
+    "integrator = \"gauss-4\", where a model turns almost without vibrating";
 
 void advise_on_singularity(const Failure& failure, Advice& advice) {
     if (failure.phase == Phase::load_step || failure.phase == Phase::instant) {
@@ -141,23 +152,15 @@ std::vector<std::string> advise(const Failure& failure) {
             break;
         case Outcome::out_of_iterations:
             advise_on_iterations(failure, advice);
-            if (!failure.open_joint.empty()) {
-                advice.push_back(
-                    "a look at the mechanism near this position: at the end of its stroke, or where it can "
-                    "fold "
-                    "up in two ways, a motor cannot move it further");
-            }
             break;
         case Outcome::singular:
             advise_on_singularity(failure, advice);
             break;
         case Outcome::not_finite:
             add_stability(failure, advice);
-            if (!failure.shrunk_spring.empty()) {
-                advice.push_back("a spring with length = 0, which pulls its points together");
-                break;
-            }
-            advice.push_back("a look at the values of the loads and functions at this time");
+            advice.push_back(failure.shrunk_spring.empty()
+                                 ? "a look at the values of the loads and functions at this time"
+                                 : "a spring with length = 0, which pulls its points together");
             break;
         case Outcome::rotation_too_large:
             add_stability(failure, advice);
@@ -174,10 +177,7 @@ std::vector<std::string> advise(const Failure& failure) {
             break;
         case Outcome::energy_out_of_reach:
             advice.push_back(shorter_steps(failure));
-            advice.push_back(
-                failure.limits_energy
-                    ? "integrator = \"generalized-alpha\", which damps what is too fast for the steps"
-                    : "integrator = \"gauss-4\", where a model turns almost without vibrating");
+            advice.push_back(failure.limits_energy ? damping_scheme : keeping_scheme);
             break;
         case Outcome::joints_open:
             advice.push_back(shorter_steps(failure));

@@ -67,7 +67,7 @@ void HiddenAdjoint::repeat(const Stage& step, State& state) {
     forward_.values = values_;
     if (!factorize(system_, forward_, report)) check(report, "the inverse of its tangent");
     time_scale_ = find_time_scale(system_, state);
-    project_velocities(system_, step.end_time, span, forward_, state, report, &projection_);
+    projection_ = project_velocities(system_, step.end_time, span, forward_, state, report);
     check(report, "velocities that fit the joints");
     moves_ = list_increments(system_, projection_);
     check(solve_accelerations(system_, step.end_time, span, forward_, state), "its accelerations");

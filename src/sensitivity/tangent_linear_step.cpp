@@ -584,8 +584,7 @@ void TangentLinearStep::meet_velocities(double time,
     // The base's own, of the velocities before they are projected.
     const double time_scale = find_time_scale(base_system_, base_);
     EquilibriumReport report;
-    Eigen::VectorXd total;
-    project_velocities(base_system_, time, step, workspace_, base_, report, &total);
+    const Eigen::VectorXd total = project_velocities(base_system_, time, step, workspace_, base_, report);
     check(report, "velocities that fit the joints");
     for (VariedSystem* one : varied) {
         follow_projection(
@@ -604,8 +603,7 @@ void TangentLinearStep::meet_velocities(double time,
 
 void TangentLinearStep::meet_positions(double time, std::span<VariedSystem* const> varied) {
     EquilibriumReport report;
-    Eigen::VectorXd total;
-    project_positions(base_system_, time, workspace_, base_, report, &total);
+    const Eigen::VectorXd total = project_positions(base_system_, time, workspace_, base_, report);
     check(report, "positions that fit the joints");
     for (VariedSystem* one : varied) {
         follow_projection(

@@ -18,38 +18,48 @@ constexpr int most_corrections = 8;
 // into line; velocities cannot meet them, and positions do, in the steps that follow.
 constexpr double tolerable_in_line = 1e-6;
 
-// Calls correct(increments of the nodes) until measure(rows) is small or no longer falls. `most` is tolerated
-// where all corrections leave it.
-template <class Compute, class Measure, class Correct>
-void project(const System& system,
-             SolverWorkspace& workspace,
-             EquilibriumReport& report,
-             Eigen::VectorXd* total,
-             double most,
-             const Compute& compute_rows,
-             const Measure& measure,
-             const Correct& correct) {
-    if (total) *total = Eigen::VectorXd::Zero(system.equations().count());
+// The equations that trial motions are to meet, and what is tolerated where all corrections leave it.
+struct Goal {
+    double time;
+    ConstraintRequest request;
+    double most;
+};
+
+// Calls correct(trial, previous, increment) for each node until the equations are met or are no longer met
+// better. Returns the sum of the increments.
+template <class Correct>
+Eigen::VectorXd project(const System& system,
+                        const Goal& goal,
+                        SolverWorkspace& workspace,
+                        State& state,
+                        EquilibriumReport& report,
+                        const Correct& correct) {
+    const JointAssembly& joints = system.joints();
+    workspace.increments.resize(state.trial.size());
+    Eigen::VectorXd total = Eigen::VectorXd::Zero(system.equations().count());
     std::vector<double>& rows = workspace.residual.rows;
     double before = std::numeric_limits<double>::infinity();
     for (int i = 0; i <= most_corrections; ++i) {
-        compute_rows(rows);
-        report.joint_gap = measure(rows);
+        joints.compute_rows(state, goal.time, goal.request, rows);
+        report.joint_gap = joints.measure_gap(rows, state);
         const double gap = report.joint_gap.size;
-        if (gap <= met || (gap <= tolerable && gap >= 0.5 * before)) return;
-        if (i == most_corrections && gap <= most) return;
+        if (gap <= met || (gap <= tolerable && gap >= 0.5 * before)) return total;
+        if (i == most_corrections && gap <= goal.most) return total;
         if (i == most_corrections || !(gap < 1e3 * before)) break;
         before = gap;
         // Of rods that touch, the steps have factorized another matrix, with pairs.
-        if (i == 0 && workspace.paired && !factorize(system, workspace, report)) return;
+        if (i == 0 && workspace.paired && !factorize(system, workspace, report)) return total;
         Eigen::VectorXd residual = Eigen::VectorXd::Zero(system.equations().count());
-        system.joints().set_rows(rows, workspace.values, residual);
-        if (!solve_increment(system, residual, workspace, report)) return;
-        if (total) *total += workspace.vector;
+        joints.set_rows(rows, workspace.values, residual);
+        if (!solve_increment(system, residual, workspace, report)) return total;
+        total += workspace.vector;
         for (std::size_t node = 0; node < workspace.increments.size(); ++node)
-            correct(node, system.equations().increment_of(static_cast<int>(node), workspace.vector));
+            correct(state.trial[node],
+                    state.previous[node],
+                    system.equations().increment_of(static_cast<int>(node), workspace.vector));
     }
     report.outcome = Outcome::joints_open;
+    return total;
 }
 
 }  // namespace
@@ -65,53 +75,36 @@ double find_time_scale(const System& system, const State& state) {
     return speed > 0.0 ? system.length_scale() / speed : 1.0;
 }
 
-void project_velocities(const System& system,
-                        double time,
-                        const TimeSpan& step,
-                        SolverWorkspace& workspace,
-                        State& state,
-                        EquilibriumReport& report,
-                        Eigen::VectorXd* total) {
-    const JointAssembly& joints = system.joints();
-    workspace.increments.resize(state.trial.size());
+Eigen::VectorXd project_velocities(const System& system,
+                                   double time,
+                                   const TimeSpan& step,
+                                   SolverWorkspace& workspace,
+                                   State& state,
+                                   EquilibriumReport& report) {
     const double time_scale = find_time_scale(system, state);
-    project(
-        system,
-        workspace,
-        report,
-        total,
-        tolerable_in_line,
-        [&](std::vector<double>& rows) {
-            joints.compute_rows(state, time, {ConstraintLevel::velocity, step, time_scale}, rows);
-        },
-        [&](const std::vector<double>& rows) { return joints.measure_gap(rows, state); },
-        [&](std::size_t node, const Vec6& increment) {
-            state.trial[node].v += increment.head<3>() / time_scale;
-            state.trial[node].omega += increment.tail<3>() / time_scale;
-        });
+    const Goal goal{time, {ConstraintLevel::velocity, step, time_scale}, tolerable_in_line};
+    return project(system,
+                   goal,
+                   workspace,
+                   state,
+                   report,
+                   [&](NodeMotion& trial, const NodeMotion& /*previous*/, const Vec6& increment) {
+                       trial.v += increment.head<3>() / time_scale;
+                       trial.omega += increment.tail<3>() / time_scale;
+                   });
 }
 
-void project_positions(const System& system,
-                       double time,
-                       SolverWorkspace& workspace,
-                       State& state,
-                       EquilibriumReport& report,
-                       Eigen::VectorXd* total) {
-    const JointAssembly& joints = system.joints();
-    workspace.increments.resize(state.trial.size());
-    project(
-        system,
-        workspace,
-        report,
-        total,
-        tolerable,
-        [&](std::vector<double>& rows) {
-            joints.compute_rows(state, time, {.stops = StopChoice::at_end}, rows);
-        },
-        [&](const std::vector<double>& rows) { return joints.measure_gap(rows, state); },
-        [&](std::size_t node, const Vec6& increment) {
-            apply_spin(state.previous[node], increment.head<3>(), increment.tail<3>(), state.trial[node]);
-        });
+Eigen::VectorXd project_positions(
+    const System& system, double time, SolverWorkspace& workspace, State& state, EquilibriumReport& report) {
+    const Goal goal{time, {.stops = StopChoice::at_end}, tolerable};
+    return project(system,
+                   goal,
+                   workspace,
+                   state,
+                   report,
+                   [](NodeMotion& trial, const NodeMotion& previous, const Vec6& increment) {
+                       apply_spin(previous, increment.head<3>(), increment.tail<3>(), trial);
+                   });
 }
 
 }  // namespace gxrod

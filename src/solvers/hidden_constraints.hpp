@@ -13,22 +13,17 @@ bool has_hidden_constraints(const System& system);
 double find_time_scale(const System& system, const State& state);
 
 // Changes the trial velocities by as little as possible, measured by the matrix last factorized, so that they
-// meet Gv + Φ_t = 0. Reports it if they do not. If `total` is given, it is set to the sum of the solutions,
-// whose velocities are multiplied by find_time_scale.
-void project_velocities(const System& system,
-                        double time,
-                        const TimeSpan& step,
-                        SolverWorkspace& workspace,
-                        State& state,
-                        EquilibriumReport& report,
-                        Eigen::VectorXd* total = nullptr);
+// meet Gv + Φ_t = 0. Reports it if they do not. Returns the sum of the solutions, whose velocities are
+// multiplied by find_time_scale.
+Eigen::VectorXd project_velocities(const System& system,
+                                   double time,
+                                   const TimeSpan& step,
+                                   SolverWorkspace& workspace,
+                                   State& state,
+                                   EquilibriumReport& report);
 
 // Changes the trial positions likewise, so that they meet Φ = 0.
-void project_positions(const System& system,
-                       double time,
-                       SolverWorkspace& workspace,
-                       State& state,
-                       EquilibriumReport& report,
-                       Eigen::VectorXd* total = nullptr);
+Eigen::VectorXd project_positions(
+    const System& system, double time, SolverWorkspace& workspace, State& state, EquilibriumReport& report);
 
 }  // namespace gxrod

@@ -410,7 +410,7 @@ void JointAssembly::add_tangents(const State& state,
         }
         add_matrix(i, matrix, values);
     }
-    wide_.add_tangents(state, time, linearizations, request, has_equations, scales, values);
+    wide_.add_tangents(state, time, linearizations, request, has_equations ? &scales : nullptr, values);
 }
 
 void JointAssembly::add_equations(std::size_t index,

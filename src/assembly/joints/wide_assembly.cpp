@@ -240,18 +240,17 @@ void WideAssembly::add_tangents(const State& state,
                                 double time,
                                 const std::vector<NodeLinearization>& linearizations,
                                 const ConstraintRequest& request,
-                                bool has_equations,
-                                const std::vector<JointScales>& scales,
+                                const std::vector<JointScales>* scales,
                                 std::vector<double>& values) const {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const WideRows& rows = *rows_[i];
-        if (!has_equations && !rows.has_laws()) continue;
+        if (scales == nullptr && !rows.has_laws()) continue;
         const WidePlace at = place(i, state, time);
         const std::vector<int> nodes = rows.list_nodes(at);
         const Eigen::Index columns = columns_of(nodes);
         Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(columns + rows.count(), columns + rows.count());
-        if (has_equations) {
-            const Eigen::VectorXd D = compute_regularization(i, request, scales);
+        if (scales != nullptr) {
+            const Eigen::VectorXd D = compute_regularization(i, request, *scales);
             matrix = compute_equations(at, i, linearizations, request, D);
             if (at.held > 0.0) add_held_tangent(i, at, D, matrix);
         }

@@ -59,13 +59,13 @@ class WideAssembly {
                    double time,
                    const std::vector<double>& values,
                    std::vector<JointScales>& means) const;
-    // `scales` are those of all joints, these last; not used if `request` has values to scale as.
+    // `scales` are those of all joints, these last; not used if `request` has values to scale as. nullptr: forces
+    // of laws only, no equations.
     void add_tangents(const State& state,
                       double time,
                       const std::vector<NodeLinearization>& linearizations,
                       const ConstraintRequest& request,
-                      bool has_equations,
-                      const std::vector<JointScales>& scales,
+                      const std::vector<JointScales>* scales,
                       std::vector<double>& values) const;
     void set_rows(const std::vector<double>& rows,
                   const std::vector<double>& values,

@@ -165,6 +165,49 @@ void add_generic_keys(Table<JointTable>& table) {
     // clang-format on
 }
 
+// The keys of single types.
+void add_shape_keys(Table<JointTable>& table) {
+    using T = JointTable;
+    // clang-format off
+    table
+        .key("lead", &T::lead, "Of a screw: the slide along the axis in one turn; negative if left-handed.")
+            .unit("length").required().remark("the slide in one turn").only_for(types_that(has_lead)).also("pitch")
+        .key("length", &T::length, "Of a distance: that of the points, for a check of where they are; if it can be "
+             "slack, the largest one.")
+            .unit("length").above(0).otherwise("as it is at t = 0").only_for(types_that(is_at_two_places))
+            .also("distance l l0")
+        .key("slack", &T::slack, "Of a distance: holds only where the points would be further apart than `length`, as a rope "
+             "does. When it becomes taut it does not rebound.")
+            .otherwise("false").only_for(types_that(is_at_two_places)).also("rope tension_only pulls_only cable")
+        .key("turn", &T::turn, "Of a sleeve: whether the point turns as it likes. false: it does not turn against the rod's "
+             "section at the place where it is.")
+            .otherwise("true").only_for(types_that(is_sleeve)).also("turns rotates rotation_free");
+    // clang-format on
+}
+
+// The keys of what acts on a coordinate.
+void add_coordinate_keys(Table<JointTable>& table) {
+    using T = JointTable;
+    // clang-format off
+    table
+        .key("move", &T::move, "A motor: the coordinate since t = 0. It is 0 at t = 0 in a dynamic analysis. A turn "
+             "is the right-hand one of B against A, a slide that of B along the axis.")
+            .unit("angle or length").otherwise("free").only_for(types_that(has_free_coordinate))
+            .also("motor motion prescribed angle rotation displacement slide")
+        .key("drive", &T::drive, "Moment, or force, that A exerts on B along the axis.")
+            .unit("moment or force").otherwise("0").only_for(types_that(has_free_coordinate))
+            .also("actuator torque force moment motor_torque")
+        .key("spring", &T::spring, joint_spring_table(),
+             "A spring and a damper on the coordinate, for any number of turns.")
+            .only_for(types_that(has_free_coordinate)).has_as("spring.stiffness", "stiffness k")
+            .has_as("spring.damping", "damping damper c")
+        .key("friction", &T::friction, friction_table(), "Dry friction of the coordinate.")
+            .only_for(types_that(has_free_coordinate))
+        .key("limits", &T::limits, limits_table(), "Springs or stops at the ends of a coordinate's range.")
+            .only_for(types_that(has_free_coordinate)).also("limit stops stop range bounds");
+    // clang-format on
+}
+
 // The keys that say when a joint holds.
 void add_holding_keys(Table<JointTable>& table) {
     using T = JointTable;
@@ -213,33 +256,8 @@ const TableSpec& joint_table() {
         .with(add_generic_keys)
         .key("axis_b", &T::axis_b, "Of a universal joint: the axis fixed in B, at right angles to `axis`.")
             .unit("1").required().remark("the axis that B carries").only_for(types_that(&JointCard::has_axis_b))
-        .key("lead", &T::lead, "Of a screw: the slide along the axis in one turn; negative if left-handed.")
-            .unit("length").required().remark("the slide in one turn").only_for(types_that(has_lead)).also("pitch")
-        .key("length", &T::length, "Of a distance: that of the points, for a check of where they are; if it can be "
-             "slack, the largest one.")
-            .unit("length").above(0).otherwise("as it is at t = 0").only_for(types_that(is_at_two_places))
-            .also("distance l l0")
-        .key("slack", &T::slack, "Of a distance: holds only where the points would be further apart than `length`, as a rope "
-             "does. When it becomes taut it does not rebound.")
-            .otherwise("false").only_for(types_that(is_at_two_places)).also("rope tension_only pulls_only cable")
-        .key("turn", &T::turn, "Of a sleeve: whether the point turns as it likes. false: it does not turn against the rod's "
-             "section at the place where it is.")
-            .otherwise("true").only_for(types_that(is_sleeve)).also("turns rotates rotation_free")
-        .key("move", &T::move, "A motor: the coordinate since t = 0. It is 0 at t = 0 in a dynamic analysis. A turn "
-             "is the right-hand one of B against A, a slide that of B along the axis.")
-            .unit("angle or length").otherwise("free").only_for(types_that(has_free_coordinate))
-            .also("motor motion prescribed angle rotation displacement slide")
-        .key("drive", &T::drive, "Moment, or force, that A exerts on B along the axis.")
-            .unit("moment or force").otherwise("0").only_for(types_that(has_free_coordinate))
-            .also("actuator torque force moment motor_torque")
-        .key("spring", &T::spring, joint_spring_table(),
-             "A spring and a damper on the coordinate, for any number of turns.")
-            .only_for(types_that(has_free_coordinate)).has_as("spring.stiffness", "stiffness k")
-            .has_as("spring.damping", "damping damper c")
-        .key("friction", &T::friction, friction_table(), "Dry friction of the coordinate.")
-            .only_for(types_that(has_free_coordinate))
-        .key("limits", &T::limits, limits_table(), "Springs or stops at the ends of a coordinate's range.")
-            .only_for(types_that(has_free_coordinate)).also("limit stops stop range bounds")
+        .with(add_shape_keys)
+        .with(add_coordinate_keys)
         .with(add_holding_keys)
         .with(add_copies<T>)
         .shown_by(
