@@ -18,11 +18,16 @@ const BodyShapeTable* find_shape(const BodyTable& body) {
     return body.capsule ? &*body.capsule : nullptr;
 }
 
-// The largest that it is of a few times: it can be ramped up.
-double find_gravity(const BuildContext& context) {
-    if (!top_level_of(context.deck).gravity) return 0.0;
+// The largest of gravity and of a rotation there, at a few times: they can be ramped up.
+double find_acceleration(const Vec3& place, const BuildContext& context) {
     double largest = 0.0;
-    for (const double t : {0.0, 0.5, 1.0}) largest = std::max(largest, context.model.gravity(t).norm());
+    for (const double t : {0.0, 0.5, 1.0}) {
+        if (top_level_of(context.deck).gravity) largest = std::max(largest, context.model.gravity(t).norm());
+        if (const auto& frame = context.model.rotation; frame && !frame->is_at_rest()) {
+            const Vec3 spin = frame->spin(t);
+            largest = std::max(largest, spin.cross(spin.cross(place - frame->through)).norm());
+        }
+    }
     return largest;
 }
 
@@ -40,8 +45,9 @@ double find_force_of_rods(const Contact& contact, const Model& model) {
 // That leaves half the skin: so large that the skin can take the weight, and the energy of the velocity at
 // t = 0.
 double find_force(const Body& body, double skin, const Contact& contact, const BuildContext& context) {
-    const double speed = context.model.nodes[static_cast<std::size_t>(body.node)].velocity.norm();
-    return std::max({1000.0 * body.mass * find_gravity(context),
+    const Node& node = context.model.nodes[static_cast<std::size_t>(body.node)];
+    const double speed = node.velocity.norm();
+    return std::max({1000.0 * body.mass * find_acceleration(node.position, context),
                      4.0 * body.mass * speed * speed / skin,
                      find_force_of_rods(contact, context.model)});
 }

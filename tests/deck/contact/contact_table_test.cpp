@@ -266,6 +266,11 @@ TEST_CASE("Bodies touch by a sphere or a capsule", "[deck][touch][bodies]") {
         CHECK(read(deck(body(sphere) + floor)).model.contact.bodies.at(0).force ==
               Approx(1e6 * M_PI * 1e-4).epsilon(1e-12));
         CHECK(bodies_of("gravity = [0, 0, -10]\n" + body("") + floor).empty());
+        // Mass times Ω² r of a steady rotation.
+        CHECK(read(body(sphere) + "[obstacle.ball]\nsphere = { centre = [0, 0, 0], radius = 1 }\n[rotation]\n"
+                                  "axis = [1, 0, 0]\nspeed = 2\n[analysis]\nkind = \"steady\"\n")
+                  .model.contact.bodies.at(0)
+                  .force == Approx(1000.0 * 2.0 * 4.0 * 5.0));
     }
     SECTION("and errors are reported") {
         const auto errors = [&](const std::string& lines) { return faults_of(lines + dynamic); };
