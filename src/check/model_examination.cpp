@@ -75,9 +75,22 @@ bool is_loaded(const Model& model, const ModelPart& part) {
            std::ranges::any_of(model.tendons, acts_within) || has_strained_tie();
 }
 
+// Whether a load that depends on the motion acts on this part.
+bool has_load_by_motion(const Model& model, const ModelPart& part) {
+    const auto acts = [&](const NodalLoad& load) {
+        return load.by_motion && std::ranges::binary_search(part.nodes, load.node);
+    };
+    const auto acts_along = [&](const DistributedLoad& load) {
+        return load.by_motion && std::ranges::binary_search(part.rods, load.rod);
+    };
+    return std::ranges::any_of(model.loads, acts) || std::ranges::any_of(model.distributed_loads, acts_along);
+}
+
 // Whether what acts on a part can hold it in spite of these motions, as gravity, tension and rotation hold
-// what hangs on an axis: turns, not all of them about the line of a straight rod.
+// what hangs on an axis: turns, not all of them about the line of a straight rod. Loads that depend on the
+// motion can be springs.
 bool can_be_held(const Model& model, const ModelPart& part, const std::vector<UnsupportedMotion>& motions) {
+    if (has_load_by_motion(model, part)) return true;
     const auto moves_along = [](const UnsupportedMotion& motion) { return motion.rotation.isZero(0.0); };
     const auto twists = [&](const UnsupportedMotion& motion) { return is_twist(model, part, motion); };
     if (!is_loaded(model, part) || std::ranges::any_of(motions, moves_along)) return false;

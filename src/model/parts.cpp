@@ -73,10 +73,12 @@ std::vector<ModelPart> find_parts(const Model& model, Ties ties) {
     return parts;
 }
 
-bool is_held(const Model& model) {
-    return !model.supports.empty() || std::ranges::any_of(model.joints, &Joint::has_ground) ||
+bool is_joined_to_ground(const Model& model) {
+    return std::ranges::any_of(model.joints, &Joint::has_ground) ||
            std::ranges::any_of(model.sleeves, [](const Sleeve& sleeve) { return sleeve.point.is_ground(); });
 }
+
+bool is_held(const Model& model) { return !model.supports.empty() || is_joined_to_ground(model); }
 
 std::string name_part(const ModelPart& part, const Model& model) {
     std::vector<std::string> rods, bodies;

@@ -31,6 +31,8 @@ std::vector<ModelPart> find_parts(const Model& model, Ties ties = Ties::all);
 
 // Returns whether supports or joints to the ground keep the model from moving as one rigid body.
 bool is_held(const Model& model);
+// Whether a joint or a sleeve ties something to the ground.
+bool is_joined_to_ground(const Model& model);
 
 // Names a part in a sentence: "rod cable", "body gyroscope", "the part with rods arm and leg, body tip".
 std::string name_part(const ModelPart& part, const Model& model);

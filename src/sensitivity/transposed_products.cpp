@@ -3,18 +3,13 @@
 #include <algorithm>
 
 #include "assembly/joints/joint_scales.hpp"
+#include "assembly/lanes/frame_columns.hpp"
 #include "linear/eigen/pencil.hpp"
 #include "sensitivity/tangent_linear_step.hpp"
 
 namespace gxrod {
 
 namespace {
-
-Model without_supports(Model model) {
-    model.supports.clear();
-    model.plane.reset();
-    return model;
-}
 
 // Calls visit(place in a vector of all unknowns, index among the rows).
 template <class Visit>

@@ -63,10 +63,7 @@ void add_conditions(const Holder& holder, const Vec3& arm, const Mat3& axes, std
 RigidMotions list_rigid_motions(const Model& model, const State& state) {
     constexpr double round_off = 1e-12;
     RigidMotions motions;
-    const bool is_on_ground =
-        std::ranges::any_of(model.joints, &Joint::has_ground) ||
-        std::ranges::any_of(model.sleeves, [](const Sleeve& sleeve) { return sleeve.point.is_ground(); });
-    if (is_on_ground) return motions;
+    if (is_joined_to_ground(model)) return motions;
     const auto place_of = [&](const Support& support) {
         return state.trial[static_cast<std::size_t>(support.node)].r;
     };

@@ -42,24 +42,16 @@ void add_by_spins(const System& system,
     for (std::size_t i = 0; i < values.size(); ++i) sum[i] += values[i];
 }
 
-Model let_go(Model model) {
+}  // namespace
+
+Model without_supports(Model model) {
     model.plane.reset();
     model.supports.clear();
     return model;
 }
 
-}  // namespace
-
-Model without_supports(const Model& model) {
-    Model other = let_go(model);
-    other.joints.clear();
-    other.gears.clear();
-    other.sleeves.clear();
-    std::erase_if(other.tendons, [](const Tendon& tendon) { return tendon.winch.has_value(); });
-    return other;
-}
-
-FrameColumns::Free::Free(const System& held) : model(let_go(held.model())), system(model, held.team()) {}
+FrameColumns::Free::Free(const System& held)
+    : model(without_supports(held.model())), system(model, held.team()) {}
 
 FrameColumns::FrameColumns(const System& system, TurningFrame frame)
     : system_(&system), frame_(std::move(frame)) {

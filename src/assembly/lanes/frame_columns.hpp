@@ -53,7 +53,7 @@ class FrameColumns {
     std::vector<Pair> pairs_;
 };
 
-// Returns the model without supports, and not kept in a plane; without joints either.
-Model without_supports(const Model& model);
+// Returns the model without supports, and not kept in a plane.
+Model without_supports(Model model);
 
 }  // namespace gxrod

@@ -127,6 +127,10 @@ name = "shake"
 kind = "response"
 omega = { values = [0.5, 3, 10] }
 excite = [{ at = "beam.end", force = [1, 2, 3], moment = [0.1, 0, 0] }]
+[[history]]
+name = "root"
+at = "short.start"
+quantities = "reaction_force"
 )" + middle));
         REQUIRE(summary.status == RunStatus::complete);
         return std::get<ResponseRecord>(summary.shapes.at(0).record);

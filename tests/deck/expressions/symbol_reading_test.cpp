@@ -112,7 +112,7 @@ at = "top"
 force = ["motr", 0, 0])") ==
           "x.toml:11:10: load[0].force[0]: \"motr\": unknown name \"motr\"; did you mean \"motor\"? "
           "available: pi, "
-          "t, x, y, z, vx, vy, vz, motor");
+          "t, x, y, z, vx, vy, vz, rx, ry, rz, wx, wy, wz, motor");
 }
 
 TEST_CASE("Time does not belong in a parameter", "[deck]") {

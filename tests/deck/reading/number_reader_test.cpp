@@ -116,8 +116,9 @@ TEST_CASE("Functions of time are numbers or expressions in t", "[deck]") {
     CHECK(faults_of(body_deck + R"([[load]]
 at = "top"
 force = 3)") ==
-          "x.toml:10:9: load[0].force: expected an array of 3 numbers or expressions in t, x, y, z, vx, vy "
-          "and vz, found 3");
+          "x.toml:10:9: load[0].force: expected an array of 3 numbers or expressions in t, x, y, z, vx, vy, "
+          "vz, "
+          "rx, ry, rz, wx, wy and wz, found 3");
     CHECK(faults_of(body_deck + R"([[load]]
 at = "top"
 force = [0, true, 0])") ==
@@ -132,7 +133,7 @@ force = [0, 0, nan])") == "x.toml:10:16: load[0].force[2]: expected a finite num
         faults_of(body_deck + R"([[load]]
 at = "top"
 force = [0, "tt", 0])") ==
-        R"(x.toml:10:13: load[0].force[1]: "tt": unknown name "tt"; available: pi, t, x, y, z, vx, vy, vz)");
+        R"(x.toml:10:13: load[0].force[1]: "tt": unknown name "tt"; available: pi, t, x, y, z, vx, vy, vz, rx, ry, rz, wx, wy, wz)");
     CHECK(faults_of(body_deck + R"x([function.f]
 expression = "t"
 [[load]]
