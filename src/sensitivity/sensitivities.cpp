@@ -8,7 +8,6 @@
 #include "integrators/load_stepping.hpp"
 #include "integrators/quasi_static.hpp"
 #include "model/path_dependence.hpp"
-#include "model/sections/kinked_law.hpp"
 #include "model/sticking.hpp"
 #include "model/ties/ties.hpp"
 #include "sensitivity/sensitivity_error.hpp"
@@ -26,14 +25,6 @@ std::unique_ptr<Integrator> make_step_integrator(const AnalysisSettings& setting
     return make_integrator(*dynamic);
 }
 
-bool yields(const Model& model) {
-    const auto has_kinks = [](const Section& section) {
-        return section.law && as_kinked(*section.law) != nullptr;
-    };
-    const auto any_at = [&](const Rod& rod) { return std::ranges::any_of(rod.varying.at_forces, has_kinks); };
-    return std::ranges::any_of(model.sections, has_kinks) || std::ranges::any_of(model.rods, any_at);
-}
-
 bool is_at_same_places(const State& a, const State& b) {
     constexpr double same = 1e-12;
     double size = 0.0, distance = 0.0, angle = 0.0;
@@ -45,7 +36,7 @@ bool is_at_same_places(const State& a, const State& b) {
     return distance <= same * size && angle <= 1e-7;
 }
 
-void check_model(const Model& model, const Integrator& integrator) {
+void check_model(const Model& model) {
     const auto is_signal = [](const std::shared_ptr<Input>& input) { return input->is_signal(); };
     if (std::ranges::any_of(model.inputs, is_signal))
         throw std::invalid_argument(
@@ -64,10 +55,6 @@ void check_model(const Model& model, const Integrator& integrator) {
             "there are no derivatives of contact with friction yet: take friction = 0, or a difference of "
             "whole "
             "runs");
-    if (integrator.coupled() != nullptr && (yields(model) || !frictions.empty()))
-        throw std::invalid_argument(
-            "derivatives of friction and of sections that yield are not carried along by schemes that find "
-            "the stages of a step together: take integrator \"sdirk-4\"");
 }
 
 }  // namespace
@@ -86,7 +73,7 @@ Sensitivities::Sensitivities(const SteppedAnalysis& analysis,
                              const std::vector<VariedModels>& models)
     : analysis_(&analysis), integrator_(make_step_integrator(settings)) {
     check_settings(settings);
-    check_model(analysis.system().model(), *integrator_);
+    check_model(analysis.system().model());
     if (const auto* statics = std::get_if<StaticSettings>(&settings)) linear_solver_ = statics->linear_solver;
     if (const auto* dynamic = std::get_if<DynamicSettings>(&settings)) {
         linear_solver_ = dynamic->linear_solver;

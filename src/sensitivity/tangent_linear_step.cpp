@@ -184,19 +184,37 @@ void TangentLinearStep::release() {
     base_.memory = memory_before_;
 }
 
-void TangentLinearStep::hold(double time, std::span<VariedSystem* const> varied) {
+HeldStage TangentLinearStep::find_held(double time) {
     if (centre_.held.has_kinks()) {
         centre_.held.note();
         base_system_.compute_residual(base_, time, workspace_.residual);
-        pieces_ = centre_.held.pieces();
     }
-    const HeldFriction friction(base_system_, base_, time);
-    friction.move(base_);
-    for (VariedSystem* one : varied) {
-        one->state.memory = one->memory_before;
-        friction.move(one->state);
-        one->held.hold(pieces_);
-    }
+    return {centre_.held.pieces(), HeldFriction(base_system_, base_, time)};
+}
+
+void TangentLinearStep::hold(const HeldStage& held,
+                             const std::vector<double>& memory,
+                             HeldModel& model,
+                             State& state) const {
+    state.memory = memory;
+    held.friction.move(state);
+    model.hold(held.pieces);
+}
+
+void TangentLinearStep::hold(double time, std::span<VariedSystem* const> varied) {
+    const HeldStage held = find_held(time);
+    pieces_ = held.pieces;
+    hold(held, memory_before_, centre_.held, base_);
+    for (VariedSystem* one : varied) hold(held, one->memory_before, one->held, one->state);
+}
+
+// Each stage starts from what was remembered before the step.
+void TangentLinearStep::hold_stages(StagesOfStep& stages) {
+    held_stages_.clear();
+    for (std::size_t j = 0; j < stages.count(); ++j)
+        stages.with_stage(j, [&] { held_stages_.push_back(find_held(stages.time_of(j))); });
+    stages.prepare = [this](std::size_t j) { hold(held_stages_[j], memory_before_, centre_.held, base_); };
+    pieces_ = held_stages_.back().pieces;
 }
 
 void TangentLinearStep::settle(const Stage& stage,
@@ -336,6 +354,7 @@ void TangentLinearStep::solve_together(const CoupledStages& scheme,
         for (std::size_t j = 0; j < stages.count(); ++j)
             stages.with_stage(j, [&] { contacts_.search(base_); });
     }
+    hold_stages(stages);
     if (!exact_)
         exact_ = std::make_unique<ExactMatrix>(base_system_, scheme, workspace_.linear_solver->kind());
     if (!exact_->factorize(stages, workspace_)) fail("the tangent of its stages is singular");
@@ -370,7 +389,9 @@ void TangentLinearStep::follow_stages(const StagesOfStep& base, VariedSystem& va
     const System& system = varied.system;
     varied_contacts_.assign(base_contacts_.size(), {});
     const StagesOfStep stages{
-        system, base.scheme, base.step, state, base.asks_for_positions, varied_contacts_};
+        system, base.scheme, base.step, state, base.asks_for_positions, varied_contacts_, [&](std::size_t j) {
+            hold(held_stages_[j], varied.memory_before, varied.held, state);
+        }};
     state.stage_motions = base_.stage_motions;
     state.stage_joints.assign(stages.count(), state.joints_previous);
     for (std::size_t j = 0; j < stages.count(); ++j) {
@@ -389,7 +410,9 @@ void TangentLinearStep::follow_stages(const StagesOfStep& base, VariedSystem& va
     std::vector<Eigen::VectorXd> solutions;
     std::vector<std::vector<Vec6>> increments(stages.count());
     constexpr int with_joints = 8;
-    const int iterations = system.joints().empty() ? 1 : base.asks_for_positions ? 2 : with_joints;
+    constexpr int with_kinks = 3;  // as follow_equilibrium
+    int iterations = system.joints().empty() ? 1 : base.asks_for_positions ? 2 : with_joints;
+    if (varied.held.has_kinks()) iterations = std::max(iterations, with_kinks);
     for (int iteration = 0; iteration < iterations; ++iteration) {
         for (std::size_t j = 0; j < stages.count(); ++j) {
             stages.with_stage(j, [&] {

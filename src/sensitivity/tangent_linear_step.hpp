@@ -39,6 +39,12 @@ Eigen::VectorXd take_regularization(const System& system,
 // Sets the trial motions of a varied system to those of the base at `time`, but for what its supports hold.
 void place_next_to(const State& base, double time, VariedSystem& varied);
 
+// The pieces of laws that the analysis is on in a stage, and what of its friction slips.
+struct HeldStage {
+    Pieces pieces;
+    HeldFriction friction;
+};
+
 // Repeats a step of an analysis together with the same step of varied systems. For each equation that the
 // analysis solves, they solve their own by one Newton iteration from the analysis' solution with its matrix
 // there. Their end states are right to first order in the variation (docs/theory/sensitivities.md, (G1) to
@@ -81,6 +87,9 @@ class TangentLinearStep {
     // motions.
     void release();
     void hold(double time, std::span<VariedSystem* const> varied);
+    // Returns what holds the base at its trial motions, and lets it hold a system of the same parts.
+    HeldStage find_held(double time);
+    void hold(const HeldStage& held, const std::vector<double>& memory, HeldModel& model, State& state) const;
     void solve_stage(const Stage& stage, std::span<VariedSystem* const> varied);
     void solve_stage_explicitly(const Stage& stage, std::span<VariedSystem* const> varied);
     // Solves all stages of a step that are found together.
@@ -88,6 +97,7 @@ class TangentLinearStep {
                         const Stage& step,
                         std::span<VariedSystem* const> varied);
     void follow_stages(const StagesOfStep& base, VariedSystem& varied);
+    void hold_stages(StagesOfStep& stages);
     // Finds accelerations without contact after a step with impulses.
     void split_contact(const Stage& stage, std::span<VariedSystem* const> varied);
     // Takes the base as it is found, with the pairs of pieces that are near, as the place of tangents.
@@ -135,6 +145,7 @@ class TangentLinearStep {
     // The linearizations of stage j by stage k, one row after the other.
     std::vector<std::vector<NodeLinearization>> stage_linearizations_;
     std::unique_ptr<ExactMatrix> exact_;                         // of stages that are found together
+    std::vector<HeldStage> held_stages_;                         // of these stages
     std::vector<ContactTrial> base_contacts_, varied_contacts_;  // of these stages
     bool is_settling_ = false;
     State base_;

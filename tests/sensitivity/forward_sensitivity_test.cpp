@@ -179,15 +179,32 @@ TEST_CASE("derivatives of sections that remember by schemes of several stages", 
         of_stages);
 }
 
-TEST_CASE("derivatives of sections that yield are refused by stages that are found together",
-          "[sensitivity]") {
-    const Problem base = read(with_integrator(
-        replaced(make_carried(), "[rod.r]", "law = { plastic = { yield = { Mz = 0.3 } } }\n[rod.r]"),
-        "radau-5"));
-    SteppedRun simulation(request_of(base));
-    REQUIRE(simulation.start());
-    CHECK_THROWS_WITH(Sensitivities(simulation.analysis(), base.analysis(), {vary(base, base)}),
-                      Contains("take integrator \"sdirk-4\""));
+TEST_CASE("derivatives of sections that yield by stages that are found together", "[sensitivity]") {
+    const std::string scheme = GENERATE("radau-5", "gauss-4");
+    INFO(scheme);
+    const auto with_law = [&](const std::string& law) {
+        return with_integrator(replaced(make_carried(), "[rod.r]", "law = { " + law + " }\n[rod.r]"), scheme);
+    };
+    const Steps within_pieces{.whole_runs = 1e-3};
+    check_all(with_law("plastic = { yield = { Mz = 0.3 }, kinematic = 0.3 }"),
+              {"EI", "F"},
+              true,
+              1e-7,
+              within_pieces);
+    check_all(with_law("layers = [{ on = \"bending\", stiffness = 3, limit = 0.3 }]"),
+              {"EI", "F"},
+              true,
+              1e-7,
+              within_pieces);
+}
+
+TEST_CASE("derivatives of joints that rub by stages that are found together", "[sensitivity]") {
+    const std::string scheme = GENERATE("radau-5", "gauss-4");
+    INFO(scheme);
+    const std::string deck =
+        replaced(swinging_rod + hinged_end, "spring = {", "friction = { moment = 0.1 }\nspring = {");
+    check_all(
+        replaced(with_integrator(deck, scheme), "end_time = 0.6", "end_time = 0.1"), {"EI", "F"}, true, 1e-5);
 }
 
 namespace {

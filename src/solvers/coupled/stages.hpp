@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct StagesOfStep {
     bool asks_for_positions;
     // Each stage's parameters of contact in Newton's method; empty if nothing can touch.
     std::vector<ContactTrial>& contacts;
+    // Called when a stage becomes the trial, if laws or what is remembered are held for each stage.
+    std::function<void(std::size_t stage)> prepare{};
 
     std::size_t count() const { return static_cast<std::size_t>(scheme.stage_count()); }
     double time_of(std::size_t j) const {
@@ -62,6 +65,7 @@ struct StagesOfStep {
         };
         const Exchange exchanged(state, contacts, j);
         state.trial_time = time_of(j);
+        if (prepare) prepare(j);
         work();
     }
 };
