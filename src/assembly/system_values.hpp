@@ -31,6 +31,13 @@ class SystemValues {
                                                   const std::vector<RodPlace>& places) const;
     // Computes the surroundings of Model::bodies at the trial motions; empty without surroundings.
     std::vector<PointSurroundings> compute_body_surroundings(const State& state, double time) const;
+    // Calls visit(block, instant) for the elements of each kind, with what acts within sections at the trial
+    // motions.
+    template <class Visit>
+    void visit_elements(const State& state, double time, const Visit& visit) const {
+        const Instant now = system_->instant(state, time);
+        for_each_block(system_->blocks_, [&](const auto& block) { visit(block, now); });
+    }
 
   private:
     PointValues compute_point_value(const State& state, double time, const RodPlace& place) const;

@@ -11,6 +11,7 @@
 #include "face/convergence_error.hpp"
 #include "face/unknown_name_error.hpp"
 #include "model/evaluation_error.hpp"
+#include "model/path_dependence.hpp"
 
 namespace gxrod {
 namespace {
@@ -231,8 +232,9 @@ SweptGradient Simulation::find_gradient(const std::vector<WeightedQuantity>& sum
     const auto is_of_end = [&](const WeightedQuantity& one) {
         return one.weights.size() == static_cast<std::size_t>(width(one.history, one.quantity));
     };
-    const bool is_static = std::holds_alternative<StaticSettings>(problem_.analysis());
-    if (is_static && inputs.empty() && std::ranges::all_of(sum, is_of_end))
+    const bool is_equilibrium =
+        std::holds_alternative<StaticSettings>(problem_.analysis()) && !depends_on_path(problem_.model);
+    if (is_equilibrium && inputs.empty() && std::ranges::all_of(sum, is_of_end))
         return {gxrod::find_gradient(*run_, sum, variations), {}};
     std::vector<std::size_t> indices;
     for (const std::string& name : inputs) {

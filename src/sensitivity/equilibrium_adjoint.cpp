@@ -7,6 +7,7 @@
 #include "linear/transposed_values.hpp"
 #include "model/ties/ties.hpp"
 #include "rotation/rotation_map.hpp"
+#include "sensitivity/difference_at_zero.hpp"
 #include "solvers/newton_steps.hpp"
 
 namespace gxrod {
@@ -43,14 +44,6 @@ void check_memory(const Model& model) {
         std::ranges::any_of(model.tendons, rubs_in_path))
         throw std::invalid_argument(
             "an equilibrium with friction depends on how it was reached: carry derivatives along instead");
-}
-
-// Error of order h⁴.
-template <class Function>
-double differentiate_at_zero(const Function& f, double h) {
-    const double near = (f(h) - f(-h)) / (2.0 * h);
-    const double far = (f(2.0 * h) - f(-2.0 * h)) / (4.0 * h);
-    return (4.0 * near - far) / 3.0;
 }
 
 }  // namespace

@@ -35,17 +35,29 @@ RowNumbers scale(const RowNumbers& a, const RowNumbers& b) {
     return product;
 }
 
+// Where a function is asked for its derivative at zero, and the factors of its values: an error of order h⁴.
+struct Differences {
+    std::array<double, 4> places, slopes;
+};
+
+Differences make_differences(double h) {
+    return {{h, -h, 2.0 * h, -2.0 * h},
+            {2.0 / (3.0 * h), -2.0 / (3.0 * h), -1.0 / (12.0 * h), 1.0 / (12.0 * h)}};
+}
+
 }  // namespace
 
 HiddenAdjoint::HiddenAdjoint(const System& system,
                              const Integrator& integrator,
                              const NewtonSettings& newton,
-                             LinearSolverKind linear_solver)
+                             LinearSolverKind linear_solver,
+                             double part)
     : system_(system),
       integrator_(integrator),
       newton_(newton),
       forward_(system, linear_solver),
-      masses_(system, linear_solver) {}
+      masses_(system, linear_solver),
+      part_(part) {}
 
 ConstraintRequest HiddenAdjoint::of_velocities(const Stage& step) const {
     return {ConstraintLevel::velocity, {step.step_time, step.time_step}, time_scale_};
@@ -56,11 +68,12 @@ ConstraintRequest HiddenAdjoint::of_accelerations(const Stage& step) {
 }
 
 // As TangentLinearStep.
-void HiddenAdjoint::repeat(const Stage& step, State& state) {
+void HiddenAdjoint::repeat(const Stage& step, State& state, const std::function<void()>& hold_laws) {
     const TimeSpan span{step.step_time, step.time_step};
     EquilibriumReport report = solve_equilibrium({system_, integrator_, newton_}, step, forward_, state);
     check(report, "its equilibrium");
     state.resultants.clear();
+    hold_laws();
     equilibrium_ = state;
     integrator_.linearize(state, step, linearizations_);
     system_.compute_tangent(state, step.end_time, linearizations_, values_);
@@ -167,6 +180,32 @@ State HiddenAdjoint::move_along(double amount) const {
     return moved;
 }
 
+double HiddenAdjoint::find_part() const {
+    double size = 0.0;
+    for (const Vec6& move : moves_)
+        size = std::max({size, move.head<3>().norm() / system_.length_scale(), move.tail<3>().norm()});
+    constexpr double none = 1e-16;
+    return size < none ? 0.0 : part_ / size;
+}
+
+// −η · R at the end, and the derivative of −ξ · R along x̂.
+void HiddenAdjoint::subtract_by_memory(const Stage& step,
+                                       const State& end,
+                                       const RodMemory& memory,
+                                       MemoryGradient& memory_before,
+                                       MotionGradient& before) const {
+    memory.add_by_memory(
+        end, step.end_time, list_increments(system_, of_accelerations_), {}, memory_before, before);
+    const double h = find_part();
+    if (h == 0.0) return;
+    const auto [places, slopes] = make_differences(h);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        std::vector<Vec6> xi = xi_;
+        for (Vec6& one : xi) one *= slopes[k];
+        memory.add_by_memory(move_along(places[k]), step.end_time, xi, {}, memory_before, before);
+    }
+}
+
 // (G19): ξ · (K x̂ − Gᵀν) is the derivative of ξ · R along x̂ and ν, so its gradient is that of the gradient of
 // ξ · R, and what the directions change with the placement: spins do not commute.
 void HiddenAdjoint::transpose_matrix(const Stage& step,
@@ -174,20 +213,13 @@ void HiddenAdjoint::transpose_matrix(const Stage& step,
                                      MotionGradient& gradient,
                                      MotionGradient& before) {
     by_multipliers_.assign(list_scales(system_, values_).size(), 0.0);
-    double size = 0.0;
-    for (const Vec6& move : moves_)
-        size = std::max({size, move.head<3>().norm() / system_.length_scale(), move.tail<3>().norm()});
-    constexpr double none = 1e-16;
-    if (size < none) return;
-    constexpr double part = 1e-3;
-    const double h = part / size;
+    const double h = find_part();
+    if (h == 0.0) return;
     const std::size_t count = gradient.nodes.size();
     const RowNumbers no_rows(by_multipliers_.size(), 0.0);
     std::vector<Vec6> by_rates(count, Vec6::Zero()), by_accelerations(count, Vec6::Zero());
-    const std::array<double, 4> places{h, -h, 2.0 * h, -2.0 * h};
     // Of the derivative, and of the value in the middle.
-    const std::array<double, 4> slopes{
-        2.0 / (3.0 * h), -2.0 / (3.0 * h), -1.0 / (12.0 * h), 1.0 / (12.0 * h)};
+    const auto [places, slopes] = make_differences(h);
     const std::array<double, 4> means{2.0 / 3.0, 2.0 / 3.0, -1.0 / 6.0, -1.0 / 6.0};
     for (std::size_t k = 0; k < places.size(); ++k) {
         const State moved = move_along(places[k]);
@@ -221,11 +253,8 @@ void HiddenAdjoint::transpose_linearization(const Stage& step,
                                             const std::vector<Vec6>& by_accelerations,
                                             MotionGradient& gradient,
                                             MotionGradient& before) const {
-    constexpr double h = 1e-3;
     const std::size_t count = gradient.nodes.size();
-    const std::array<double, 4> places{h, -h, 2.0 * h, -2.0 * h};
-    const std::array<double, 4> slopes{
-        2.0 / (3.0 * h), -2.0 / (3.0 * h), -1.0 / (12.0 * h), 1.0 / (12.0 * h)};
+    const auto [places, slopes] = make_differences(1e-3);
     std::vector<NodeLinearization> linearizations;
     std::vector<Vec3> by_theta(count, Vec3::Zero());
     State moved = equilibrium_;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
+#include "sensitivity/rod_memory.hpp"
 #include "sensitivity/tangent_linear_step.hpp"
 #include "sensitivity/transposed_products.hpp"
 #include "state/motion_gradient.hpp"
@@ -13,15 +15,16 @@ namespace gxrod {
 // accelerations follow from equilibrium (docs/theory/sensitivities.md, (G17) to (G19)).
 class HiddenAdjoint {
   public:
-    // All must outlive it.
+    // All must outlive it. `part` is a step for differences, of a length or in rad.
     HiddenAdjoint(const System& system,
                   const Integrator& integrator,
                   const NewtonSettings& newton,
-                  LinearSolverKind linear_solver);
+                  LinearSolverKind linear_solver,
+                  double part);
 
-    // Repeats a step from its start, whose trial motions become those of its end. Throws SensitivityError if
-    // an equation has no solution.
-    void repeat(const Stage& step, State& state);
+    // Repeats a step from its start, whose trial motions become those of its end; hold_laws() is called when
+    // its equilibrium is found. Throws SensitivityError if an equation has no solution.
+    void repeat(const Stage& step, State& state, const std::function<void()>& hold_laws);
     // The equilibrium of the step, before velocities are projected, and the values of its tangent.
     const State& equilibrium() const { return equilibrium_; }
     const std::vector<double>& values() const { return values_; }
@@ -34,6 +37,12 @@ class HiddenAdjoint {
                    SolverWorkspace& transposed,
                    MotionGradient& gradient,
                    MotionGradient& before);
+    // Adds how its equations, times their multipliers, change with what rods remember from before the step.
+    void subtract_by_memory(const Stage& step,
+                            const State& end,
+                            const RodMemory& memory,
+                            MemoryGradient& memory_before,
+                            MotionGradient& before) const;
     // Returns the gradient by the multipliers of the equilibrium.
     const RowNumbers& by_multipliers() const { return by_multipliers_; }
     // Moves the equilibrium of a varied system on to the end of its step, to the accuracy of its own
@@ -61,6 +70,8 @@ class HiddenAdjoint {
                                  MotionGradient& gradient,
                                  MotionGradient& before) const;
     State move_along(double amount) const;
+    // A step along x̂ and ν for differences; 0 if there is no way.
+    double find_part() const;
     ConstraintRequest of_velocities(const Stage& step) const;
     static ConstraintRequest of_accelerations(const Stage& step);
 
@@ -75,6 +86,7 @@ class HiddenAdjoint {
     Eigen::VectorXd projection_;  // x̂ and μ, times the time scale
     std::vector<Vec6> moves_;     // x̂ of each node
     double time_scale_ = 1.0;
+    double part_;
     Eigen::VectorXd of_projection_, of_accelerations_;  // multipliers of both
     std::vector<Vec6> xi_;                              // of the projection, of each node
     RowNumbers by_multipliers_;

@@ -5,10 +5,13 @@
 #include <stdexcept>
 
 #include "assembly/scatter.hpp"
+#include "integrators/newmark.hpp"
 #include "linear/eigen/pencil.hpp"
 #include "linear/transposed_values.hpp"
 #include "model/path_dependence.hpp"
+#include "model/sticking.hpp"
 #include "rotation/rotation_map.hpp"
+#include "sensitivity/difference_at_zero.hpp"
 #include "sensitivity/sensitivity_error.hpp"
 #include "solvers/hidden_constraints.hpp"
 #include "solvers/newton_steps.hpp"
@@ -30,8 +33,10 @@ void check_model(const System& system, const Integrator& integrator) {
         refuse(
             "steps of other schemes than newmark-simplified, newmark-ibrahimbegovic and generalized-alpha");
     if (!model.contact.is_empty()) refuse("contact");
-    if (depends_on_path(model))
-        refuse("elements \"simo\", sections that remember and friction, which depend on earlier steps,");
+    const auto follows_force = [](const Joint& joint) {
+        return joint.turn.friction.lever > 0.0 || joint.slide.friction.lever > 0.0;
+    };
+    if (std::ranges::any_of(model.joints, follows_force)) refuse("friction that grows with a joint's force");
     if (!model.sleeves.empty()) refuse("sleeves");
 }
 
@@ -113,14 +118,6 @@ double dot(const MotionGradient& by, const StateDirection& along) {
     return sum;
 }
 
-// (D(2h) of a function by D(h)) extrapolated: an error of order h⁴.
-template <class Function>
-double differentiate_at_zero(const Function& f, double h) {
-    const double near = (f(h) - f(-h)) / (2.0 * h);
-    const double far = (f(2.0 * h) - f(-2.0 * h)) / (4.0 * h);
-    return (4.0 * near - far) / 3.0;
-}
-
 }  // namespace
 
 MotionAdjoint::MotionAdjoint(const SteppedAnalysis& analysis,
@@ -134,14 +131,25 @@ MotionAdjoint::MotionAdjoint(const SteppedAnalysis& analysis,
       products_(centre_.held.model()),
       inputs_(std::move(inputs)),
       workspace_(centre_.system, start_.linear_solver),
+      memory_(centre_.system),
+      friction_(centre_.system),
+      remembers_(depends_on_path(centre_.system.model())),
       by_numbers_(models.size(), 0.0),
+      bends_(models.size()),
       by_inputs_(1, std::vector<double>(inputs_.size(), 0.0)) {
     check_model(centre_.system, sensitivities_.integrator());
     if (analysis.settled() != nullptr) refuse("actions that begin at once without inertia");
     const Integrator& integrator = sensitivities_.integrator();
     if (has_hidden_constraints(centre_.system) && !integrator.is_static())
-        hidden_ = std::make_unique<HiddenAdjoint>(centre_.system, integrator, newton_, start_.linear_solver);
+        hidden_ = std::make_unique<HiddenAdjoint>(
+            centre_.system, integrator, newton_, start_.linear_solver, find_part());
     sensitivities_.start();
+}
+
+// Forces with limits are curved, or have kinks, on a smaller scale than geometry.
+double MotionAdjoint::find_part() const {
+    if (!friction_.is_empty()) return friction_.part();
+    return centre_.held.has_kinks() ? 1e-5 : 1e-3;
 }
 
 void MotionAdjoint::step_back(const Stage& step,
@@ -149,16 +157,30 @@ void MotionAdjoint::step_back(const Stage& step,
                               const State& after,
                               const Quantity* quantity) {
     place(step, before, after);
-    if (later_.nodes.empty()) later_ = MotionGradient(base_);
+    if (later_.nodes.empty()) {
+        later_ = MotionGradient(base_);
+        memory_later_ = MemoryGradient(base_);
+    }
     MotionGradient gradient = later_, at_start(base_);
+    MemoryGradient memory_at_start(base_);
     if (quantity != nullptr) add_gradient(step, *quantity, gradient);
+    if (remembers_) {
+        if (quantity != nullptr) add_gradient_by_memory(*quantity, gradient, at_start, memory_at_start);
+        memory_.add_by_placements(base_, base_.trial_time, memory_later_, gradient);
+        friction_.add_by_placements(base_, base_.trial_time, memory_later_, gradient);
+    }
     factorize_transposed(step);
     if (hidden_) hidden_->transpose(step, base_, products_, workspace_, gradient, at_start);
     find_multipliers(step, gradient);
     add_by_numbers(step, quantity);
     add_by_inputs(step, quantity);
-    pass_back(step, gradient, at_start);
+    std::vector<Vec6> xi(base_.trial.size());
+    for (std::size_t i = 0; i < xi.size(); ++i)
+        xi[i] = centre_.system.equations().increment_of(static_cast<int>(i), multipliers_);
+    pass_back(step, xi, gradient, at_start);
+    if (remembers_) pass_back_memory(step, xi, quantity, at_start, memory_at_start);
     later_ = std::move(at_start);
+    memory_later_ = std::move(memory_at_start);
 }
 
 void MotionAdjoint::place(const Stage& step, const State& before, const State& after) {
@@ -168,7 +190,7 @@ void MotionAdjoint::place(const Stage& step, const State& before, const State& a
     products_.forget_loads();
     if (hidden_) {
         centre_.held.release();
-        hidden_->repeat(step, base_);
+        hidden_->repeat(step, base_, [&] { hold_pieces(); });
     } else {
         base_.trial_time = sensitivities_.integrator().stage_time(step);
         base_.trial = after.previous;
@@ -179,6 +201,14 @@ void MotionAdjoint::place(const Stage& step, const State& before, const State& a
     }
     for (std::size_t i = 0; i < sensitivities_.count(); ++i)
         sensitivities_.by(i).take_inputs(centre_.system.model());
+    if (!hidden_) hold_pieces();
+    if (!remembers_) return;
+    committed_ = base_;
+    centre_.system.commit(committed_, base_.trial_time);
+}
+
+void MotionAdjoint::hold_pieces() {
+    if (!friction_.is_empty()) HeldFriction(centre_.system, base_, base_.trial_time).move(base_);
     if (!centre_.held.has_kinks()) return;
     centre_.held.release();
     centre_.held.note();
@@ -192,7 +222,8 @@ void MotionAdjoint::place(const Stage& step, const State& before, const State& a
 
 // (∂q/∂y)ᵀ by differences over what each node's motion has.
 void MotionAdjoint::add_gradient(const Stage& step, const Quantity& quantity, MotionGradient& by_end) {
-    constexpr double part = 1e-3;  // of the length of the node's part, or in rad
+    // Of the length of the node's part, or in rad; sections that yield are curved on a smaller scale.
+    const double part = centre_.held.has_kinks() ? 1e-5 : 1e-3;
     State moved = base_;
     const bool has_rates = !sensitivities_.integrator().is_static() && centre_.system.model().has_inertia;
     const double per_time = has_rates ? 1.0 / step.time_step : 0.0;
@@ -222,6 +253,59 @@ void MotionAdjoint::add_gradient(const Stage& step, const Quantity& quantity, Mo
         differentiate(by.omega, per_time, [&](const Vec3& way) { trial.omega = start.omega + way; });
         differentiate(by.a, length * squared, [&](const Vec3& way) { trial.a = start.a + way; });
         differentiate(by.alpha, squared, [&](const Vec3& way) { trial.alpha = start.alpha + way; });
+    }
+}
+
+// Rotation vectors of the step are moved apart from placements, as `simo` elements measure by them.
+void MotionAdjoint::add_gradient_by_memory(const Quantity& quantity,
+                                           MotionGradient& by_end,
+                                           MotionGradient& before,
+                                           MemoryGradient& memory_before) {
+    constexpr double part = 1e-3;
+    State moved = base_;
+    const auto differentiate = [&](const auto& move, double size) {
+        return differentiate_at_zero(
+            [&](double amount) {
+                move(amount);
+                return quantity.value(centre_.system, moved, -1, -1);
+            },
+            size);
+    };
+    const RodMemory::Places places = memory_.list_places(base_, quantity.nodes);
+    const std::vector<double> steps = memory_.list_steps(base_, base_.trial_time);
+    for (const std::size_t i : places.numbers) {
+        const double start = base_.memory[i];
+        memory_before.numbers[i] +=
+            differentiate([&](double amount) { moved.memory[i] = start + amount; }, steps[i]);
+        moved.memory[i] = start;
+    }
+    for (const std::size_t i : places.sections) {
+        const SectionHistory& start = base_.sections[i];
+        SectionHistory& section = moved.sections[i];
+        StateDirection::OfSection& by = memory_before.sections[i];
+        for (Eigen::Index k = 0; k < 3; ++k) {
+            by.phi[k] += differentiate(
+                [&](double amount) {
+                    section.Lambda = exp_quaternion(amount * Vec3::Unit(k)) * start.Lambda;
+                },
+                part);
+            section = start;
+            by.K[k] += differentiate([&](double amount) { section.K[k] = start.K[k] + amount; },
+                                     part / centre_.system.length_scale());
+            section = start;
+        }
+    }
+    if (places.sections.empty()) return;
+    for (const int node : quantity.nodes) {
+        const auto index = static_cast<std::size_t>(node);
+        const Vec3 start = base_.trial[index].theta;
+        Vec3& theta = moved.trial[index].theta;
+        Vec3 by_theta;
+        for (Eigen::Index k = 0; k < 3; ++k) {
+            by_theta[k] = differentiate([&](double amount) { theta[k] = start[k] + amount; }, part);
+            theta = start;
+        }
+        transpose_turn(start, by_theta, by_end.nodes[index], before.nodes[index]);
     }
 }
 
@@ -262,15 +346,18 @@ void MotionAdjoint::find_multipliers(const Stage& step, const MotionGradient& by
     solve_transposed(system, values_, workspace_, multipliers_);
 }
 
-double MotionAdjoint::weigh(
-    const Stage& step, VariedSystem& varied, const Quantity* quantity, int number, int side) {
+double MotionAdjoint::weigh(const Stage& step, VariedSystem& varied, const Weighed& what) {
     const System& system = varied.system;
     const State* state = &equilibrium();
     const double time = state->trial_time;
     const bool moves = system.supports().move();
-    if (moves || hidden_) varied.state = *state;
+    if (moves || hidden_ || what.memory != nullptr) varied.state = *state;
+    if (what.memory != nullptr) {
+        varied.state.memory = *what.memory;
+        state = &varied.state;
+    }
     if (moves) {
-        place_next_to(*state, time, varied);
+        place_next_to(equilibrium(), time, varied);
         update_trial_rates(system, sensitivities_.integrator(), step, varied.state);
         state = &varied.state;
     }
@@ -281,7 +368,12 @@ double MotionAdjoint::weigh(
         state = &varied.state;
     }
     if (moves) sum += dot(later_, state->trial, base_.trial) + dot(later_, state->carried_trial);
-    if (quantity != nullptr) sum += quantity->value(system, *state, number, side);
+    if (remembers_) {
+        State end = *state;
+        system.commit(end, time);
+        sum += dot(memory_later_, end, committed_);
+    }
+    if (what.quantity != nullptr) sum += what.quantity->value(system, *state, what.number, what.side);
     return sum;
 }
 
@@ -290,10 +382,32 @@ void MotionAdjoint::add_by_numbers(const Stage& step, const Quantity* quantity) 
         const std::array<VariedSystem*, 4> sides = sensitivities_.by(i).sides();
         std::array<double, 4> values{};
         for (std::size_t k = 0; k < sides.size(); ++k)
-            values[k] = weigh(step, *sides[k], quantity, static_cast<int>(i), static_cast<int>(k));
+            values[k] = weigh(step, *sides[k], {quantity, static_cast<int>(i), static_cast<int>(k)});
         const double near = (values[0] - values[1]) / (2.0 * sides[0]->amount);
         const double far = (values[2] - values[3]) / (2.0 * sides[2]->amount);
         by_numbers_[i] += (4.0 * near - far) / 3.0;
+        const auto [least, most] = std::minmax_element(values.begin(), values.end());
+        bends_[i].add(near, far, std::max(std::abs(*least), std::abs(*most)) / sides[0]->amount);
+    }
+}
+
+void MotionAdjoint::Bend::add(double near, double far, double size) {
+    constexpr double round_off = 1e-11;
+    kinks += std::abs(near - far);
+    all += std::abs(near);
+    noise += round_off * size;
+}
+
+// Friction at its limit has another derivative for each way that a number goes.
+void MotionAdjoint::check_smoothness() const {
+    constexpr double tolerable = 1e-4;
+    if (friction_.is_empty()) return;
+    for (const Bend& bend : bends_) {
+        if (bend.kinks > tolerable * bend.all + bend.noise)
+            throw SensitivityError(
+                "a derivative by multipliers does not exist, where friction reaches its limit: a kink; take "
+                "another value "
+                "of the number, or a difference of whole runs");
     }
 }
 
@@ -326,7 +440,7 @@ double MotionAdjoint::differentiate_by_input(const VariedInput& varied,
 
 void MotionAdjoint::add_by_inputs(const Stage& step, const Quantity* quantity) {
     const TimeSpan span{step.step_time, step.end_time - step.step_time};
-    const auto function = [&] { return weigh(step, centre_, quantity, -1, -1); };
+    const auto function = [&] { return weigh(step, centre_, {quantity}); };
     by_inputs_.emplace_back(inputs_.size(), 0.0);
     std::vector<double>&at_end = by_inputs_[by_inputs_.size() - 2], &at_start = by_inputs_.back();
     for (std::size_t i = 0; i < inputs_.size(); ++i) {
@@ -343,13 +457,11 @@ void MotionAdjoint::add_by_inputs(const Stage& step, const Quantity* quantity) {
 }
 
 void MotionAdjoint::pass_back(const Stage& step,
+                              const std::vector<Vec6>& xi,
                               const MotionGradient& by_equilibrium,
                               MotionGradient& before) {
     const System& system = centre_.system;
     const std::size_t count = base_.trial.size();
-    std::vector<Vec6> xi(count);
-    for (std::size_t i = 0; i < count; ++i)
-        xi[i] = system.equations().increment_of(static_cast<int>(i), multipliers_);
     RowNumbers p = take_rows(system, multipliers_);
     const RowNumbers scales = list_scales(system, values_);
     for (std::size_t i = 0; i < p.size(); ++i) p[i] *= scales[i];
@@ -379,11 +491,30 @@ void MotionAdjoint::pass_back(const Stage& step,
     keep_held(system, equilibrium(), trial, before);
 }
 
+void MotionAdjoint::pass_back_memory(const Stage& step,
+                                     const std::vector<Vec6>& xi,
+                                     const Quantity* quantity,
+                                     MotionGradient& before,
+                                     MemoryGradient& memory_before) {
+    const double time = base_.trial_time;
+    memory_.add_by_memory(equilibrium(), time, xi, memory_later_, memory_before, before);
+    if (hidden_) hidden_->subtract_by_memory(step, base_, memory_, memory_before, before);
+    friction_.add_by_memory(
+        base_,
+        time,
+        [&](const std::vector<double>& memory) {
+            return weigh(step, centre_, {.quantity = quantity, .memory = &memory});
+        },
+        memory_before);
+}
+
 void MotionAdjoint::end(const Quantity* quantity) {
+    check_smoothness();
     const System& system = centre_.system;
     for (std::size_t i = 0; i < sensitivities_.count(); ++i) {
         const ForwardSensitivity& by = sensitivities_.by(i);
-        if (!later_.nodes.empty()) by_numbers_[i] += dot(later_, by.direction());
+        if (!later_.nodes.empty())
+            by_numbers_[i] += dot(later_, by.direction()) + dot(memory_later_, by.direction());
         if (quantity == nullptr) continue;
         by_numbers_[i] += by.differentiate([&](const System& one, const State& state, std::size_t side) {
             return std::vector{quantity->value(one, state, static_cast<int>(i), static_cast<int>(side))};
@@ -398,7 +529,8 @@ void MotionAdjoint::end(const Quantity* quantity) {
         start_system(system, start_, state, ended);
         double sum = quantity != nullptr ? quantity->value(system, ended, -1, -1) : 0.0;
         if (!later_.nodes.empty())
-            sum += dot(later_, state.previous, base_.previous) + dot(later_, state.carried_previous);
+            sum += dot(later_, state.previous, base_.previous) + dot(later_, state.carried_previous) +
+                   dot(memory_later_, state, base_);
         return sum;
     };
     for (std::size_t i = 0; i < inputs_.size(); ++i)

@@ -231,9 +231,9 @@ class Simulation(Shown):
         inputs: names of inputs of the deck. Row k of [S,m] is by the values at the end of step k; the first is by those at t = 0.
 
         One transposed solution serves all numbers, in a motion one in each step, so that many of them cost little. A
-        motion is repeated from states that are kept on the way. Raises Error for quantities of joints and reactions; where an
-        equilibrium depends on how it was reached: elements "simo", friction; for motions of other schemes than
-        newmark-simplified, newmark-ibrahimbegovic and generalized-alpha, and for several stages.
+        motion is repeated from states that are kept on the way, and so are load steps of an equilibrium that depends on how it was
+        reached: elements "simo", laws that remember, friction. Raises Error for quantities of joints and reactions, for contact, for
+        motions of other schemes than newmark-simplified, newmark-ibrahimbegovic and generalized-alpha, and for several stages.
         """
         total = []
         for key, weight in weights.items():

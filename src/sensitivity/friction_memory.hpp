@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "assembly/system.hpp"
+#include "sensitivity/rod_memory.hpp"
+
+namespace gxrod {
+
+// What friction of joints, tendons and the ground remembers from one step to the next, transposed by
+// differences: the numbers of State::memory that are not of rods (docs/theory/sensitivities.md, (G20),
+// (G21)). Their steps are so small that what sticks or slips goes on to do so.
+class FrictionMemory {
+  public:
+    // The system must outlive it.
+    explicit FrictionMemory(const System& system);
+
+    bool is_empty() const { return places_.empty(); }
+    // Returns the step of differences by placements, of the length of a node's part, or in rad.
+    double part() const { return part_; }
+    // Of a scalar that changes by `after` with what friction remembers after the step, adds how it changes
+    // with the placements at its end, which are the trial motions.
+    void add_by_placements(const State& state,
+                           double time,
+                           const MemoryGradient& after,
+                           MotionGradient& by_end) const;
+    // Adds the derivative of a function of State::memory by the numbers of friction.
+    void add_by_memory(const State& state,
+                       double time,
+                       const std::function<double(const std::vector<double>& memory)>& function,
+                       MemoryGradient& before) const;
+
+  private:
+    struct Place {
+        std::size_t number;
+        double step;
+    };
+    void add_joints();
+    void add_tendons();
+    void add_loads();
+
+    const System* system_;
+    std::vector<Place> places_;
+    std::vector<int> nodes_;  // whose placements count, sorted
+    double part_;
+};
+
+}  // namespace gxrod
