@@ -6,15 +6,10 @@
 #include <cmath>
 
 #include "model/evaluation_error.hpp"
+#include "run/signal_value.hpp"
 
 namespace gxrod {
 namespace {
-
-// The integral of a controller whose output is beyond a bound does not grow further to that side.
-bool winds_up(const SignalPlan& plan, double output, double error) {
-    return (plan.upper && output > *plan.upper && error > 0.0) ||
-           (plan.lower && output < *plan.lower && error < 0.0);
-}
 
 void check_finite(const SignalPlan& plan, double value, double time) {
     if (!std::isfinite(value))
@@ -24,14 +19,12 @@ void check_finite(const SignalPlan& plan, double value, double time) {
 }  // namespace
 
 SignalBoard::SignalBoard(const Problem& problem) {
-    for (const SignalPlan& plan : problem.signals) {
-        Signal signal{&plan, {}};
-        if (plan.measure)
-            signal.watch.emplace_back(problem.model, problem.output.histories, plan.measure->history);
+    for (const SignalPlan* plan : list_signals(problem)) {
+        Signal signal{plan, {}};
+        if (plan->measure)
+            signal.watch.emplace_back(problem.model, problem.output.histories, plan->measure->history);
         signals_.push_back(std::move(signal));
     }
-    std::ranges::stable_sort(
-        signals_, {}, [](const Signal& signal) { return signal.plan->input->signal_rank(); });
 }
 
 double SignalBoard::measure(Signal& signal, const Snapshot& snapshot) {
@@ -45,33 +38,6 @@ void SignalBoard::measure(const Snapshot& snapshot) {
     }
 }
 
-double SignalBoard::compute(const SignalPlan& plan, SignalState& state, const Times& times) {
-    const double raw = plan.measure ? state.measured : plan.value(times.stage);
-    const bool is_first = state.is_started == 0.0;
-    const double elapsed = is_first ? 0.0 : times.axis - state.time;
-    const double before = is_first ? raw : state.filtered;
-    const double part = plan.filter > 0.0 ? -std::expm1(-elapsed / plan.filter) : 1.0;
-    const double now = is_first ? raw : before + part * (raw - before);
-    const double rate = elapsed > 0.0 ? (now - before) / elapsed : 0.0;
-    state.is_started = 1.0;
-    state.time = times.axis;
-    state.filtered = now;
-    double value = plan.is_rate ? rate : now;
-    if (plan.pid) {
-        const PidGains& gains = *plan.pid;
-        const double without = gains.proportional * now + gains.derivative * rate;
-        const double mean = plan.is_continuous ? 0.5 * (before + now) : now;
-        const double integral = state.integral + elapsed * mean;
-        if (!winds_up(plan, without + gains.integral * integral, gains.integral * now))
-            state.integral = integral;
-        value = without + gains.integral * state.integral;
-    }
-    if (plan.lower) value = std::max(value, *plan.lower);
-    if (plan.upper) value = std::min(value, *plan.upper);
-    state.largest = std::max(state.largest, std::abs(value));
-    return value;
-}
-
 void SignalBoard::note_change(Signal& signal, double value) {
     const double change = value - signal.last;
     signal.largest = std::max(signal.largest, std::abs(value));
@@ -83,11 +49,12 @@ void SignalBoard::note_change(Signal& signal, double value) {
 
 void SignalBoard::act(SteppedAnalysis& analysis, double axis_start) {
     if (signals_.empty()) return;
-    const Times times{analysis.state().time, axis_start + analysis.state().time};
+    const SignalTimes times{analysis.state().time, axis_start + analysis.state().time};
     for (Signal& signal : signals_) {
         // Set already, before a step that failed.
         if (signal.state.is_started != 0.0 && signal.state.time == times.axis) continue;
-        const double value = compute(*signal.plan, signal.state, times);
+        std::optional<SignalPiece> piece;
+        const double value = compute_signal(*signal.plan, times, signal.state, piece);
         check_finite(*signal.plan, value, times.stage);
         if (signal.plan->is_continuous) {
             start_course(signal, value, times.stage);
@@ -146,7 +113,8 @@ bool SignalBoard::follow(const Snapshot& trial, double time) {
         if (!signal.plan->is_continuous) continue;
         SignalState state = signal.state;
         if (!signal.watch.empty()) state.measured = measure(signal, trial);
-        const double found = compute(*signal.plan, state, {time, axis_start_ + time});
+        std::optional<SignalPiece> piece;
+        const double found = compute_signal(*signal.plan, {time, axis_start_ + time}, state, piece);
         check_finite(*signal.plan, found, time);
         if (std::abs(found - signal.plan->input->end()) <= tolerated * state.largest) continue;
         has_changed = true;

@@ -50,11 +50,6 @@ class SignalBoard : public StepFollower {
     };
 
     bool has_continuous() const;
-    // The times of the last accepted step, of the stage and on the axis that stages share.
-    struct Times {
-        double stage, axis;
-    };
-    static double compute(const SignalPlan& plan, SignalState& state, const Times& times);
     static double measure(Signal& signal, const Snapshot& snapshot);
     static void start_course(Signal& signal, double value, double time);
     static double choose_end(Signal& signal, double found);

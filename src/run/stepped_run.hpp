@@ -64,6 +64,8 @@ class SteppedRun {
     const StageSequence& stages() const { return *stages_; }
     // Returns the time of the last accepted step on the axis that stages share.
     double time() const { return stages_->axis(); }
+    // Returns the states of the signals, in the order of list_signals.
+    std::vector<SignalState> signal_states() const { return signals_.states(); }
     // Returns the last accepted state; valid until the next step.
     Snapshot take_snapshot(bool with_elements = true);
 
