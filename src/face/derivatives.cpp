@@ -10,6 +10,7 @@
 #include "assembly/system_measures.hpp"
 #include "assembly/system_values.hpp"
 #include "elements/tie_values.hpp"
+#include "face/signal_derivatives.hpp"
 #include "model/settings/analysis_traits.hpp"
 #include "sensitivity/equilibrium_adjoint.hpp"
 #include "watch/history_watch.hpp"
@@ -102,7 +103,25 @@ Derivatives::Derivatives(const SteppedRun& run, std::vector<VariedNumber> variat
                 throw std::invalid_argument("it changes which stages there are");
         }
     }
-    now_ = build();
+    if (!run.problem().signals.empty()) signals_ = std::make_unique<SignalDerivatives>(run_, variations_);
+    take_over(build());
+}
+
+Derivatives::~Derivatives() = default;
+
+void Derivatives::take_over(OfStage stage) {
+    std::swap(now_, stage);
+    if (signals_) signals_->follow(*now_.carried);
+}
+
+void Derivatives::start() {
+    now_.carried->start();
+    if (signals_) signals_->start();
+}
+
+void Derivatives::note_before() {
+    now_.carried->note_before();
+    if (signals_) signals_->note_before();
 }
 
 Derivatives::OfStage Derivatives::build() const {
@@ -135,8 +154,10 @@ void Derivatives::enter_stage() {
     if (!is_known_) return;
     try {
         OfStage next = build();
+        if (signals_) signals_->begin_stage();
         next.carried->start_after(*now_.carried);
-        std::swap(now_, next);
+        take_over(std::move(next));
+        if (signals_) signals_->note_before();
     } catch (...) {
         failure_ = std::current_exception();
         is_known_ = false;
@@ -182,8 +203,7 @@ void Derivatives::restore(const Sensitivities::Record* record) {
     if (record->stage == now_.stage) {
         now_.carried->follow(run_.analysis());
     } else {
-        OfStage then = build();
-        std::swap(now_, then);
+        take_over(build());
     }
     now_.carried->recall(*record);
 }

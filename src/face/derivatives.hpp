@@ -11,6 +11,8 @@
 
 namespace gxrod {
 
+class SignalDerivatives;
+
 // Computes a quantity of a history of `problem` from a system and its trial motions.
 std::vector<double> compute_history(const Problem& problem,
                                     const System& system,
@@ -23,10 +25,11 @@ class Derivatives {
   public:
     // `run` must outlive it, and so must its problem. Throws std::invalid_argument if the run has none.
     Derivatives(const SteppedRun& run, std::vector<VariedNumber> variations);
+    ~Derivatives();
 
-    void start() { now_.carried->start(); }
+    void start();
     // Must be called before each step, and after it has been accepted.
-    void note_before() { now_.carried->note_before(); }
+    void note_before();
     void advance();
     // Must be called when the run has entered another stage, before its first step. If there is no derivative
     // at its start, the next advance throws what this has found.
@@ -50,12 +53,15 @@ class Derivatives {
     };
     // Makes derivatives of the stage at hand, not started yet.
     OfStage build() const;
+    // Makes derivatives of a stage those at hand.
+    void take_over(OfStage stage);
 
     const SteppedRun& run_;
     std::vector<VariedNumber> variations_;
     OfStage now_;
-    std::exception_ptr failure_;  // of the start of a stage
-    bool is_known_ = true;        // whether derivatives of the accepted state are known
+    std::unique_ptr<SignalDerivatives> signals_;  // nullptr without signals
+    std::exception_ptr failure_;                  // of the start of a stage
+    bool is_known_ = true;                        // whether derivatives of the accepted state are known
 };
 
 // A quantity of a history, and what each of its numbers counts in a sum.

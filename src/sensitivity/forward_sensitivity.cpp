@@ -28,9 +28,11 @@ bool have_equal_forms(const Model& a, const Model& b) {
            std::ranges::equal(a.tendons, b.tendons, equal_tendons);
 }
 
-// What an input was set to; one that was not set has its own course in each model.
+// What an input was set to; one that was not set has its own course in each model. Signals have their own
+// always (SideInputs).
 void take_inputs(const Model& from, const System& to) {
     for (std::size_t i = 0; i < from.inputs.size(); ++i) {
+        if (from.inputs[i]->is_signal()) continue;
         InputState state = from.inputs[i]->state();
         Input& input = *to.model().inputs[i];
         state.planned = input.state().planned;

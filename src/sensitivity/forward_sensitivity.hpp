@@ -58,13 +58,15 @@ class ForwardSensitivity {
     // Moves the varied systems to the reference shapes of their models, and then in all but what supports
     // hold to this state.
     void place_in_reference(const State& state);
-    // Takes over the values of the inputs of the model at p.
+    // Takes over the values of the inputs of the model at p, but for those of signals.
     void take_inputs(const Model& base);
     // Moves the varied systems to the states next to this one. sides() lists them: near up, near down, far
     // up, far down; take_sides() takes over the states that they reach.
     void place_sides(const State& before);
     std::array<VariedSystem*, 4> sides();
     void take_sides();
+    // Goes back to an earlier derivative, from which a step is found again.
+    void return_to(const StateDirection& direction) { direction_ = direction; }
     // There is no derivative from then on, for this reason.
     void end(const std::string& reason) {
         if (kink_.empty()) kink_ = reason;

@@ -32,6 +32,8 @@ void check_model(const System& system, const Integrator& integrator) {
     if (!integrator.has_transposed_rates())
         refuse(
             "steps of other schemes than newmark-simplified, newmark-ibrahimbegovic and generalized-alpha");
+    if (std::ranges::any_of(model.inputs, [](const auto& input) { return input->is_signal(); }))
+        refuse("signals, which act by what they measure,");
     if (!model.contact.is_empty()) refuse("contact");
     const auto follows_force = [](const Joint& joint) {
         return joint.turn.friction.lever > 0.0 || joint.slide.friction.lever > 0.0;

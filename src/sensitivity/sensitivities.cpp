@@ -37,10 +37,6 @@ bool is_at_same_places(const State& a, const State& b) {
 }
 
 void check_model(const Model& model) {
-    const auto is_signal = [](const std::shared_ptr<Input>& input) { return input->is_signal(); };
-    if (std::ranges::any_of(model.inputs, is_signal))
-        throw std::invalid_argument(
-            "derivatives do not follow signals yet: set inputs between steps instead, from Python");
     if (has_breaking_joint(model))
         throw std::invalid_argument(
             "the time at which a joint breaks has no derivative here: take `breaks` out of the joints");
@@ -187,16 +183,14 @@ void Sensitivities::advance() {
 void Sensitivities::take_step() {
     const State& after = analysis_->state();
     for (ForwardSensitivity& one : all_) one.take_inputs(analysis_->system().model());
+    if (inputs_ != nullptr) inputs_->act();
     if (analysis_->settled() != nullptr) {
         settle(before_);
         before_ = *analysis_->settled();
     }
     const Stage& stage = analysis_->last_stage();
-    carry(before_,
-          [&](std::span<VariedSystem* const> sides) { step_->advance(stage, before_, after, sides); });
-    pieces_ = step_->pieces();
+    take_sides();
     for (ForwardSensitivity& one : all_) {
-        one.straighten_ends(step_->centre().ended);
         one.check_smoothness(step_->centre().state, stage.time_step);
         if (!step_->has_reproduced(after))
             one.end(
@@ -207,15 +201,36 @@ void Sensitivities::take_step() {
     }
 }
 
+void Sensitivities::take_sides() {
+    std::vector<StateDirection> starts;
+    for (const ForwardSensitivity& one : all_) {
+        if (inputs_ != nullptr) starts.push_back(one.direction());
+    }
+    while (true) {
+        carry(before_, [&](std::span<VariedSystem* const> sides) {
+            step_->advance(analysis_->last_stage(), before_, analysis_->state(), sides);
+        });
+        pieces_ = step_->pieces();
+        for (ForwardSensitivity& one : all_) one.straighten_ends(step_->centre().ended);
+        if (inputs_ == nullptr || !inputs_->follow()) return;
+        for (std::size_t i = 0; i < all_.size(); ++i) all_[i].return_to(starts[i]);
+    }
+}
+
 Sensitivities::Record Sensitivities::record() const {
-    Record record{{}, pieces_};
+    Record record{{}, pieces_, {}};
+    if (inputs_ != nullptr) record.inputs = inputs_->record();
     for (const ForwardSensitivity& one : all_) record.all.push_back(one.record());
     return record;
 }
 
 void Sensitivities::recall(const Record& record) {
     pieces_ = record.pieces;
-    for (std::size_t i = 0; i < all_.size(); ++i) all_[i].recall(record.all.at(i), pieces_);
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+        all_[i].recall(record.all.at(i), pieces_);
+        all_[i].take_inputs(analysis_->system().model());
+    }
+    if (inputs_ != nullptr) inputs_->recall(record.inputs);
 }
 
 }  // namespace gxrod

@@ -6,6 +6,7 @@
 
 #include "analyses/stepped_analysis.hpp"
 #include "sensitivity/forward_sensitivity.hpp"
+#include "sensitivity/side_inputs.hpp"
 
 namespace gxrod {
 
@@ -21,6 +22,9 @@ class Sensitivities {
 
     // Continues with another analysis of the same model and settings, which takes the place of the first.
     void follow(const SteppedAnalysis& analysis);
+
+    // Sets what acts on the varied systems in the steps to come, and must outlive this; nullptr: nothing.
+    void set_inputs(SideInputs* inputs) { inputs_ = inputs; }
 
     void start();
     // Starts a stage that follows another one, whose derivatives were carried along to its end.
@@ -40,7 +44,8 @@ class Sensitivities {
     struct Record {
         std::vector<ForwardSensitivity::Record> all;
         Pieces pieces;
-        std::size_t stage = 0;  // of the deck
+        std::vector<double> inputs;  // SideInputs::record
+        std::size_t stage = 0;       // of the deck
     };
     Record record() const;
     void recall(const Record& record);
@@ -52,6 +57,8 @@ class Sensitivities {
     // Whether there is no derivative by any number anymore.
     bool have_ended() const;
     void take_step();
+    // Takes the last step of the analysis on all sides, until their inputs fit.
+    void take_sides();
     // Carries the derivatives along while the analysis settles from this accepted state.
     void settle(const State& before);
     // Moves the varied systems to the states next to this one, lets `take` advance them, and takes over the
@@ -60,6 +67,7 @@ class Sensitivities {
     void carry(const State& before, const Take& take);
 
     const SteppedAnalysis* analysis_;
+    SideInputs* inputs_ = nullptr;
     std::unique_ptr<Integrator> integrator_;
     std::unique_ptr<TangentLinearStep> step_;
     std::deque<ForwardSensitivity> all_;
