@@ -8,6 +8,7 @@
 #include "model/ties/ties.hpp"
 #include "rotation/rotation_map.hpp"
 #include "sensitivity/difference_at_zero.hpp"
+#include "sensitivity/held_stops.hpp"
 #include "solvers/newton_steps.hpp"
 
 namespace gxrod {
@@ -31,10 +32,6 @@ void check_memory(const Model& model) {
         throw std::invalid_argument(
             "an equilibrium after a joint has broken depends on how it was reached: take `breaks` out of the "
             "joints");
-    if (has_stops(model))
-        throw std::invalid_argument(
-            "there are no derivatives of joints with stops, or that can be slack: give their limits a "
-            "stiffness, or take a spring");
     if (!model.contact.is_empty())
         throw std::invalid_argument(
             "there are no derivatives of contact by multipliers yet: carry derivatives along instead");
@@ -58,6 +55,9 @@ EquilibriumAdjoint::EquilibriumAdjoint(const System& system,
     check_memory(system.model());
     undo_trial(state_);
     for (NodeMotion& motion : state_.trial) motion.theta.setZero();
+    if (const HeldStops stops(system.model());
+        !stops.empty() && stops.are_at_limit(state_, system.length_scale()))
+        throw std::runtime_error("a joint is at its limit without a force: a kink, without a derivative");
     SolverWorkspace workspace(system, linear_solver);
     const Stage stage{0, 0.0, time, time};
     LoadStepping().linearize(state_, stage, workspace.linearizations);

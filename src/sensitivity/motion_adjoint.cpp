@@ -10,6 +10,7 @@
 #include "linear/transposed_values.hpp"
 #include "model/path_dependence.hpp"
 #include "model/sticking.hpp"
+#include "model/ties/ties.hpp"
 #include "rotation/rotation_map.hpp"
 #include "sensitivity/difference_at_zero.hpp"
 #include "sensitivity/sensitivity_error.hpp"
@@ -39,6 +40,7 @@ void check_model(const System& system, const Integrator& integrator) {
         return joint.turn.friction.lever > 0.0 || joint.slide.friction.lever > 0.0;
     };
     if (std::ranges::any_of(model.joints, follows_force)) refuse("friction that grows with a joint's force");
+    if (has_stops(model)) refuse("joints that can be slack, and stops,");
     if (!model.sleeves.empty()) refuse("sleeves");
 }
 

@@ -8,7 +8,6 @@
 #include "integrators/load_stepping.hpp"
 #include "integrators/quasi_static.hpp"
 #include "model/path_dependence.hpp"
-#include "model/sticking.hpp"
 #include "model/ties/ties.hpp"
 #include "sensitivity/sensitivity_error.hpp"
 
@@ -23,6 +22,13 @@ std::unique_ptr<Integrator> make_step_integrator(const AnalysisSettings& setting
     if (dynamic == nullptr) return nullptr;
     if (!dynamic->has_inertia) return std::make_unique<QuasiStatic>();
     return make_integrator(*dynamic);
+}
+
+// Friction of pairs, which come and go; obstacles have theirs in State::memory.
+bool rub_on_each_other(const Contact& contact) {
+    const auto rubs_there = [](const ContactException& one) { return one.friction.value_or(0.0) > 0.0; };
+    return (contact.between_rods || contact.within_rods) &&
+           (contact.friction > 0.0 || std::ranges::any_of(contact.exceptions, rubs_there));
 }
 
 bool is_at_same_places(const State& a, const State& b) {
@@ -40,17 +46,10 @@ void check_model(const Model& model) {
     if (has_breaking_joint(model))
         throw std::invalid_argument(
             "the time at which a joint breaks has no derivative here: take `breaks` out of the joints");
-    if (has_stops(model))
+    if (rub_on_each_other(model.contact))
         throw std::invalid_argument(
-            "the time at which a joint becomes taut or meets a stop has no derivative here: give its limits "
-            "a "
-            "stiffness, or take a spring in place of a joint that can be slack");
-    const std::vector<std::string> frictions = list_frictions(model);
-    if (std::ranges::find(frictions, "contact") != frictions.end())
-        throw std::invalid_argument(
-            "there are no derivatives of contact with friction yet: take friction = 0, or a difference of "
-            "whole "
-            "runs");
+            "there are no derivatives of friction between rods and bodies that touch each other yet: take "
+            "friction = 0 there, or a difference of whole runs");
 }
 
 }  // namespace
@@ -99,6 +98,7 @@ StartOfAnalysis Sensitivities::find_start() const {
 
 void Sensitivities::start() {
     for (ForwardSensitivity& one : all_) one.start(find_start());
+    check_stops();
     if (analysis_->settled() == nullptr) return;
     State before = analysis_->system().initial_state();
     for (NodeMotion& motion : before.previous) {
@@ -122,6 +122,7 @@ void Sensitivities::start_after(const Sensitivities& earlier) {
         all_[i].start_after(earlier.before_, earlier.by(i).direction(), start);
         all_[i].end(earlier.by(i).kink());
     }
+    check_stops();
     State before, ended;
     take_over_stage(system, earlier.before_, before);
     start_system(system, start, before, ended);
@@ -135,6 +136,21 @@ void Sensitivities::start_after(const Sensitivities& earlier) {
                 "parts; let it grow over a time");
     }
     note_before();
+}
+
+// Equilibria find what holds in their first step.
+void Sensitivities::check_stops() {
+    const Model& model = analysis_->system().model();
+    const HeldStops stops(model);
+    if (integrator_->is_static() || !model.has_inertia) return;
+    for (ForwardSensitivity& one : all_) {
+        for (const VariedSystem* side : one.sides()) {
+            if (!stops.are_equal(side->state.joints_previous, analysis_->state().joints_previous))
+                one.end(
+                    "it does not exist, because the number changes which joints are taut or at a stop at the "
+                    "start: a kink");
+        }
+    }
 }
 
 void Sensitivities::settle(const State& before) {
@@ -173,7 +189,7 @@ void Sensitivities::advance() {
     if (have_ended()) return;
     try {
         take_step();
-    } catch (const ClosedGapError& error) {
+    } catch (const KinkError& error) {
         for (ForwardSensitivity& one : all_)
             one.end(fmt::format(
                 "it does not exist from t = {:.6g} on, where {}", analysis_->state().time, error.what()));

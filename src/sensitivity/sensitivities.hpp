@@ -59,6 +59,8 @@ class Sensitivities {
     void take_step();
     // Takes the last step of the analysis on all sides, until their inputs fit.
     void take_sides();
+    // Ends derivatives where other ropes and stops hold on a side at the start of a motion.
+    void check_stops();
     // Carries the derivatives along while the analysis settles from this accepted state.
     void settle(const State& before);
     // Moves the varied systems to the states next to this one, lets `take` advance them, and takes over the

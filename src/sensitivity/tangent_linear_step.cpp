@@ -114,7 +114,9 @@ TangentLinearStep::TangentLinearStep(const System& base,
       newton_(newton),
       contacts_(base_system_),
       workspace_(base_system_, linear_solver),
-      has_hidden_constraints_(gxrod::has_hidden_constraints(base) && !integrator.is_static()) {
+      has_hidden_constraints_(gxrod::has_hidden_constraints(base) && !integrator.is_static()),
+      stops_(base_system_.model()),
+      stop_choice_(stops_.empty() ? StopChoice::by_level : StopChoice::as_before) {
     if (integrator.resolves_contact()) resolve_contact(centre_.system);
     if (workspace_.paired) workspace_.paired->solve_directly();
 }
@@ -139,6 +141,7 @@ void TangentLinearStep::advance(const Stage& first_stage,
     Stage stage = first_stage;
     if (const CoupledStages* scheme = integrator_.coupled()) {
         solve_together(*scheme, first_stage, varied);
+        for (const std::vector<JointState>& joints : base_.stage_joints) check_stops(joints);
         stage.index = integrator_.stage_count();
     }
     for (; stage.index < integrator_.stage_count(); ++stage.index) {
@@ -169,6 +172,8 @@ void TangentLinearStep::advance(const Stage& first_stage,
     }
     if (has_hidden_constraints_ && !integrator_.is_explicit()) {
         const TimeSpan step{stage.step_time, stage.time_step};
+        // As solve_step does.
+        if (!stops_.empty()) find_accelerations(stage.end_time, step, varied);
         meet_velocities(stage.end_time, step, varied);
         find_accelerations(stage.end_time, step, varied);
     }
@@ -176,7 +181,10 @@ void TangentLinearStep::advance(const Stage& first_stage,
     for (VariedSystem* one : varied) {
         one->ended = one->state;
         one->system.commit(one->state, after.time);
+        stops_.copy(one->ended.joints_trial, one->state.joints_previous);
+        stops_.copy(one->ended.joints_trial, one->state.joints_trial);
     }
+    check_stops(after.joints_previous);
 }
 
 void TangentLinearStep::release() {
@@ -204,6 +212,7 @@ void TangentLinearStep::hold(const HeldStage& held,
 void TangentLinearStep::hold(double time, std::span<VariedSystem* const> varied) {
     const HeldStage held = find_held(time);
     pieces_ = held.pieces;
+    hold_stops(varied);
     hold(held, memory_before_, centre_.held, base_);
     for (VariedSystem* one : varied) hold(held, one->memory_before, one->held, one->state);
 }
@@ -215,6 +224,22 @@ void TangentLinearStep::hold_stages(StagesOfStep& stages) {
         stages.with_stage(j, [&] { held_stages_.push_back(find_held(stages.time_of(j))); });
     stages.prepare = [this](std::size_t j) { hold(held_stages_[j], memory_before_, centre_.held, base_); };
     pieces_ = held_stages_.back().pieces;
+}
+
+void TangentLinearStep::hold_stops(std::span<VariedSystem* const> varied) {
+    if (stops_.empty()) return;
+    check_stops(base_.joints_trial);
+    const bool has_rates = !integrator_.is_static() && base_system_.model().has_inertia;
+    if (!has_rates && stops_.are_at_limit(base_, base_system_.length_scale()))
+        throw KinkError("a joint is at its limit without a force");
+    stops_.copy(base_.joints_trial, base_.joints_previous);
+    for (VariedSystem* one : varied) stops_.copy(base_.joints_trial, one->state.joints_previous);
+}
+
+void TangentLinearStep::check_stops(const std::vector<JointState>& now) const {
+    const bool has_rates = !integrator_.is_static() && base_system_.model().has_inertia;
+    if (has_rates && !stops_.are_equal(now, base_.joints_previous))
+        throw KinkError("a joint becomes taut or slack, or meets or leaves a stop");
 }
 
 void TangentLinearStep::settle(const Stage& stage,
@@ -289,6 +314,7 @@ void TangentLinearStep::compute_matrix(const Stage& stage,
                                        std::vector<double>& values) {
     integrator_.linearize(state, stage, workspace_.linearizations);
     ConstraintRequest request = find_request(base_system_, integrator_, stage);
+    request.stops = stop_choice_;
     if (request.level != ConstraintLevel::position)
         request.factor = 1.0 / workspace_.linearizations.front().acceleration;
     system.compute_tangent(state, integrator_.stage_time(stage), workspace_.linearizations, values, request);
@@ -305,6 +331,7 @@ void TangentLinearStep::follow_equilibrium(const Stage& stage, VariedSystem& var
     update_trial_rates(system, integrator_, stage, state);
 
     ConstraintRequest request = find_request(base_system_, integrator_, stage);
+    request.stops = stop_choice_;
     if (request.level != ConstraintLevel::position)
         request.factor = 1.0 / linearizations_.front().acceleration;
     const bool refines = is_linear(request);
@@ -543,7 +570,8 @@ void TangentLinearStep::find_accelerations(double time,
     check(solve_accelerations(base_system_, time, step, workspace_, base_), "its accelerations");
     hold(time, varied);
     const ConstraintRequest request = request_accelerations(step);
-    const bool is_projected = integrator_.is_explicit() || integrator_.coupled() != nullptr;
+    const bool is_projected =
+        integrator_.is_explicit() || integrator_.coupled() != nullptr || !stops_.empty();
     for (VariedSystem* one : varied) {
         follow_accelerations(time, step, *one);
         if (!has_hidden_constraints_ || !is_projected) continue;
@@ -554,6 +582,7 @@ void TangentLinearStep::find_accelerations(double time,
 
 ConstraintRequest TangentLinearStep::request_accelerations(const TimeSpan& step) const {
     ConstraintRequest request{ConstraintLevel::acceleration, step};
+    request.stops = stop_choice_;
     if (contacts_.are_impulses()) request.contact_weight = 0.0;
     return request;
 }
@@ -609,13 +638,14 @@ void TangentLinearStep::meet_velocities(double time,
     EquilibriumReport report;
     const Eigen::VectorXd total = project_velocities(base_system_, time, step, workspace_, base_, report);
     check(report, "velocities that fit the joints");
+    ConstraintRequest request{ConstraintLevel::velocity, step, time_scale};
+    request.stops = stop_choice_;
     for (VariedSystem* one : varied) {
         follow_projection(
             total,
             *one,
             [&](std::vector<double>& rows) {
-                one->system.joints().compute_rows(
-                    one->state, time, {ConstraintLevel::velocity, step, time_scale}, rows);
+                one->system.joints().compute_rows(one->state, time, request, rows);
             },
             [&](std::size_t node, const Vec6& increment) {
                 one->state.trial[node].v += increment.head<3>() / time_scale;
@@ -632,7 +662,9 @@ void TangentLinearStep::meet_positions(double time, std::span<VariedSystem* cons
         follow_projection(
             total,
             *one,
-            [&](std::vector<double>& rows) { one->system.joints().compute_rows(one->state, time, {}, rows); },
+            [&](std::vector<double>& rows) {
+                one->system.joints().compute_rows(one->state, time, {.stops = stop_choice_}, rows);
+            },
             [&](std::size_t node, const Vec6& increment) {
                 apply_spin(one->state.previous[node],
                            increment.head<3>(),

@@ -8,6 +8,7 @@
 #include "integrators/integrator.hpp"
 #include "sensitivity/held_friction.hpp"
 #include "sensitivity/held_model.hpp"
+#include "sensitivity/held_stops.hpp"
 #include "solvers/coupled/exact_matrix.hpp"
 #include "solvers/equilibrium.hpp"
 
@@ -90,6 +91,11 @@ class TangentLinearStep {
     // Returns what holds the base at its trial motions, and lets it hold a system of the same parts.
     HeldStage find_held(double time);
     void hold(const HeldStage& held, const std::vector<double>& memory, HeldModel& model, State& state) const;
+    // Lets the same ropes and stops hold as in the base's trial state. Throws KinkError if these change in a
+    // motion, or if one is at its limit without a force.
+    void hold_stops(std::span<VariedSystem* const> varied);
+    // Throws KinkError if others hold than at the start of the step of a motion.
+    void check_stops(const std::vector<JointState>& now) const;
     void solve_stage(const Stage& stage, std::span<VariedSystem* const> varied);
     void solve_stage_explicitly(const Stage& stage, std::span<VariedSystem* const> varied);
     // Solves all stages of a step that are found together.
@@ -141,6 +147,8 @@ class TangentLinearStep {
     Contacts contacts_;
     SolverWorkspace workspace_;
     bool has_hidden_constraints_;
+    HeldStops stops_;
+    StopChoice stop_choice_;                         // of equations by which the varied systems are found
     std::vector<NodeLinearization> linearizations_;  // of the base at the present stage
     // The linearizations of stage j by stage k, one row after the other.
     std::vector<std::vector<NodeLinearization>> stage_linearizations_;

@@ -105,7 +105,8 @@ force = [0.3, 0, "pull"]
 const std::string moves =
     "[analysis]\nkind = \"dynamic\"\nend_time = 0.8\ntime_step = 0.02\nintegrator = \"SCHEME\"\n"
     "newton = { tolerance = 1e-11 }\n";
-const std::string creeps = "[analysis]\nkind = \"quasi-static\"\nend_time = 0.8\ntime_step = 0.02\n";
+const std::string creeps =
+    "[analysis]\nkind = \"quasi-static\"\nend_time = 0.8\ntime_step = 0.02\nnewton = { tolerance = 1e-11 }\n";
 const std::string stages = R"deck([[stage]]
 name = "sag"
 kind = "static"
@@ -238,13 +239,15 @@ TEST_CASE("a continuous controller has the derivatives of a spring and a damper"
 
 TEST_CASE("derivatives of a continuous controller of a rod are those of whole runs",
           "[face][sensitivity][signals]") {
-    const std::string continuous = replaced(
-        replaced(arm, "filter = \"T\"", "continuous = true"), "HOLD", "continuous = true\nstart = 0.8");
+    std::string continuous = replaced(arm, "filter = \"T\"", "continuous = true");
+    continuous = replaced(continuous, "HOLD", "continuous = true\nstart = 0.8");
+    // Bounds that are met in a step, and rates of a signal itself, let runs cut steps.
+    continuous = replaced(replaced(continuous, "lower = 0\nupper = \"most\"\n", ""), "kd = 0.2", "kd = 0");
     const std::string analysis = GENERATE(as<std::string>{}, "newmark-simplified", "sdirk-4", "creeps");
     INFO(analysis);
     const Deck deck =
         Deck::from_text(continuous + (analysis == "creeps" ? creeps : replaced(moves, "SCHEME", analysis)));
-    check_by_runs(deck, {"kp", "ki", "EI"}, 1e-5);
+    check_by_runs(deck, {"kp", "EI"}, 1e-6);
 }
 
 TEST_CASE("derivatives of controlled motions return to a checkpoint", "[face][sensitivity][signals]") {

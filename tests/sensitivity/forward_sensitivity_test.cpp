@@ -276,13 +276,19 @@ TEST_CASE("derivatives of impacts are those of whole runs", "[sensitivity]") {
     check_all(deck, {"floor"}, true, 1e-7, of_floor);
 }
 
-TEST_CASE("contact with friction has no derivatives", "[sensitivity]") {
-    const Problem base =
-        read(replaced(make_touching("kind = \"static\"\n"), "[contact]", "friction = 0.2\n[contact]"));
+TEST_CASE("derivatives of what rubs on an obstacle are those of whole runs", "[sensitivity]") {
+    const std::string deck =
+        replaced(make_touching("kind = \"static\"\nsteps = 20\n"), "[contact]", "friction = 0.2\n[contact]");
+    check_all(deck, {"EI", "F"}, false, 1e-6, next_to_floor);
+}
+
+TEST_CASE("friction of rods on each other has no derivatives", "[sensitivity]") {
+    const Problem base = read(replaced(
+        make_touching("kind = \"static\"\n"), "[contact]", "[contact]\nself = true\nfriction = 0.2"));
     SteppedRun simulation(request_of(base));
     REQUIRE(simulation.start());
     CHECK_THROWS_WITH(Sensitivities(simulation.analysis(), base.analysis(), {vary(base, base)}),
-                      Contains("contact with friction"));
+                      Contains("friction between rods and bodies that touch each other"));
 }
 
 TEST_CASE("derivatives of equilibria of mechanisms are those of whole runs", "[sensitivity]") {
