@@ -13,6 +13,7 @@
 #include "deck/text/overrides.hpp"
 #include "face/deck.hpp"
 #include "face/unknown_name_error.hpp"
+#include "model/contact_friction.hpp"
 #include "model/settings/analysis_traits.hpp"
 
 namespace gxrod {
@@ -21,6 +22,9 @@ namespace {
 // Relative to the number. Errors of differences along derivatives that are carried along are its fourth
 // power.
 constexpr double relative_step = 5e-4;
+// Where things rub: places that stick in one model and slide in another, unlike the analysed one, are as rare
+// as the step is small.
+constexpr double relative_step_of_friction = 1e-5;
 
 const DeckNode* find(const DeckNode& deck, const std::vector<KeyStep>& steps) {
     const DeckNode* node = &deck;
@@ -139,6 +143,11 @@ VariedNumber vary(const Deck& deck, const std::string& number) {
     double step = relative_step * (value != 0.0 ? std::abs(value) : 1.0);
     const auto build = [&](double steps) { return Deck(deck).set(key, value + steps * step).build_varied(); };
     Problem up = build(1.0), down = build(-1.0);
+    if (rubs(up.model.contact)) {
+        step *= relative_step_of_friction / relative_step;
+        up = build(1.0);
+        down = build(-1.0);
+    }
     if (!up.model.contact.is_empty()) {
         const double excess = find_excess(up, down);
         if (excess > 1.0) {

@@ -5,6 +5,7 @@
 
 #include "assembly/scatter.hpp"
 #include "linear/eigen/pencil.hpp"
+#include "model/contact_friction.hpp"
 #include "rotation/rotation_map.hpp"
 #include "sensitivity/sensitivity_error.hpp"
 #include "solvers/coupled/coupled_step.hpp"
@@ -179,6 +180,8 @@ void TangentLinearStep::advance(const Stage& first_stage,
     }
     split_contact(stage, varied);
     for (VariedSystem* one : varied) {
+        // What a commit remembers of friction follows from forces.
+        if (rubs(one->system.model().contact)) check_gaps(after.time, *one);
         one->ended = one->state;
         one->system.commit(one->state, after.time);
         stops_.copy(one->ended.joints_trial, one->state.joints_previous);

@@ -32,19 +32,21 @@ inline std::vector<double> find_end(const Deck& deck,
     return run[history][quantity].numbers();
 }
 
-// Returns differences of whole runs with two sizes of steps, extrapolated.
+// Returns differences of whole runs with two sizes of steps, extrapolated; the larger one is a part of the
+// number.
 inline std::vector<double> take_differences(const Deck& deck,
                                             const std::string& number,
                                             double value,
                                             const std::string& history,
-                                            const std::string& quantity) {
+                                            const std::string& quantity,
+                                            double part = 1e-3) {
     const auto difference = [&](double h) {
         std::vector<double> high = find_end(deck, number, value + h, history, quantity);
         const std::vector<double> low = find_end(deck, number, value - h, history, quantity);
         for (std::size_t i = 0; i < high.size(); ++i) high[i] = (high[i] - low[i]) / (2.0 * h);
         return high;
     };
-    const double h = 1e-3 * std::abs(value);
+    const double h = part * std::abs(value);
     std::vector<double> fine = difference(0.5 * h);
     const std::vector<double> coarse = difference(h);
     for (std::size_t i = 0; i < fine.size(); ++i) fine[i] = (4.0 * fine[i] - coarse[i]) / 3.0;

@@ -70,7 +70,7 @@ kp = 8
 ki = 40
 kd = 0.2
 T = 0.03
-most = 4.5
+most = 2.5
 EI = 6
 L = 1
 [section.s]
@@ -133,12 +133,15 @@ double value_of(const Deck& deck, const std::string& name) {
     return std::stod(text.substr(text.find("\n" + name + " = ") + name.size() + 4));
 }
 
+// Small, so that no signal reaches a bound in one run alone.
+constexpr double part = 3e-5;
+
 void check_by_runs(const Deck& deck, const std::vector<std::string>& numbers, double tolerance) {
     for (const std::string& number : numbers) {
         INFO(number);
         const double value = value_of(deck, number);
         require_close(carry_along(deck, number, "tip", "position"),
-                      take_differences(deck, number, value, "tip", "position"),
+                      take_differences(deck, number, value, "tip", "position", part),
                       tolerance);
     }
 }
