@@ -22,8 +22,10 @@ FrictionMemory::FrictionMemory(const System& system) : system_(&system), part_(s
     add_loads();
     add_joints();
     add_tendons();
-    std::ranges::sort(nodes_);
-    nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+    for (std::vector<int>* nodes : {&nodes_, &tendon_nodes_}) {
+        std::ranges::sort(*nodes);
+        nodes->erase(std::unique(nodes->begin(), nodes->end()), nodes->end());
+    }
 }
 
 void FrictionMemory::add_joints() {
@@ -47,10 +49,14 @@ void FrictionMemory::add_joints() {
 }
 
 void FrictionMemory::add_tendons() {
+    // Where a tendon hardly turns it sticks within a narrow range of tensions.
+    constexpr double narrow = 1e-8;
     for (const CapstanTension& tendon : list_capstan_tensions(system_->model())) {
+        part_ = std::min(part_, narrow);
         for (std::size_t i = 0; i < tendon.count(); ++i)
             places_.push_back({tendon.memory().first + i, 0.0});  // the step follows tensions
         nodes_.insert(nodes_.end(), tendon.nodes().begin(), tendon.nodes().end());
+        tendon_nodes_.insert(tendon_nodes_.end(), tendon.nodes().begin(), tendon.nodes().end());
     }
 }
 
@@ -80,54 +86,72 @@ void FrictionMemory::add_by_placements(const State& state,
     if (!counts) return;
     State moved = state, there = state;
     system_->commit(there, time);
-    for (const int node : nodes_) {
-        NodeMotion& trial = moved.trial[static_cast<std::size_t>(node)];
-        const NodeMotion start = trial;
-        MotionGradient::OfNode& by = by_end.nodes[static_cast<std::size_t>(node)];
+    add_by_nodes(
+        nodes_,
+        moved.trial,
+        [&] {
+            State end = moved;
+            system_->commit(end, time);
+            return dot(own, end, there);
+        },
+        by_end);
+}
+
+template <class Function>
+void FrictionMemory::add_by_nodes(const std::vector<int>& nodes,
+                                  std::vector<NodeMotion>& motions,
+                                  const Function& function,
+                                  MotionGradient& gradient) const {
+    for (const int node : nodes) {
+        NodeMotion& motion = motions[static_cast<std::size_t>(node)];
+        const NodeMotion start = motion;
+        MotionGradient::OfNode& by = gradient.nodes[static_cast<std::size_t>(node)];
         const auto differentiate = [&](double step, const auto& move) {
             const double derivative = differentiate_at_zero(
                 [&](double amount) {
                     move(amount);
-                    State end = moved;
-                    system_->commit(end, time);
-                    return dot(own, end, there);
+                    return function();
                 },
                 step);
-            trial = start;
+            motion = start;
             return derivative;
         };
         const double length = system_->scale_groups().length_at(node);
         for (Eigen::Index k = 0; k < 3; ++k) {
             by.r[k] +=
-                differentiate(part_ * length, [&](double amount) { trial.r[k] = start.r[k] + amount; });
+                differentiate(part_ * length, [&](double amount) { motion.r[k] = start.r[k] + amount; });
             by.phi[k] += differentiate(part_, [&](double amount) {
-                trial.Lambda = exp_quaternion(amount * Vec3::Unit(k)) * start.Lambda;
+                motion.Lambda = exp_quaternion(amount * Vec3::Unit(k)) * start.Lambda;
             });
         }
     }
 }
 
-void FrictionMemory::add_by_memory(const State& state,
-                                   double time,
-                                   const std::function<double(const std::vector<double>& memory)>& function,
-                                   MemoryGradient& before) const {
+void FrictionMemory::add_by_start(const State& state,
+                                  double time,
+                                  const std::function<double(const State& start)>& function,
+                                  MemoryGradient& before,
+                                  MotionGradient& motions_before) const {
+    if (is_empty()) return;
     double tension = 0.0;
     for (const CapstanTension& tendon : list_capstan_tensions(system_->model())) {
         for (const double one : tendon.compute(state.trial, state, time)) tension = std::max(tension, one);
     }
-    std::vector<double> memory = state.memory;
+    State moved = state;
     for (const Place& place : places_) {
-        const double step = place.step > 0.0 ? place.step : part_of_stick * tension;
+        const double step = place.step > 0.0 ? place.step : small * tension;
         if (!(step > 0.0)) continue;
-        const double start = memory[place.number];
+        const double start = state.memory[place.number];
         before.numbers[place.number] += differentiate_at_zero(
             [&](double amount) {
-                memory[place.number] = start + amount;
-                return function(memory);
+                moved.memory[place.number] = start + amount;
+                return function(moved);
             },
             step);
-        memory[place.number] = start;
+        moved.memory[place.number] = start;
     }
+    add_by_nodes(
+        tendon_nodes_, moved.previous, [&] { return function(moved); }, motions_before);
 }
 
 }  // namespace gxrod

@@ -25,11 +25,13 @@ class FrictionMemory {
                            double time,
                            const MemoryGradient& after,
                            MotionGradient& by_end) const;
-    // Adds the derivative of a function of State::memory by the numbers of friction.
-    void add_by_memory(const State& state,
-                       double time,
-                       const std::function<double(const std::vector<double>& memory)>& function,
-                       MemoryGradient& before) const;
+    // Adds the derivatives of a function of the start of the step by what friction remembers there, and by
+    // the accepted placements from which tendons stretch where they stick.
+    void add_by_start(const State& state,
+                      double time,
+                      const std::function<double(const State& start)>& function,
+                      MemoryGradient& before,
+                      MotionGradient& motions_before) const;
 
   private:
     struct Place {
@@ -39,10 +41,17 @@ class FrictionMemory {
     void add_joints();
     void add_tendons();
     void add_loads();
+    // Adds the derivatives of function() by these nodes of `motions`, which it reads.
+    template <class Function>
+    void add_by_nodes(const std::vector<int>& nodes,
+                      std::vector<NodeMotion>& motions,
+                      const Function& function,
+                      MotionGradient& gradient) const;
 
     const System* system_;
     std::vector<Place> places_;
-    std::vector<int> nodes_;  // whose placements count, sorted
+    std::vector<int> nodes_;         // whose placements count, sorted
+    std::vector<int> tendon_nodes_;  // of them those of tendons
     double part_;
 };
 

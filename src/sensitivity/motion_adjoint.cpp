@@ -152,9 +152,10 @@ MotionAdjoint::MotionAdjoint(const SteppedAnalysis& analysis,
 
 // Forces with limits are curved, or have kinks, on a smaller scale than geometry.
 double MotionAdjoint::find_part() const {
-    if (!friction_.is_empty()) return friction_.part();
-    return centre_.held.has_kinks() ? 1e-5 : 1e-3;
+    return friction_.is_empty() ? find_part_of_quantity() : friction_.part();
 }
+
+double MotionAdjoint::find_part_of_quantity() const { return centre_.held.has_kinks() ? 1e-5 : 1e-3; }
 
 void MotionAdjoint::step_back(const Stage& step,
                               const State& before,
@@ -226,8 +227,7 @@ void MotionAdjoint::hold_pieces() {
 
 // (∂q/∂y)ᵀ by differences over what each node's motion has.
 void MotionAdjoint::add_gradient(const Stage& step, const Quantity& quantity, MotionGradient& by_end) {
-    // Of the length of the node's part, or in rad; sections that yield are curved on a smaller scale.
-    const double part = centre_.held.has_kinks() ? 1e-5 : 1e-3;
+    const double part = find_part_of_quantity();
     State moved = base_;
     const bool has_rates = !sensitivities_.integrator().is_static() && centre_.system.model().has_inertia;
     const double per_time = has_rates ? 1.0 / step.time_step : 0.0;
@@ -265,7 +265,7 @@ void MotionAdjoint::add_gradient_by_memory(const Quantity& quantity,
                                            MotionGradient& by_end,
                                            MotionGradient& before,
                                            MemoryGradient& memory_before) {
-    constexpr double part = 1e-3;
+    const double part = find_part_of_quantity();
     State moved = base_;
     const auto differentiate = [&](const auto& move, double size) {
         return differentiate_at_zero(
@@ -355,14 +355,15 @@ double MotionAdjoint::weigh(const Stage& step, VariedSystem& varied, const Weigh
     const State* state = &equilibrium();
     const double time = state->trial_time;
     const bool moves = system.supports().move();
-    if (moves || hidden_ || what.memory != nullptr) varied.state = *state;
-    if (what.memory != nullptr) {
-        varied.state.memory = *what.memory;
-        state = &varied.state;
-    }
+    if (moves || hidden_ || what.start != nullptr) varied.state = *state;
     if (moves) {
         place_next_to(equilibrium(), time, varied);
         update_trial_rates(system, sensitivities_.integrator(), step, varied.state);
+        state = &varied.state;
+    }
+    if (what.start != nullptr) {
+        varied.state.memory = what.start->memory;
+        varied.state.previous = what.start->previous;
         state = &varied.state;
     }
     system.compute_residual(*state, time, residual_);
@@ -390,28 +391,24 @@ void MotionAdjoint::add_by_numbers(const Stage& step, const Quantity* quantity) 
         const double near = (values[0] - values[1]) / (2.0 * sides[0]->amount);
         const double far = (values[2] - values[3]) / (2.0 * sides[2]->amount);
         by_numbers_[i] += (4.0 * near - far) / 3.0;
-        const auto [least, most] = std::minmax_element(values.begin(), values.end());
-        bends_[i].add(near, far, std::max(std::abs(*least), std::abs(*most)) / sides[0]->amount);
+        if (!friction_.is_empty()) bends_[i].add(values, weigh(step, centre_, {quantity}));
     }
 }
 
-void MotionAdjoint::Bend::add(double near, double far, double size) {
-    constexpr double round_off = 1e-11;
-    kinks += std::abs(near - far);
-    all += std::abs(near);
-    noise += round_off * size;
+// (G9)
+void MotionAdjoint::Bend::add(const std::array<double, 4>& values, double centre) {
+    kinks += std::abs(values[2] + values[3] - 2.0 * centre - 4.0 * (values[0] + values[1] - 2.0 * centre));
+    changes += std::abs(values[2] - values[3]);
 }
 
 // Friction at its limit has another derivative for each way that a number goes.
 void MotionAdjoint::check_smoothness() const {
-    constexpr double tolerable = 1e-4;
-    if (friction_.is_empty()) return;
+    constexpr double tolerable = 1e-6;
     for (const Bend& bend : bends_) {
-        if (bend.kinks > tolerable * bend.all + bend.noise)
+        if (bend.kinks > tolerable * bend.changes)
             throw SensitivityError(
-                "a derivative by multipliers does not exist, where friction reaches its limit: a kink; take "
-                "another value "
-                "of the number, or a difference of whole runs");
+                "a derivative by multipliers does not exist, where friction reaches its limit: a kink; carry "
+                "it along by `sensitivities`, or take another value of the number");
     }
 }
 
@@ -503,13 +500,12 @@ void MotionAdjoint::pass_back_memory(const Stage& step,
     const double time = base_.trial_time;
     memory_.add_by_memory(equilibrium(), time, xi, memory_later_, memory_before, before);
     if (hidden_) hidden_->subtract_by_memory(step, base_, memory_, memory_before, before);
-    friction_.add_by_memory(
+    friction_.add_by_start(
         base_,
         time,
-        [&](const std::vector<double>& memory) {
-            return weigh(step, centre_, {.quantity = quantity, .memory = &memory});
-        },
-        memory_before);
+        [&](const State& start) { return weigh(step, centre_, {.quantity = quantity, .start = &start}); },
+        memory_before,
+        before);
 }
 
 void MotionAdjoint::end(const Quantity* quantity) {

@@ -53,8 +53,10 @@ class MotionAdjoint {
     std::vector<std::vector<double>> by_inputs() const { return {by_inputs_.rbegin(), by_inputs_.rend()}; }
 
   private:
-    // Returns the step of differences along the motions by which joints are met, of a length or in rad.
+    // Return the steps of differences along the motions by which joints are met, and of quantities by
+    // motions: of the length of a node's part, or in rad.
     double find_part() const;
+    double find_part_of_quantity() const;
     void place(const Stage& step, const State& before, const State& after);
     // Holds laws and friction on the pieces that they have at the trial motions of the step.
     void hold_pieces();
@@ -69,18 +71,19 @@ class MotionAdjoint {
                                 MemoryGradient& memory_before);
     // Sets λ, (G12), from how the sum changes with the equilibrium.
     void find_multipliers(const Stage& step, const MotionGradient& by_equilibrium);
-    // Returns what is differentiated by a number, (G14), in a varied system; with another memory, if given.
+    // Returns what is differentiated by a number, (G14), in a varied system; if given, with the memory and
+    // the accepted motions of another start of the step.
     struct Weighed {
         const Quantity* quantity;
         int number = -1, side = -1;
-        const std::vector<double>* memory = nullptr;
+        const State* start = nullptr;
     };
     double weigh(const Stage& step, VariedSystem& varied, const Weighed& what);
     void add_by_numbers(const Stage& step, const Quantity* quantity);
-    // What differences of two sizes are apart, in all steps together.
+    // How far what is weighed is from smooth, and how much it changes, in all steps together.
     struct Bend {
-        double kinks = 0.0, all = 0.0, noise = 0.0;
-        void add(double near, double far, double size);
+        double kinks = 0.0, changes = 0.0;
+        void add(const std::array<double, 4>& values, double centre);
     };
     void check_smoothness() const;
     void add_by_inputs(const Stage& step, const Quantity* quantity);
