@@ -187,8 +187,7 @@ start = "k"
 
 }  // namespace
 
-TEST_CASE("derivatives by the gains of a sampled controller are those of its recurrence",
-          "[face][sensitivity][signals]") {
+TEST_CASE("derivatives by the gains of a sampled controller are those of its recurrence", "[face][signals]") {
     const Deck deck = Deck::from_text(cart);
     constexpr double tiny = 1e-30;
     const auto check = [&](const std::string& name, const Numbers& by) {
@@ -205,22 +204,20 @@ TEST_CASE("derivatives by the gains of a sampled controller are those of its rec
     check("m", {.m = 2.0 + i});
 }
 
-TEST_CASE("derivatives of a controlled rod are those of whole runs", "[face][sensitivity][signals]") {
+TEST_CASE("derivatives of a controlled rod are those of whole runs", "[face][signals]") {
     const std::string scheme = GENERATE("newmark-simplified", "generalized-alpha", "sdirk-4", "radau-5");
     INFO(scheme);
     check_by_runs(
         arm_of(replaced(moves, "SCHEME", scheme)), {"kp", "ki", "kd", "T", "most", "EI", "L"}, 1e-5);
 }
 
-TEST_CASE("derivatives of controlled creep and stages are those of whole runs",
-          "[face][sensitivity][signals]") {
+TEST_CASE("derivatives of controlled creep and stages are those of whole runs", "[face][signals]") {
     check_by_runs(arm_of(creeps, ""), {"kp", "T", "EI"}, 1e-5);
     check_by_runs(arm_of(stages), {"kp", "ki", "EI", "L"}, 1e-5);
     check_by_runs(arm_of(stages, ""), {"kd"}, 1e-5);
 }
 
-TEST_CASE("a continuous controller has the derivatives of a spring and a damper",
-          "[face][sensitivity][signals]") {
+TEST_CASE("a continuous controller has the derivatives of a spring and a damper", "[face][signals]") {
     const std::string scheme = GENERATE("newmark-simplified", "generalized-alpha");
     const auto find = [&](const std::string& control, const std::string& name, const std::string& what) {
         const Deck deck = Deck::from_text(replaced(replaced(rail, "CONTROL", control), "SCHEME", scheme));
@@ -240,8 +237,7 @@ TEST_CASE("a continuous controller has the derivatives of a spring and a damper"
     }
 }
 
-TEST_CASE("derivatives of a continuous controller of a rod are those of whole runs",
-          "[face][sensitivity][signals]") {
+TEST_CASE("derivatives of a continuous controller of a rod are those of whole runs", "[face][signals]") {
     std::string continuous = replaced(arm, "filter = \"T\"", "continuous = true");
     continuous = replaced(continuous, "HOLD", "continuous = true\nstart = 0.8");
     // Bounds that are met in a step, and rates of a signal itself, let runs cut steps.
@@ -253,7 +249,7 @@ TEST_CASE("derivatives of a continuous controller of a rod are those of whole ru
     check_by_runs(deck, {"kp", "EI"}, 1e-6);
 }
 
-TEST_CASE("derivatives of controlled motions return to a checkpoint", "[face][sensitivity][signals]") {
+TEST_CASE("derivatives of controlled motions return to a checkpoint", "[face][signals]") {
     const Deck deck = arm_of(replaced(moves, "SCHEME", "newmark-simplified"));
     std::vector<VariedNumber> variations;
     variations.push_back(vary(deck, "kp"));
@@ -270,7 +266,7 @@ TEST_CASE("derivatives of controlled motions return to a checkpoint", "[face][se
     CHECK(derivative() == end);
 }
 
-TEST_CASE("a signal at a kink has no derivative from there on", "[face][sensitivity][signals]") {
+TEST_CASE("a signal at a kink has no derivative from there on", "[face][signals]") {
     const std::string folded = replaced(cart, "value = \"1 - place\"", "value = \"abs(place - shift)\"");
     const Deck deck = Deck::from_text(replaced(replaced(folded, "kp = 8", "kp = 8\nshift = 0.2"),
                                                "at = [0, 0, 0]\n[joint",
@@ -285,7 +281,7 @@ TEST_CASE("a signal at a kink has no derivative from there on", "[face][sensitiv
     CHECK(run["cart"].derivative("m")["position"].numbers().size() == 3);
 }
 
-TEST_CASE("signals have no derivatives by multipliers", "[face][sensitivity][signals]") {
+TEST_CASE("signals have no derivatives by multipliers", "[face][signals]") {
     const Deck deck = Deck::from_text(cart);
     Simulation run(deck.build());
     run.run();
