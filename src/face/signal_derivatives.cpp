@@ -211,7 +211,7 @@ std::vector<SignalDerivatives::Rates> SignalDerivatives::act_on(std::size_t numb
     return values;
 }
 
-// (G20)
+// (G23)
 void SignalDerivatives::act() {
     const Base after = note_base();
     std::vector<SignalState> states = before_.states;
@@ -258,7 +258,7 @@ std::vector<double> SignalDerivatives::find_ends(std::size_t number,
     return ends;
 }
 
-// (G22)
+// (G25)
 bool SignalDerivatives::follow_number(std::size_t number, const Base& after) {
     constexpr double met = 1e-9;
     constexpr double round_off = 1e-13;

@@ -13,7 +13,7 @@
 namespace gxrod {
 
 // The derivatives of the signals of a run: each side has signals of its own, which measure its own motions
-// (docs/theory/sensitivities.md, (G20) to (G22)).
+// (docs/theory/sensitivities.md, (G23) to (G25)).
 class SignalDerivatives final : public SideInputs {
   public:
     // The run and the variations must outlive it. Throws std::invalid_argument if a signal measures what has
