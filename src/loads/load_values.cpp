@@ -6,7 +6,7 @@
 
 #include "loads/distributed_load.hpp"
 #include "loads/nodal_load.hpp"
-#include "model/element_lengths.hpp"
+#include "model/sections/element_lengths.hpp"
 #include "model/time/breaks.hpp"
 
 namespace gxrod {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "sensitivity/rod_memory.hpp"
+#include "sensitivity/memory/rod_memory.hpp"
 #include "sensitivity/tangent_linear_step.hpp"
 #include "sensitivity/transposed_products.hpp"
 #include "state/motion_gradient.hpp"

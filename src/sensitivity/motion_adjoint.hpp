@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "sensitivity/friction_memory.hpp"
 #include "sensitivity/hidden_adjoint.hpp"
-#include "sensitivity/rod_memory.hpp"
+#include "sensitivity/memory/friction_memory.hpp"
+#include "sensitivity/memory/rod_memory.hpp"
 #include "sensitivity/sensitivities.hpp"
 #include "sensitivity/transposed_products.hpp"
 #include "state/motion_gradient.hpp"

@@ -8,7 +8,7 @@
 #include "check/summaries/rod_lines.hpp"
 #include "check/summaries/section_summary.hpp"
 #include "check/surroundings/fluid_summary.hpp"
-#include "model/element_lengths.hpp"
+#include "model/sections/element_lengths.hpp"
 #include "rotation/vector_text.hpp"
 
 namespace gxrod {

@@ -9,8 +9,8 @@
 #include "check/surroundings/line_at_rest.hpp"
 #include "check/surroundings/lowest_frequency.hpp"
 #include "environment/current.hpp"
-#include "model/element_lengths.hpp"
 #include "model/evaluation_error.hpp"
+#include "model/sections/element_lengths.hpp"
 #include "model/settings/analysis_traits.hpp"
 
 namespace gxrod {

@@ -10,7 +10,7 @@
 #include "check/surroundings/line_words.hpp"
 #include "environment/ground.hpp"
 #include "environment/sea.hpp"
-#include "model/element_lengths.hpp"
+#include "model/sections/element_lengths.hpp"
 
 namespace gxrod {
 namespace {

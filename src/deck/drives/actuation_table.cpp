@@ -7,7 +7,7 @@
 #include "deck/places/part.hpp"
 #include "deck/reading/copies.hpp"
 #include "deck/schema/schema_tables.hpp"
-#include "model/element_means.hpp"
+#include "model/sections/element_means.hpp"
 
 namespace gxrod {
 namespace {

@@ -1,4 +1,4 @@
-#include "model/element_means.hpp"
+#include "model/sections/element_means.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "sensitivity/friction_memory.hpp"
+#include "sensitivity/memory/friction_memory.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "assembly/system.hpp"
-#include "sensitivity/rod_memory.hpp"
+#include "sensitivity/memory/rod_memory.hpp"
 
 namespace gxrod {
 

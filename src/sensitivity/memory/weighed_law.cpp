@@ -1,4 +1,4 @@
-#include "sensitivity/weighed_law.hpp"
+#include "sensitivity/memory/weighed_law.hpp"
 
 #include <algorithm>
 #include <cmath>

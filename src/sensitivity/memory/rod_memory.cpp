@@ -1,4 +1,4 @@
-#include "sensitivity/rod_memory.hpp"
+#include "sensitivity/memory/rod_memory.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include "integrators/newmark.hpp"
 #include "rotation/rotation_map.hpp"
 #include "sensitivity/difference_at_zero.hpp"
-#include "sensitivity/weighed_law.hpp"
+#include "sensitivity/memory/weighed_law.hpp"
 
 namespace gxrod {
 
