@@ -71,10 +71,7 @@ class LoadedPoint {
             motion_.spin += part * node.omega;
             axes_ += part * find_axes(i);
         }
-        if (element.load->by_motion.turns) {
-            Lambda_ = interpolate(0, Vec3::Zero());
-            motion_.rotation = log(Lambda_);
-        }
+        if (element.load->by_motion.turns) motion_.rotation = log(interpolate(0, Vec3::Zero()));
     }
 
     const PointMotion& motion() const { return motion_; }
@@ -113,7 +110,6 @@ class LoadedPoint {
     const std::vector<NodeMotion>& motions_;
     PointMotion motion_;
     Mat3 axes_ = Mat3::Zero();
-    Quat Lambda_ = Quat::Identity();
 };
 
 Vec6 turn(const Mat3& axes, const Vec6& value) {

@@ -29,7 +29,7 @@ Vec6 compute_per_length(const DistributedLoad& load,
     Vec6 value = compute_load_per_length(load, time, s);
     if (load.by_motion) value += load.by_motion.value(time, s, find_point_motion(motion));
     if (load.frame == Frame::spatial) return value;
-    const Vec6 own = turned(load.frame == Frame::body ? motion.Lambda * axes : motion.Lambda, value);
+    Vec6 own = turned(load.frame == Frame::body ? motion.Lambda * axes : motion.Lambda, value);
     if (!load.field) return own;
     return compute_magnetic_load({*load.field, time, motion.r, own.tail<3>(), length});
 }
