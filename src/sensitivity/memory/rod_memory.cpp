@@ -17,13 +17,13 @@ namespace {
 
 // Shape functions at a force point, their slopes by arc length and its weight.
 template <int Nodes>
-struct PointShape {
+struct ShapeAtPoint {
     NodeValues<Nodes> shape, slope;
     double weight;
 };
 
 template <int Nodes>
-PointShape<Nodes> find_shape(const InterpolatedRod<Nodes>& rod, int point) {
+ShapeAtPoint<Nodes> find_shape(const InterpolatedRod<Nodes>& rod, int point) {
     static const auto rule = compute_gauss_rule<Nodes - 1>();
     const auto& [xi, weight] = rule[static_cast<std::size_t>(point)];
     const double jacobian = rod.reference(point).jacobian;
@@ -32,13 +32,13 @@ PointShape<Nodes> find_shape(const InterpolatedRod<Nodes>& rod, int point) {
 }
 
 template <int Nodes>
-SectionFields interpolate(const PointShape<Nodes>& point, const LocalMotion<Nodes>& motion) {
+SectionFields interpolate(const ShapeAtPoint<Nodes>& point, const LocalMotion<Nodes>& motion) {
     return {motion.r * point.slope, motion.theta * point.shape, motion.theta * point.slope};
 }
 
 // Adds a force conjugate to (r′, θ, θ′) to the forces on the nodes' local motions.
 template <int Nodes>
-void add_density(const PointShape<Nodes>& point, const Vec9& density, NodalVector<Nodes>& force) {
+void add_density(const ShapeAtPoint<Nodes>& point, const Vec9& density, NodalVector<Nodes>& force) {
     for (int i = 0; i < Nodes; ++i) {
         force.template segment<3>(6 * i) += point.slope[i] * density.template head<3>();
         force.template segment<3>(6 * i + 3) +=
@@ -268,7 +268,7 @@ class RememberingElement {
     Motions<Nodes> motions_;
     Histories histories_;
     Map map_;
-    std::array<PointShape<Nodes>, points> shapes_;
+    std::array<ShapeAtPoint<Nodes>, points> shapes_;
     Axes axes_;
     std::array<SectionFields, points> fields_;
     std::array<Vec6, points> strains_;
