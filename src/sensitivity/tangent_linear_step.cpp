@@ -179,6 +179,10 @@ void TangentLinearStep::advance(const Stage& first_stage,
         find_accelerations(stage.end_time, step, varied);
     }
     split_contact(stage, varied);
+    commit(after, varied);
+}
+
+void TangentLinearStep::commit(const State& after, std::span<VariedSystem* const> varied) {
     for (VariedSystem* one : varied) {
         // What a commit remembers of friction follows from forces.
         if (rubs(one->system.model().contact)) check_gaps(after.time, *one);

@@ -106,6 +106,7 @@ class TangentLinearStep {
     void hold_stages(StagesOfStep& stages);
     // Finds accelerations without contact after a step with impulses.
     void split_contact(const Stage& stage, std::span<VariedSystem* const> varied);
+    void commit(const State& after, std::span<VariedSystem* const> varied);
     // Takes the base as it is found, with the pairs of pieces that are near, as the place of tangents.
     void place_contact(double time);
     // Finds accelerations; the varied systems have the matrices of the equilibrium.
