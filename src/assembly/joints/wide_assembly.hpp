@@ -59,8 +59,8 @@ class WideAssembly {
                    double time,
                    const std::vector<double>& values,
                    std::vector<JointScales>& means) const;
-    // `scales` are those of all joints, these last; not used if `request` has values to scale as. nullptr: forces
-    // of laws only, no equations.
+    // `scales` are those of all joints, these last; not used if `request` has values to scale as. nullptr:
+    // forces of laws only, no equations.
     void add_tangents(const State& state,
                       double time,
                       const std::vector<NodeLinearization>& linearizations,

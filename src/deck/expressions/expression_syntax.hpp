@@ -11,14 +11,14 @@ namespace gxrod {
 
 // Variables that an expression can use in addition to numbers, pi and the deck's parameters.
 enum class Variables {
-    none,    // nothing: a constant
-    time,    // t, the time, and the deck's functions
-    line,    // also s, the arc length from a rod's start
-    arc,     // s, and the deck's functions; not t
-    place,   // x, y, z of the reference position, s and the deck's functions; not t
-    field,   // t, x, y, z of a position, and the deck's functions
-    motion,  // t, x, y, z of a point's position, vx, vy, vz of its velocity, rx, ry, rz of its rotation
-             // vector, wx, wy, wz of its angular velocity, and the deck's functions
+    none,          // nothing: a constant
+    time,          // t, the time, and the deck's functions
+    line,          // also s, the arc length from a rod's start
+    arc,           // s, and the deck's functions; not t
+    place,         // x, y, z of the reference position, s and the deck's functions; not t
+    field,         // t, x, y, z of a position, and the deck's functions
+    motion,        // t, x, y, z of a point's position, vx, vy, vz of its velocity, rx, ry, rz of its rotation
+                   // vector, wx, wy, wz of its angular velocity, and the deck's functions
     motion_along,  // also s, the arc length from a rod's start
     spring         // length, rate of a spring's length, and the deck's functions; not t
 };
