@@ -47,7 +47,8 @@ void add_curve(const MomentCurve& curve, std::size_t piece, const Vec6& strain, 
 
 MomentCurvatureLaw::MomentCurvatureLaw(const Mat6& C, std::vector<MomentCurve> curves)
     : others_(remove_entries(C, curves)), curves_(std::move(curves)) {
-    for (const MomentCurve& curve : curves_) assert(curve.curve.points().front().second == 0.0);
+    for ([[maybe_unused]] const MomentCurve& curve : curves_)
+        assert(curve.curve.points().front().second == 0.0);
 }
 
 SectionResponse MomentCurvatureLaw::respond(const Vec6& strain,
