@@ -5,6 +5,7 @@
 
 #include "integrators/load_stepping.hpp"
 #include "linear/transposed_values.hpp"
+#include "model/path_dependence.hpp"
 #include "model/ties/ties.hpp"
 #include "rotation/rotation_map.hpp"
 #include "sensitivity/difference_at_zero.hpp"
@@ -15,19 +16,11 @@ namespace gxrod {
 
 namespace {
 
-void check_memory(const Model& model) {
-    const auto remembers = [](const Rod& rod) { return rod.kind == ElementKind::simo; };
-    if (std::ranges::any_of(model.rods, remembers))
+void check_equilibrium(const Model& model) {
+    if (depends_on_path(model))
         throw std::invalid_argument(
-            "the equilibrium of elements of kind \"simo\" depends on how it was reached: carry derivatives "
-            "along instead, or take the element \"objective\"");
-    const auto has_memory = [](const Section& section) {
-        return section.law && section.law->memory_size() > 0;
-    };
-    if (std::ranges::any_of(model.sections, has_memory))
-        throw std::invalid_argument(
-            "an equilibrium of sections that remember depends on how it was reached: carry derivatives along "
-            "instead");
+            "an equilibrium with elements \"simo\", sections that remember or friction depends on how it was "
+            "reached: go back through the steps that led to it, or carry derivatives along");
     if (has_breaking_joint(model))
         throw std::invalid_argument(
             "an equilibrium after a joint has broken depends on how it was reached: take `breaks` out of the "
@@ -35,12 +28,6 @@ void check_memory(const Model& model) {
     if (!model.contact.is_empty())
         throw std::invalid_argument(
             "there are no derivatives of contact by multipliers yet: carry derivatives along instead");
-    const auto rubs_in_path = [](const Tendon& tendon) { return tendon.friction.has_value(); };
-    const std::optional<Seabed>& seabed = model.surroundings.seabed;
-    if ((seabed && seabed->has_friction()) || has_joint_friction(model) ||
-        std::ranges::any_of(model.tendons, rubs_in_path))
-        throw std::invalid_argument(
-            "an equilibrium with friction depends on how it was reached: carry derivatives along instead");
 }
 
 }  // namespace
@@ -52,7 +39,7 @@ EquilibriumAdjoint::EquilibriumAdjoint(const System& system,
                                        const std::vector<int>& nodes,
                                        const Quantity& quantity)
     : system_(system), state_(state), time_(time) {
-    check_memory(system.model());
+    check_equilibrium(system.model());
     undo_trial(state_);
     for (NodeMotion& motion : state_.trial) motion.theta.setZero();
     if (const HeldStops stops(system.model());

@@ -8,9 +8,9 @@
 
 namespace gxrod {
 
-// What friction of joints, tendons and the ground remembers from one step to the next, transposed by
-// differences: the numbers of State::memory that are not of rods (docs/theory/sensitivities.md, (G20),
-// (G21)). Their steps are so small that what sticks or slips goes on to do so.
+// Transposes by differences what friction of joints, tendons and the ground remembers from one step to the
+// next: the numbers of State::memory that are not of rods (docs/theory/sensitivities.md, (G20), (G21)). Their
+// steps are so small that what sticks or slips goes on to do so.
 class FrictionMemory {
   public:
     // The system must outlive it.
@@ -19,8 +19,8 @@ class FrictionMemory {
     bool is_empty() const { return places_.empty(); }
     // Returns the step of differences by placements, of the length of a node's part, or in rad.
     double part() const { return part_; }
-    // Of a scalar that changes by `after` with what friction remembers after the step, adds how it changes
-    // with the placements at its end, which are the trial motions.
+    // Adds how a scalar changes with the placements at the end of the step, which are the trial motions, if
+    // it changes by `after` with what friction remembers after the step.
     void add_by_placements(const State& state,
                            double time,
                            const MemoryGradient& after,

@@ -24,7 +24,7 @@ struct MemoryGradient {
 double dot(const MemoryGradient& by, const State& to, const State& from);
 double dot(const MemoryGradient& by, const StateDirection& along);
 
-// What rods remember from one step to the next, transposed: the memory of their laws and, of `simo` elements,
+// Transposes what rods remember from one step to the next: the memory of their laws and, of `simo` elements,
 // the axes from which they measure rotations (docs/theory/sensitivities.md, (G20) to (G22)). All is at the
 // trial motions of a state that has the memory before the step.
 class RodMemory {
@@ -32,15 +32,15 @@ class RodMemory {
     // The system must outlive it; its laws are smooth, or held on pieces.
     explicit RodMemory(const System& system) : system_(&system) {}
 
-    // Of a scalar that changes by `after` with what rods remember after the step, adds how it changes with
-    // the placements at its end: (∂M/∂x)ᵀ μ.
+    // Adds how a scalar changes with the placements at the end of the step, if it changes by `after`, μ, with
+    // what rods remember after it: (∂M/∂x)ᵀ μ.
     void add_by_placements(const State& state,
                            double time,
                            const MemoryGradient& after,
                            MotionGradient& by_end) const;
-    // Of the same scalar less ξ · R, R the residual forces on nodes, adds how it changes with what was
-    // remembered before the step, (∂M/∂m)ᵀ μ − (∂R/∂m)ᵀ ξ, and of `simo` elements with the axes of nodes
-    // before it. An empty `after` counts for nothing.
+    // Adds how this scalar less ξ · R, R the residual forces on nodes, changes with what was remembered
+    // before the step, (∂M/∂m)ᵀ μ − (∂R/∂m)ᵀ ξ, and, through `simo` elements, with the axes of nodes before
+    // it. An empty `after` counts for nothing.
     void add_by_memory(const State& state,
                        double time,
                        const std::vector<Vec6>& xi,
