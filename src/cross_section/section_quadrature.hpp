@@ -1,0 +1,80 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "cross_section/elastic_material.hpp"
+#include "cross_section/reference_cell.hpp"
+#include "cross_section/section_mesh.hpp"
+
+// Integrals over a section. A slice of a rod is displaced by a rigid motion and by the warping w(y, z), three
+// components; its strains (xx, yy, zz, yz, xz, xy) are
+//     ε = B w + S (w′ + Z ψ),     ψ = (Γ, K),     Z ψ = Γ + K × (0, y, z),     S a = (a_x, 0, 0, 0, a_z, a_y)
+//     (C1)
+// with the derivatives across in B w, and ′ along x.
+namespace gxrod {
+
+// Warpings, their slopes along x and generalised strains: a column for each case. Unknowns of node n are the
+// rows 3 n (x), 3 n + 1 (y), 3 n + 2 (z). An empty matrix is zero.
+struct WarpingFields {
+    Eigen::MatrixXd warping{}, slope{}, strain{};
+
+    Eigen::Index count() const;
+};
+
+// A cell with the data of its points: quadrature points, or its nodes.
+struct CellPoints {
+    const SectionCell* cell = nullptr;
+    const Eigen::MatrixXd* shapes = nullptr;  // a row for each point, a column for each node
+    Eigen::MatrixXd slopes_y{}, slopes_z{};   // derivatives of the shape functions, likewise
+    std::vector<double> weights{};            // of the area; at nodes the determinant of the map
+    std::vector<PlanePoint> at{};
+    std::vector<PlanePoint> walls{};  // the unit vector t at each point
+    std::vector<Mat6> stiffness{};    // in section axes: one for all points or one for each
+
+    const Mat6& stiffness_at(std::size_t point) const { return stiffness[stiffness.size() > 1 ? point : 0]; }
+};
+
+using StrainColumns = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+
+// Returns S Z at a point.
+Mat6 compute_slice_strains(const PlanePoint& at);
+
+// Computes strains at the points of a cell, a matrix for each point.
+std::vector<StrainColumns> compute_strains(const CellPoints& points, const WarpingFields& fields);
+
+// Adds ∫ Bᵀ σ to rows of unknowns, for stresses at the points of a cell.
+void add_warping_force(const CellPoints& points,
+                       const std::vector<StrainColumns>& stresses,
+                       Eigen::MatrixXd& force);
+// Adds ∫ Nᵀ Sᵀ σ.
+void add_slope_force(const CellPoints& points,
+                     const std::vector<StrainColumns>& stresses,
+                     Eigen::MatrixXd& force);
+
+// A mesh ready to be integrated over. It keeps references to the mesh and the materials.
+class SectionQuadrature {
+  public:
+    SectionQuadrature(const SectionMesh& mesh, std::span<const ElasticMaterial> materials);
+
+    const SectionMesh& mesh() const { return mesh_; }
+    const ElasticMaterial& material_of(const SectionCell& cell) const;
+    const std::vector<CellPoints>& cells() const { return cells_; }
+    Eigen::Index unknowns() const { return 3 * static_cast<Eigen::Index>(mesh_.nodes.size()); }
+
+    // Computes a cell's data at its nodes.
+    CellPoints at_nodes(const SectionCell& cell) const;
+
+  private:
+    CellPoints compute_points(const SectionCell& cell, const ShapeTable2& table) const;
+    const ReferenceCell& reference(const SectionCell& cell) const;
+
+    const SectionMesh& mesh_;
+    std::span<const ElasticMaterial> materials_;
+    std::map<std::pair<CellShape, int>, ReferenceCell> references_;
+    std::vector<CellPoints> cells_;
+};
+
+}  // namespace gxrod
