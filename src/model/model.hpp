@@ -33,6 +33,8 @@ struct Node {
     Vec3 angular_velocity = Vec3::Zero();  // spatial
 };
 
+struct CrossSection;
+
 // Constants of a cross-section, material axes, in the order (x y z | rx ry rz), x along the tangent.
 struct Section {
     std::string name;
@@ -48,6 +50,8 @@ struct Section {
     std::shared_ptr<const SectionLaw> law{};
     std::optional<SectionInFluid> fluid{};  // nullopt: no forces of water and air
     double radius = 0.0;                    // radius for contact; 0: not known
+    // What the stiffness was computed from, cut into cells in the section's axes, for stresses; else nullptr.
+    std::shared_ptr<const CrossSection> shape{};
 };
 
 enum class ElementKind {
