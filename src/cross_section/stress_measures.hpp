@@ -1,0 +1,17 @@
+#pragma once
+
+#include "rotation/types.hpp"
+
+// What is measured of a stress whatever its axes. Components are in the order xx yy zz yz xz xy, or 11 22 33
+// 23 13 12.
+namespace gxrod {
+
+double compute_von_mises(const Vec6& stress);
+
+// Computes the principal stresses, the largest first.
+Vec3 compute_principal_stresses(const Vec6& stress);
+
+// Computes the largest shear stress on any plane: half the difference of the outer principal stresses.
+double compute_maximum_shear(const Vec6& stress);
+
+}  // namespace gxrod
