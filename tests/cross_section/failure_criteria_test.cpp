@@ -110,6 +110,21 @@ TEST_CASE("At the load times the reserve each criterion is met", "[cross_section
     }
 }
 
+TEST_CASE("Tsai and Wu's and Hashin's criteria do not change if the ply turns about its fibres",
+          "[cross_section]") {
+    RandomValues random(11);
+    for (int i = 0; i < 50; ++i) {
+        const Vec6 stress = 100.0 * random.matrix<6, 1>();
+        // With the fibres along x, a wall turned by an angle has axes 2 and 3 turned by it.
+        const double angle = random.number(0.0, 6.0);
+        const Vec6 turned = turn_stress_to_ply(stress, 0.0, {std::cos(angle), std::sin(angle)});
+        for (const char* word : {"tsai-wu", "hashin"}) {
+            CHECK(find(word, turned).governing().index() ==
+                  Approx(find(word, stress).governing().index()).epsilon(1e-11));
+        }
+    }
+}
+
 TEST_CASE("A mode that no load reaches has no exposure", "[cross_section]") {
     CHECK(FailureMode{.word = "", .linear = -1.0, .quadratic = 0.0}.exposure() == 0.0);
     CHECK(FailureMode{.word = "", .linear = 0.1, .quadratic = -1.0}.exposure() == 0.0);
