@@ -25,3 +25,27 @@ const std::vector<ExampleText>& example_texts() {
 }  // namespace gxrod
 ")
 endfunction()
+
+# Writes a source that holds the tables of the catalogue of profiles.
+function(gxrod_embed_catalogue folder output)
+  file(GLOB tables CONFIGURE_DEPENDS "${folder}/*.csv")
+  set(entries "")
+  foreach(table IN LISTS tables)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${table}")
+    file(READ "${table}" text)
+    string(APPEND entries "        R\"csv(${text})csv\",\n")
+  endforeach()
+  file(CONFIGURE OUTPUT "${output}" @ONLY CONTENT
+"#include \"cross_section/catalogue/catalogue_texts.hpp\"
+
+namespace gxrod {
+
+const std::vector<std::string_view>& catalogue_texts() {
+    static const std::vector<std::string_view> all = {
+@entries@    };
+    return all;
+}
+
+}  // namespace gxrod
+")
+endfunction()
