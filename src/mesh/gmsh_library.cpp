@@ -61,10 +61,10 @@ GmshLibrary load_gmsh(std::span<const char* const> names) {
     std::string reason;
     void* library = open_library(names, reason);
     if (library == nullptr) {
-        throw MeshError(
-            fmt::format("reading a mesh needs libgmsh: apt install libgmsh4.8 on Debian 12, libgmsh4.13 on "
-                        "Debian 13 ({})",
-                        reason));
+        throw MeshError(fmt::format(
+            "meshing and reading meshes need libgmsh: apt install libgmsh4.8 on Debian 12, libgmsh4.13 on "
+            "Debian 13 ({})",
+            reason));
     }
     GmshLibrary gmsh{};
     find_function(library, "gmshInitialize", gmsh.initialize);
@@ -82,6 +82,13 @@ GmshLibrary load_gmsh(std::span<const char* const> names) {
     find_function(library, "gmshModelMeshGetNodesForPhysicalGroup", gmsh.get_group_nodes);
     find_function(library, "gmshModelMeshGetNodes", gmsh.get_nodes);
     find_function(library, "gmshModelMeshGetElements", gmsh.get_elements);
+    find_function(library, "gmshModelAdd", gmsh.add_model);
+    find_function(library, "gmshModelGeoAddPoint", gmsh.add_point);
+    find_function(library, "gmshModelGeoAddLine", gmsh.add_line);
+    find_function(library, "gmshModelGeoAddCurveLoop", gmsh.add_curve_loop);
+    find_function(library, "gmshModelGeoAddPlaneSurface", gmsh.add_plane_surface);
+    find_function(library, "gmshModelGeoSynchronize", gmsh.synchronize);
+    find_function(library, "gmshModelMeshSetTransfiniteCurve", gmsh.set_curve_nodes);
     return gmsh;
 }
 

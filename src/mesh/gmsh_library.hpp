@@ -4,8 +4,9 @@
 #include <cstdint>
 #include <span>
 
-// The few functions of Gmsh's C API (gmshc.h of Gmsh 4) that read a mesh. The library is loaded at its first
-// use, since it brings some 90 others; gxrod is built without it.
+// The few functions of Gmsh's C API (gmshc.h of Gmsh 4) that read a mesh or make one of a plane area. They
+// are the same in versions 4.8 to 4.15. The library is loaded at its first use, since it brings some 90
+// others; gxrod is built without it.
 namespace gxrod {
 
 // Pointers to the functions. Their last argument takes an error, 0 if there is none. The caller frees arrays
@@ -56,6 +57,14 @@ struct GmshLibrary {
                          int dimension,
                          int entity,
                          int* error);
+    // The geometry of Gmsh's own kernel; −1 for numbers that Gmsh chooses. They return the number.
+    void (*add_model)(const char* name, int* error);
+    int (*add_point)(double x, double y, double z, double size, int number, int* error);
+    int (*add_line)(int start, int end, int number, int* error);
+    int (*add_curve_loop)(const int* curves, std::size_t count, int number, int reorient, int* error);
+    int (*add_plane_surface)(const int* loops, std::size_t count, int number, int* error);
+    void (*synchronize)(int* error);
+    void (*set_curve_nodes)(int curve, int nodes, const char* spacing, double coefficient, int* error);
 };
 
 // Loads the first library found. Throws MeshError, saying what to install, if none is found.

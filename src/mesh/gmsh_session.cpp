@@ -65,6 +65,41 @@ void GmshSession::generate_lines() {
     check(error, "Gmsh cannot mesh it");
 }
 
+void GmshSession::begin_area() {
+    int error = 0;
+    gmsh_.add_model("area", &error);
+    check(error, "Gmsh has no model");
+    loops_.clear();
+    lines_.clear();
+}
+
+std::vector<int> GmshSession::add_loop(const std::vector<PlanePoint>& corners,
+                                       const std::vector<double>& sizes) {
+    int error = 0;
+    std::vector<int> points, lines;
+    for (std::size_t i = 0; i < corners.size() && error == 0; ++i)
+        points.push_back(gmsh_.add_point(corners[i].x(), corners[i].y(), 0.0, sizes[i], -1, &error));
+    for (std::size_t i = 0; i < points.size() && error == 0; ++i)
+        lines.push_back(gmsh_.add_line(points[i], points[(i + 1) % points.size()], -1, &error));
+    if (error == 0) loops_.push_back(gmsh_.add_curve_loop(lines.data(), lines.size(), -1, 0, &error));
+    check(error, "Gmsh does not take the outline");
+    lines_.insert(lines_.end(), lines.begin(), lines.end());
+    return lines;
+}
+
+void GmshSession::generate_triangles() {
+    constexpr double frontal_delaunay = 6.0;
+    int error = 0;
+    gmsh_.add_plane_surface(loops_.data(), loops_.size(), -1, &error);
+    if (error == 0) gmsh_.synchronize(&error);
+    for (const int line : lines_) {
+        if (error == 0) gmsh_.set_curve_nodes(line, 2, "Progression", 1.0, &error);
+    }
+    if (error == 0) gmsh_.set_number("Mesh.Algorithm", frontal_delaunay, &error);
+    if (error == 0) gmsh_.generate(2, &error);
+    check(error, "Gmsh cannot mesh it");
+}
+
 std::vector<GmshSession::Group> GmshSession::groups() const {
     int error = 0;
     GmshArray<int> found(gmsh_);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cross_section/section_mesh.hpp"
 #include "mesh/gmsh_library.hpp"
 #include "mesh/line_mesh.hpp"
 
@@ -46,6 +47,14 @@ class GmshSession {
     void open(const std::filesystem::path& file);
     void generate_lines();
 
+    // Begins an area in the plane (x, y).
+    void begin_area();
+    // Adds a closed polygon, with the size of elements at each corner, whose sides are one element each.
+    // Returns the lines' numbers.
+    std::vector<int> add_loop(const std::vector<PlanePoint>& corners, const std::vector<double>& sizes);
+    // Meshes the area between the first loop and the others by triangles.
+    void generate_triangles();
+
     struct Group {
         int dimension, number;
         std::string name;
@@ -68,6 +77,7 @@ class GmshSession {
     std::string messages() const;
 
     const GmshLibrary& gmsh_;
+    std::vector<int> loops_, lines_;  // of an area
 };
 
 }  // namespace gxrod

@@ -17,6 +17,8 @@ class Grading {
     explicit Grading(std::vector<std::pair<double, double>> sizes);
 
     bool is_even() const { return sizes_.empty(); }
+    // Returns ∫₀¹ dx/h: how many elements there are if h is their length over that of the line.
+    double count_steps() const { return sums_.back(); }
     // Returns m of a fraction, from 0 to 1.
     double measure(double fraction) const;
     // Returns the fraction at which m has a value.

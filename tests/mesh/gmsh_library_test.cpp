@@ -12,7 +12,7 @@ TEST_CASE("Without libgmsh, the error says what to install", "[mesh]") {
     CHECK_THROWS_AS(load_gmsh(names), MeshError);
     CHECK_THROWS_WITH(
         load_gmsh(names),
-        Catch::StartsWith("reading a mesh needs libgmsh: apt install libgmsh4.8 on Debian 12, "
+        Catch::StartsWith("meshing and reading meshes need libgmsh: apt install libgmsh4.8 on Debian 12, "
                           "libgmsh4.13 on Debian 13 (libgxrod-has-no-such-library.so.1: cannot open"));
 }
 
