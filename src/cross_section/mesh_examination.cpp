@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -22,6 +21,9 @@ namespace {
 constexpr double coincidence = 1e-7;
 // A cell has an area if its map is nowhere smaller than this, over the square of its longest side.
 constexpr double least_area = 1e-6;
+// At its nodes the map may be this much below zero: quadrangles with two sides on a smooth curve are flat
+// there.
+constexpr double flat_corner = 0.01;
 
 double find_extent(const SectionMesh& mesh) {
     PlanePoint low = mesh.nodes.front(), high = low;
@@ -43,17 +45,19 @@ class MapTables {
         for (Eigen::Index i = 0; i < nodes.rows(); ++i)
             nodes.row(i) = node_of(mesh, cell.nodes[static_cast<std::size_t>(i)]).transpose();
         const double size = (nodes.colwise().maxCoeff() - nodes.colwise().minCoeff()).maxCoeff();
-        double least = std::numeric_limits<double>::infinity();
-        for (const ShapeTable2* table : {&reference.at_nodes, &reference.at_points}) {
-            const Eigen::MatrixX2d a = table->slopes_1 * nodes, b = table->slopes_2 * nodes;
-            const Eigen::ArrayXd determinants =
-                a.col(0).array() * b.col(1).array() - a.col(1).array() * b.col(0).array();
-            least = std::min(least, determinants.minCoeff());
-        }
+        const double least = std::min(find_least(reference.at_points, nodes),
+                                      find_least(reference.at_nodes, nodes) + flat_corner * size * size);
         return size > 0.0 ? least / (size * size) : 0.0;
     }
 
   private:
+    static double find_least(const ShapeTable2& table, const Eigen::MatrixX2d& nodes) {
+        const Eigen::MatrixX2d a = table.slopes_1 * nodes, b = table.slopes_2 * nodes;
+        const Eigen::ArrayXd determinants =
+            a.col(0).array() * b.col(1).array() - a.col(1).array() * b.col(0).array();
+        return determinants.minCoeff();
+    }
+
     std::map<std::pair<CellShape, int>, ReferenceCell> tables_;
 };
 
