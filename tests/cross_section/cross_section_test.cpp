@@ -3,6 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <numbers>
 
+#include "cross_section/moved_section.hpp"
+#include "cross_section/plastic_capacity.hpp"
 #include "cross_section/section_error.hpp"
 #include "cross_section/section_meshes.hpp"
 #include "tools/catch.hpp"
@@ -223,4 +225,79 @@ TEST_CASE("A section in two pieces is refused", "[cross_section]") {
     for (int& node : cell.nodes) node += static_cast<int>(other.nodes.size());
     mesh.cells.push_back(cell);
     CHECK_THROWS_AS(solve(mesh, isotropic(1.0, 0.3)), SectionError);
+}
+
+TEST_CASE("A section moved after it was solved equals one that was moved before", "[cross_section]") {
+    SectionMesh mesh = make_ring({0.1, 0.09, 0.3, 3.9, false}, {10, 1, 3});
+    mesh.layers[0].fibre_angle = 0.4;
+    ElasticMaterial ply = isotropic(10.0, 0.3);
+    ply.is_isotropic = false;
+    ply.density = 3.0;
+    ply.expansion << 1e-5, 3e-5, 3e-5, 0.0, 0.0, 0.0;
+    ply.stiffness = compute_orthotropic_stiffness({480.0, 120.0, 120.0, 60.0, 50.0, 60.0, 0.19, 0.19, 0.26});
+    const PlanePoint by(0.3, -0.2);
+    const auto after = move_cross_section(solve(mesh, ply), by, 0.7);
+    const Eigen::Rotation2Dd rotation(0.7);
+    for (PlanePoint& node : mesh.nodes) node = rotation * node + by;
+    for (SectionCell& cell : mesh.cells) cell.walls.assign(cell.nodes.size(), rotation * PlanePoint::UnitX());
+    const auto before = solve(mesh, ply);
+    const SectionProperties& a = after->properties;
+    const SectionProperties& b = before->properties;
+    CHECK(compare(a.stiffness, b.stiffness) < 1e-9);
+    CHECK((a.mass - b.mass).cwiseAbs().maxCoeff() < 1e-14);
+    CHECK((a.thermal_strains - b.thermal_strains).cwiseAbs().maxCoeff() < 1e-12);
+    CHECK((a.centroid - b.centroid).norm() < 1e-13);
+    CHECK(a.second_moment_y == Approx(b.second_moment_y).epsilon(1e-10));
+    CHECK(a.product_moment == Approx(b.product_moment).epsilon(1e-10));
+    double largest = 0.0, difference = 0.0;
+    for (std::size_t i = 0; i < before->stresses.points.size(); ++i) {
+        const StressPoint& of_a = after->stresses.points[i];
+        const StressPoint& of_b = before->stresses.points[i];
+        REQUIRE((of_a.at - of_b.at).norm() < 1e-12);
+        largest = std::max(largest, of_b.stress_operator.cwiseAbs().maxCoeff());
+        difference =
+            std::max(difference, (of_a.stress_operator - of_b.stress_operator).cwiseAbs().maxCoeff());
+    }
+    CHECK(difference < 1e-9 * largest);
+}
+
+TEST_CASE("Plastic moments of a rectangle, a tube and two materials are exact", "[cross_section]") {
+    ElasticMaterial steel = isotropic(1.0, 0.3);
+    steel.yield_stress = 2.0;
+    const auto capacity = [](const SectionMesh& mesh, const std::vector<ElasticMaterial>& materials) {
+        const auto found = compute_plastic_capacity(SectionQuadrature(mesh, materials));
+        REQUIRE(found);
+        return *found;
+    };
+    SECTION("rectangle") {
+        const PlasticCapacity found = capacity(make_rectangle(2.0, 3.0, {3, 3, 2}), {steel});
+        CHECK(found.axial_force == Approx(12.0));
+        CHECK(found.moment_y == Approx(2.0 * 2.0 * 9.0 / 4.0).epsilon(1e-12));
+        CHECK(found.moment_z == Approx(2.0 * 3.0 * 4.0 / 4.0).epsilon(1e-12));
+    }
+    SECTION("triangles and a ring") {
+        const PlasticCapacity cut =
+            capacity(cut_into_triangles(make_rectangle(2.0, 3.0, {3, 3, 3})), {steel});
+        CHECK(cut.moment_y == Approx(9.0).epsilon(1e-12));
+        const PlasticCapacity ring =
+            capacity(make_ring({1.0, 0.5, 0.0, 2.0 * pi, true}, {48, 2, 3}), {steel});
+        CHECK(ring.moment_y == Approx(2.0 * 4.0 / 3.0 * (1.0 - 0.125)).epsilon(1e-6));
+    }
+    SECTION("two strengths") {
+        ElasticMaterial hard = steel;
+        hard.yield_stress = 6.0;
+        // Forces 0.01 and 0.03 in the halves: the level that halves the sum lies in the hard one.
+        const SectionMesh mesh = make_two_halves();
+        const PlasticCapacity found = capacity(mesh, {steel, hard});
+        const double level = 0.05 - 0.02 / (6.0 * 0.1);
+        CHECK(found.axial_force == Approx(0.04));
+        const double left = 2.0 * 0.1 * 0.05 * (level + 0.025) + 6.0 * 0.1 * level * level / 2.0;
+        const double right = 6.0 * 0.1 * (0.05 - level) * (0.05 - level) / 2.0;
+        CHECK(found.moment_z == Approx(left + right).epsilon(1e-10));
+    }
+    SECTION("without a yield stress there is none") {
+        const std::vector<ElasticMaterial> materials{isotropic(1.0, 0.3)};
+        const SectionMesh mesh = make_rectangle(2.0, 3.0, {1, 1, 2});
+        CHECK_FALSE(compute_plastic_capacity(SectionQuadrature(mesh, materials)));
+    }
 }
