@@ -7,7 +7,7 @@
 // The stresses at the nodes of a section's mesh (C6).
 namespace gxrod {
 
-using Resultants = Vec6;  // (N, Vy, Vz, T, My, Mz), in section axes, about the origin of the mesh
+// Resultants are (N, Vy, Vz, T, My, Mz), in section axes, about the origin of the mesh.
 
 // A node in one of its layers. Stresses of the cells of the layer that meet there are averaged; those of
 // different layers never are.

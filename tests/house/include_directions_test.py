@@ -29,7 +29,7 @@ DIRECT = {
     "integrators": ["state", "parallel"],
     "assembly": ["elements", "loads", "constraints", "contact", "linear"],
     "solvers": ["assembly", "integrators"],
-    "check": ["solvers"],
+    "check": ["solvers", "cross_section"],
     "geometry": ["rotation", "numerics"],
     "mesh": ["model", "geometry", "machine", "cross_section"],
     "watch": ["state"],

@@ -7,6 +7,7 @@
 
 #include "check/summaries/rod_lines.hpp"
 #include "check/summaries/section_summary.hpp"
+#include "check/summaries/shape_summary.hpp"
 #include "check/surroundings/fluid_summary.hpp"
 #include "model/sections/element_lengths.hpp"
 #include "rotation/vector_text.hpp"
@@ -179,6 +180,7 @@ double compute_twist(const Model& model, const Rod& rod) {
 std::string describe_section(const Section& section) {
     std::string text = fmt::format("section {}:\n", section.name);
     text += describe_stiffness(section.stiffness) + describe_inertia(section.mass);
+    if (section.shape) text += describe_shape(*section.shape);
     text += describe_centres(section) + describe_fluid(section);
     if (section.law) text += fmt::format("  law: {}\n", section.law->describe());
     if (section.kelvin_voigt == 0.0 && section.mass_proportional == 0.0) return text;

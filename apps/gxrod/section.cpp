@@ -1,0 +1,171 @@
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "check/summaries/rod_summary.hpp"
+#include "cross_section/catalogue/profile_catalogue.hpp"
+#include "cross_section/cross_section.hpp"
+#include "cross_section/stress_measures.hpp"
+#include "exit_code.hpp"
+#include "job.hpp"
+#include "machine/file_error.hpp"
+#include "mesh/section_mesher.hpp"
+#include "report/page_file.hpp"
+#include "report/section/section_picture.hpp"
+#include "say.hpp"
+#include "verbs.hpp"
+
+namespace gxrod {
+namespace {
+
+struct SectionArguments {
+    std::string source;
+    std::vector<std::string> names, overrides;
+    std::vector<double> resultants;
+    std::string picture;
+    double E = 1.0, nu = 0.3;
+    bool force = false;
+};
+
+struct NamedSection {
+    std::string name;
+    Section section;
+};
+
+// A profile of the catalogue by itself, in the unit of its table.
+NamedSection compute_profile(const CatalogueProfile& profile, const SectionArguments& arguments) {
+    ElasticMaterial material;
+    material.name = "material";
+    material.stiffness = compute_isotropic_stiffness(arguments.E, arguments.nu);
+    NamedSection named{profile.name, {.name = profile.name}};
+    const Outline outline = draw_outline(profile.shape);
+    named.section.shape =
+        compute_cross_section(profile.name, mesh_outline(outline, profile.name), {std::move(material)});
+    named.section.stiffness = named.section.shape->properties.stiffness;
+    return named;
+}
+
+std::string list_words(const std::vector<std::string>& words) {
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+// The sections of a deck that were computed from shapes, or those that were asked for.
+std::vector<NamedSection> read_sections(const SectionArguments& arguments) {
+    const Problem problem = read_job_problem(arguments.source, arguments.overrides);
+    std::vector<NamedSection> found;
+    std::vector<std::string> known;
+    for (const Section& section : problem.model.sections) {
+        known.push_back(section.name);
+        const bool is_wanted = std::ranges::find(arguments.names, section.name) != arguments.names.end();
+        if (is_wanted || (arguments.names.empty() && section.shape)) found.push_back({section.name, section});
+    }
+    for (const std::string& name : arguments.names) {
+        if (std::ranges::find(known, name) == known.end())
+            throw CLI::ValidationError(
+                "section", fmt::format("no section \"{}\"; the deck has {}", name, list_words(known)));
+    }
+    if (found.empty())
+        throw CLI::ValidationError(
+            "section",
+            "no section of the deck is cut into cells: each has its numbers, or a circle, tube or rectangle");
+    return found;
+}
+
+std::vector<NamedSection> find_sections(const SectionArguments& arguments) {
+    if (std::filesystem::exists(arguments.source)) return read_sections(arguments);
+    if (const CatalogueProfile* profile = find_profile(arguments.source))
+        return {compute_profile(*profile, arguments)};
+    const std::vector<std::string> nearest = find_nearest_profiles(arguments.source);
+    throw CLI::ValidationError("section",
+                               fmt::format("no file and no profile \"{}\"{}",
+                                           arguments.source,
+                                           nearest.empty() ? "; series are " + list_words(list_series())
+                                                           : "; nearest are " + list_words(nearest)));
+}
+
+struct WorstPoint {
+    double von_mises = -1.0;
+    const StressPoint* point = nullptr;
+    Vec6 stress;
+};
+
+WorstPoint find_worst(const CrossSection& section, const Vec6& resultants) {
+    WorstPoint worst;
+    for (const StressPoint& point : section.stresses.points) {
+        if (point.is_singular) continue;
+        const Vec6 stress = point.stress_operator * resultants;
+        const double von_mises = compute_von_mises(stress);
+        if (von_mises > worst.von_mises) worst = {von_mises, &point, stress};
+    }
+    return worst;
+}
+
+void say_stress(const CrossSection& section, const Vec6& resultants) {
+    const WorstPoint worst = find_worst(section, resultants);
+    say(stdout,
+        "  von Mises stress at most {:.6g}, at ({:.6g}, {:.6g}) in {}: xx {:.6g}, yy {:.6g}, zz {:.6g}, yz "
+        "{:.6g}, "
+        "xz {:.6g}, xy {:.6g}\n",
+        worst.von_mises,
+        worst.point->at.x(),
+        worst.point->at.y(),
+        section.mesh.layers[static_cast<std::size_t>(worst.point->layer)].name,
+        worst.stress[0],
+        worst.stress[1],
+        worst.stress[2],
+        worst.stress[3],
+        worst.stress[4],
+        worst.stress[5]);
+}
+
+void write_picture(const std::string& picture, const SectionArguments& arguments) {
+    if (!arguments.force && std::filesystem::exists(arguments.picture))
+        throw FileError(arguments.picture, "exists", "--force replaces it");
+    PageFile file(arguments.picture);
+    file.out() << picture;
+    file.finish();
+    say(stdout, "{}\n", arguments.picture);
+}
+
+int show_sections(const SectionArguments& arguments) {
+    std::optional<Vec6> resultants;
+    if (!arguments.resultants.empty()) resultants = Eigen::Map<const Vec6>(arguments.resultants.data());
+    const std::vector<NamedSection> sections = find_sections(arguments);
+    if (!arguments.picture.empty() && sections.size() > 1)
+        throw CLI::ValidationError("section", "a picture shows one section; name it after the file");
+    for (const auto& [name, section] : sections) {
+        say_text(stdout, describe_section(section));
+        if (section.shape && resultants) say_stress(*section.shape, *resultants);
+        if (arguments.picture.empty()) continue;
+        if (!section.shape)
+            throw CLI::ValidationError("section", fmt::format("section \"{}\" has no shape to draw", name));
+        write_picture(draw_section(*section.shape, {.resultants = resultants}), arguments);
+    }
+    return exit_done;
+}
+
+}  // namespace
+
+void add_section_verb(CLI::App& program, int& exit_code) {
+    auto arguments = std::make_shared<SectionArguments>();
+    CLI::App* verb =
+        program.add_subcommand("section", "Print and draw cross-sections: of a deck, or a profile by name");
+    verb->add_option("SOURCE", arguments->source, "Deck (TOML), or the name of a profile: \"IPE 200\"")
+        ->required();
+    verb->add_option(
+        "NAME", arguments->names, "Sections of the deck; all that are cut into cells if left out");
+    verb->add_option("--set", arguments->overrides, "KEY=VALUE: change a key of the deck")
+        ->allow_extra_args(false);
+    verb->add_option("--resultants",
+                     arguments->resultants,
+                     "N Vy Vz T My Mz: print their largest stress, and colour the picture by stress")
+        ->expected(6);
+    verb->add_option("--E", arguments->E, "Young's modulus of a profile given by name")->default_val(1.0);
+    verb->add_option("--nu", arguments->nu, "Poisson's ratio of a profile given by name")->default_val(0.3);
+    verb->add_option("-o,--output", arguments->picture, "Picture to write, SVG");
+    verb->add_flag("--force", arguments->force, "Replace an existing picture");
+    verb->callback([arguments, &exit_code] { exit_code = show_sections(*arguments); });
+}
+
+}  // namespace gxrod
