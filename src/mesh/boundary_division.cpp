@@ -13,13 +13,13 @@
 namespace gxrod {
 namespace {
 
-// Sizes of elements at places of one piece, by the fraction of its length.
+// PieceSizes of elements at places of one piece, by the fraction of its length.
 struct SizeAt {
     double fraction;
     PlanePoint at;
     double size;
 };
-using Sizes = std::map<const OutlinePiece*, std::vector<SizeAt>>;
+using PieceSizes = std::map<const OutlinePiece*, std::vector<SizeAt>>;
 
 double find_least_extent(const Outline& outline) {
     PlanePoint least = outline.outer.front().from, greatest = least;
@@ -124,7 +124,7 @@ class SizeField {
     const Outline& outline_;
     const SectionMeshSize size_;
     double most_;
-    Sizes sizes_;
+    PieceSizes sizes_;
     std::vector<SharpCorner> sharp_corners_;
 };
 

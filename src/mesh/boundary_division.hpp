@@ -8,7 +8,7 @@ namespace gxrod {
 
 // How large the elements of a section are.
 struct SectionMeshSize {
-    double per_thickness = 0.7;  // size over the local thickness of the wall
+    double per_thickness = 0.5;  // size over the local thickness of the wall
     // At re-entrant corners without a radius; sizes grow by `growth` of the distance.
     double per_thickness_at_corners = 0.03;
     double growth = 0.35;

@@ -6,7 +6,7 @@
 namespace gxrod {
 namespace {
 
-using Side = std::pair<int, int>;  // points, in the order of the walk around a triangle
+using TriangleSide = std::pair<int, int>;  // points, in the order of the walk around a triangle
 
 class TriangleBender {
   public:
@@ -49,7 +49,7 @@ class TriangleBender {
     }
 
     // The node at a step along a side, which two triangles walk in opposite directions.
-    int find_node_of_side(const Side& side, int step) {
+    int find_node_of_side(const TriangleSide& side, int step) {
         const auto other = sides_.find({side.second, side.first});
         if (other != sides_.end()) return other->second + order_ - 1 - step;
         const auto [own, is_new] = sides_.try_emplace(side, static_cast<int>(bent_.nodes.size()));
@@ -73,7 +73,7 @@ class TriangleBender {
     }
 
     // How far a side's point at a fraction is from its chord.
-    PlanePoint deviate(const Side& side, double s) const {
+    PlanePoint deviate(const TriangleSide& side, double s) const {
         const auto edge = edges_.find(side);
         if (edge == edges_.end() || !edge->second->piece->is_arc()) return PlanePoint::Zero();
         return edge->second->at(s) - ((1.0 - s) * point(side.first) + s * point(side.second));
@@ -88,8 +88,8 @@ class TriangleBender {
 
     const PlaneTriangles& mesh_;
     int order_;
-    std::map<Side, const BoundaryEdge*> edges_;
-    std::map<Side, int> sides_;  // the first of the nodes on a side
+    std::map<TriangleSide, const BoundaryEdge*> edges_;
+    std::map<TriangleSide, int> sides_;  // the first of the nodes on a side
     SectionMesh bent_;
 };
 

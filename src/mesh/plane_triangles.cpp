@@ -1,5 +1,7 @@
 #include "mesh/plane_triangles.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <map>
 
@@ -54,11 +56,31 @@ void turn_anticlockwise(PlaneTriangles& mesh) {
     }
 }
 
+// The greatest distance of a corner from the first one: Gmsh has tolerances for lengths about 1.
+double measure_extent(const PlaneLoop& outer) {
+    double extent = 0.0;
+    for (const PlanePoint& corner : outer.corners)
+        extent = std::max(extent, (corner - outer.corners[0]).norm());
+    return extent;
+}
+
+// Equal shapes get equal meshes, whatever their unit and place.
+double leave_out_round_off(double value) {
+    constexpr double steps = 1099511627776.0;  // 2⁴⁰
+    return std::round(value * steps) / steps;
+}
+
+// The mesh of an area seen from its first corner, over its extent.
 PlaneTriangles mesh_with_gmsh(const GmshLibrary& gmsh, const std::vector<PlaneLoop>& loops) {
+    const PlanePoint origin = loops[0].corners[0];
+    const double extent = measure_extent(loops[0]);
     GmshSession session(gmsh);
     session.begin_area();
     std::vector<int> lines;
-    for (const PlaneLoop& loop : loops) {
+    for (PlaneLoop loop : loops) {
+        for (PlanePoint& corner : loop.corners)
+            corner = ((corner - origin) / extent).unaryExpr(&leave_out_round_off);
+        for (double& size : loop.sizes) size = leave_out_round_off(size / extent);
         const std::vector<int> of_loop = session.add_loop(loop.corners, loop.sizes);
         lines.insert(lines.end(), of_loop.begin(), of_loop.end());
     }
@@ -120,7 +142,15 @@ PlaneTriangles mesh_area(const std::vector<PlaneLoop>& loops, const GmshLibrary&
     }
     const std::string_view content = std::string_view(said).substr(std::min<std::size_t>(1, said.size()));
     if (said.empty() || said[0] != is_triangles) throw MeshError(std::string(content));
-    return from_bytes(content);
+    PlaneTriangles mesh = from_bytes(content);
+    const double extent = measure_extent(loops[0]);
+    for (PlanePoint& point : mesh.points) point = loops[0].corners[0] + extent * point;
+    std::size_t first = 0;
+    for (const PlaneLoop& loop : loops) {
+        std::ranges::copy(loop.corners, mesh.points.begin() + static_cast<std::ptrdiff_t>(first));
+        first += loop.corners.size();
+    }
+    return mesh;
 }
 
 }  // namespace gxrod

@@ -43,7 +43,7 @@ std::vector<std::pair<std::string, ProfileShape>> samples() {
             {"SHS", BoxShape{100, 100, 5, 5, 10, 5}},
             {"T", TeeShape{100, 100, 10, 10, 8}},
             {"hat", HatShape{60, 50, 20, 3, 3}},
-            {"CHS", RingShape{114.3, 5}}};
+            {"CHS", HollowCircle{114.3, 5}}};
 }
 
 struct MeshMoments {
@@ -135,14 +135,14 @@ TEST_CASE("Cells of a section's mesh share nodes, and every node belongs to one"
 
 TEST_CASE("Nodes on arcs lie on them", "[mesh]") {
     const double outer = 57.15, inner = 52.15;
-    const SectionMesh mesh = mesh_outline(draw_outline(RingShape{2 * outer, outer - inner}), "ring", 4);
+    const SectionMesh mesh = mesh_outline(draw_outline(HollowCircle{2 * outer, outer - inner}), "ring", 4);
     const auto count = [&](double radius) {
         return std::ranges::count_if(
             mesh.nodes, [&](const PlanePoint& at) { return std::abs(at.norm() - radius) < 1e-12 * radius; });
     };
-    // Four nodes an edge, whose length is .7 of the wall, a little less.
-    CHECK(count(outer) == 4 * 104);
-    CHECK(count(inner) == 4 * 96);
+    // Four nodes an edge, whose length is half of the wall, a little less.
+    CHECK(count(outer) == 4 * 144);
+    CHECK(count(inner) == 4 * 132);
     CHECK(std::ranges::max(mesh.nodes, {}, &PlanePoint::norm).norm() < outer * (1 + 1e-12));
     CHECK(std::ranges::min(mesh.nodes, {}, &PlanePoint::norm).norm() > inner * (1 - 1e-12));
 }
@@ -151,7 +151,7 @@ TEST_CASE("Re-entrant corners without a radius are named and have small elements
     const SectionMesh sharp = mesh_outline(draw_outline(IShape{200, 100, 5.6, 8.5}), "I");
     REQUIRE(sharp.sharp_corners.size() == 4);
     for (const SharpCorner& corner : sharp.sharp_corners) {
-        CHECK(corner.reach == Approx(0.7 * 5.6));
+        CHECK(corner.reach == Approx(0.5 * 5.6));
         CHECK(std::abs(corner.at.x()) == Approx(2.8));
         CHECK(std::abs(corner.at.y()) == Approx(91.5));
         double nearest = INFINITY;
@@ -200,12 +200,14 @@ TEST_CASE("The same outline has the same mesh", "[mesh]") {
     for (std::size_t i = 0; i < one.cells.size(); ++i) CHECK(one.cells[i].nodes == other.cells[i].nodes);
 }
 
-TEST_CASE("Units do not change a mesh", "[mesh]") {
+TEST_CASE("Units and the place do not change a mesh", "[mesh]") {
     const SectionMesh mm = mesh_outline(draw_outline(TeeShape{100, 100, 10, 10, 8}), "T");
     const SectionMesh m = mesh_outline(draw_outline(TeeShape{0.1, 0.1, 0.01, 0.01, 0.008}), "T");
     const SectionMesh km = mesh_outline(draw_outline(TeeShape{1e-4, 1e-4, 1e-5, 1e-5, 8e-6}), "T");
     CHECK(m.cells.size() == mm.cells.size());
     CHECK(km.cells.size() == mm.cells.size());
+    const Outline away = move_outline(draw_outline(TeeShape{100, 100, 10, 10, 8}), {1e5, -1e5});
+    CHECK(mesh_outline(away, "T").cells.size() == mm.cells.size());
 }
 
 TEST_CASE("Gmsh's message of an area that it cannot mesh is an error", "[mesh]") {

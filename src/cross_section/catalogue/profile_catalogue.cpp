@@ -43,7 +43,7 @@ class CatalogueRow {
 ProfileShape make_shape(std::string_view kind, const CatalogueRow& row) {
     const double height = row["height"], width = row["width"], web = row["web"], wall = row["wall"];
     if (kind == "I") return IShape{height, width, web, row["flange"], row["fillet"]};
-    if (kind == "ring") return RingShape{row["diameter"], wall};
+    if (kind == "ring") return HollowCircle{row["diameter"], wall};
     if (kind == "box") return BoxShape{height, width, wall, wall, row["outer_radius"], row["inner_radius"]};
     if (kind == "angle") return AngleShape{height, width, wall, row["fillet"], row["toe"]};
     ChannelShape channel{height, width, web, row["flange"], row["fillet"], row["toe"], row["slope"]};

@@ -10,11 +10,11 @@
 namespace gxrod {
 
 // A corner of a polygon; with a radius an arc, that touches both sides, rounds it.
-struct Corner {
+struct OutlineCorner {
     PlanePoint at;
     double radius = 0.0;
 };
-using CornerChain = std::vector<Corner>;  // closed: the last corner goes on to the first
+using CornerChain = std::vector<OutlineCorner>;  // closed: the last corner goes on to the first
 
 // A polygon as a deck gives it: chains walked in either direction.
 struct Polygon {

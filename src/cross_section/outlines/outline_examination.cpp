@@ -14,7 +14,7 @@ constexpr double touching = 1e-9;
 
 double find_extent(const CornerChain& chain) {
     PlanePoint least = chain.front().at, greatest = least;
-    for (const Corner& corner : chain) {
+    for (const OutlineCorner& corner : chain) {
         least = least.cwiseMin(corner.at);
         greatest = greatest.cwiseMax(corner.at);
     }

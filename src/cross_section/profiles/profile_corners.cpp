@@ -8,7 +8,7 @@ namespace {
 // Adds the mirror image of what is there by y → −y, walked back.
 CornerChain mirror(CornerChain right) {
     for (std::size_t i = right.size(); i-- > 0;) {
-        const Corner corner = right[i];
+        const OutlineCorner corner = right[i];
         right.push_back({{-corner.at.x(), corner.at.y()}, corner.radius});
     }
     return right;

@@ -120,13 +120,13 @@ std::optional<OutlineFault> check(const HatShape& shape) {
         .fault();
 }
 
-std::optional<OutlineFault> check(const RingShape& shape) {
+std::optional<OutlineFault> check(const HollowCircle& shape) {
     return NumberCheck()
         .below("wall", shape.wall, 0.5 * shape.diameter, "half the diameter", shape.diameter)
         .fault();
 }
 
-Outline draw(const RingShape& shape) {
+Outline draw(const HollowCircle& shape) {
     return draw_ring(0.5 * shape.diameter, 0.5 * shape.diameter - shape.wall);
 }
 

@@ -58,12 +58,12 @@ struct HatShape {
 };
 
 // A hollow circle.
-struct RingShape {
+struct HollowCircle {
     double diameter, wall;
 };
 
 using ProfileShape =
-    std::variant<IShape, ChannelShape, AngleShape, TeeShape, BoxShape, ZedShape, HatShape, RingShape>;
+    std::variant<IShape, ChannelShape, AngleShape, TeeShape, BoxShape, ZedShape, HatShape, HollowCircle>;
 
 // Finds a number that does not go with the others; its part is the number's name. All must be positive,
 // radii and slopes may be 0.

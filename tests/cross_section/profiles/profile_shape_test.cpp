@@ -41,7 +41,7 @@ TEST_CASE("Profiles have the area and the moments of the references", "[cross_se
     check(BoxShape{100, 100, 5, 5, 10, 5}, {1835.6194, 2711020.9, 2711020.9, 0, 0});
     check(TeeShape{100, 100, 10, 10, 8}, {1927.4690, 1807836.8, 842160.44, 0, 71.55660});
     check(HatShape{60, 50, 20, 3, 3}, {588.82300, 292613.67, 358575.43, 0, 30.58082});
-    check(RingShape{114.3, 5}, {1716.880385, 2569202.045, 2569202.045, 0, 0});
+    check(HollowCircle{114.3, 5}, {1716.880385, 2569202.045, 2569202.045, 0, 0});
 }
 
 TEST_CASE("A zed has the area of its walls and bends", "[cross_section]") {
@@ -85,7 +85,7 @@ TEST_CASE("Numbers that do not go together are named", "[cross_section]") {
     CHECK(fault_of(ZedShape{100, 40, 2, 39}) == "radius: 39 does not fit; expected at most 38");
     CHECK(fault_of(HatShape{60, 50, 20, 26}) == "wall: 26 is more than half the width 50");
     CHECK(fault_of(HatShape{60, 50, 20, 3, 21}) == "radius: 21 does not fit; expected at most 20");
-    CHECK(fault_of(RingShape{10, 5}) == "wall: 5 is half the diameter 10");
+    CHECK(fault_of(HollowCircle{10, 5}) == "wall: 5 is half the diameter 10");
 }
 
 TEST_CASE("Radii as large as they may be give outlines", "[cross_section]") {
