@@ -25,7 +25,7 @@ struct YieldingCell {
 // Cuts a cell into straight triangles between points of a lattice finer than that of its nodes.
 std::vector<PlanePoint> cut_cell(const SectionMesh& mesh, const SectionCell& cell) {
     const int parts = cell.order == 1 ? 1 : 4 * cell.order;
-    const ShapeTable2 table = compute_cell_shapes(cell.shape, cell.order, list_lattice(cell.shape, parts));
+    const CellShapes table = compute_cell_shapes(cell.shape, cell.order, list_lattice(cell.shape, parts));
     std::vector<PlanePoint> lattice(static_cast<std::size_t>(table.values.rows()), PlanePoint::Zero());
     for (std::size_t p = 0; p < lattice.size(); ++p) {
         for (std::size_t i = 0; i < cell.nodes.size(); ++i)

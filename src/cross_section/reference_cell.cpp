@@ -32,7 +32,7 @@ FactorValue compute_line_factor(int m, int order, double x) {
     return factor;
 }
 
-void fill_triangle_row(int order, const Eigen::Vector2d& at, Eigen::Index row, ShapeTable2& table) {
+void fill_triangle_row(int order, const Eigen::Vector2d& at, Eigen::Index row, CellShapes& table) {
     Eigen::Index node = 0;
     for (int j = 0; j <= order; ++j) {
         for (int i = 0; i + j <= order; ++i, ++node) {
@@ -46,7 +46,7 @@ void fill_triangle_row(int order, const Eigen::Vector2d& at, Eigen::Index row, S
     }
 }
 
-void fill_quad_row(int order, const Eigen::Vector2d& at, Eigen::Index row, ShapeTable2& table) {
+void fill_quad_row(int order, const Eigen::Vector2d& at, Eigen::Index row, CellShapes& table) {
     Eigen::Index node = 0;
     for (int j = 0; j <= order; ++j) {
         for (int i = 0; i <= order; ++i, ++node) {
@@ -61,10 +61,10 @@ void fill_quad_row(int order, const Eigen::Vector2d& at, Eigen::Index row, Shape
 
 }  // namespace
 
-ShapeTable2 compute_cell_shapes(CellShape shape, int order, const std::vector<Eigen::Vector2d>& points) {
+CellShapes compute_cell_shapes(CellShape shape, int order, const std::vector<Eigen::Vector2d>& points) {
     const auto rows = static_cast<Eigen::Index>(points.size());
     const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(rows, count_nodes(shape, order));
-    ShapeTable2 table{zero, zero, zero};
+    CellShapes table{zero, zero, zero};
     for (Eigen::Index row = 0; row < rows; ++row) {
         const Eigen::Vector2d& at = points[static_cast<std::size_t>(row)];
         if (shape == CellShape::triangle) {

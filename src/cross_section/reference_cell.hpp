@@ -11,12 +11,12 @@ namespace gxrod {
 
 // Lagrange shape functions of an even lattice, their slopes along ξ and η: a row for each point, a column for
 // each node, in the order of SectionCell::nodes.
-struct ShapeTable2 {
+struct CellShapes {
     Eigen::MatrixXd values, slopes_1, slopes_2;
 };
 
 // Computes the shape functions of a cell at points (ξ, η).
-ShapeTable2 compute_cell_shapes(CellShape shape, int order, const std::vector<Eigen::Vector2d>& points);
+CellShapes compute_cell_shapes(CellShape shape, int order, const std::vector<Eigen::Vector2d>& points);
 
 // Lists the points of the lattice, the nodes.
 std::vector<Eigen::Vector2d> list_lattice(CellShape shape, int order);
@@ -34,8 +34,8 @@ CellQuadrature list_cell_quadrature(CellShape shape, int order);
 // What all cells of a shape and an order have in common.
 struct ReferenceCell {
     CellQuadrature quadrature;
-    ShapeTable2 at_points;  // at the quadrature points
-    ShapeTable2 at_nodes;
+    CellShapes at_points;  // at the quadrature points
+    CellShapes at_nodes;
 
     ReferenceCell(CellShape shape, int order);
 };

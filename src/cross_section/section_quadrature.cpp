@@ -128,7 +128,7 @@ CellPoints SectionQuadrature::at_nodes(const SectionCell& cell) const {
     return compute_points(cell, reference(cell).at_nodes);
 }
 
-CellPoints SectionQuadrature::compute_points(const SectionCell& cell, const ShapeTable2& table) const {
+CellPoints SectionQuadrature::compute_points(const SectionCell& cell, const CellShapes& table) const {
     Eigen::MatrixX2d nodes(static_cast<Eigen::Index>(cell.nodes.size()), 2);
     for (std::size_t i = 0; i < cell.nodes.size(); ++i)
         nodes.row(static_cast<Eigen::Index>(i)) = mesh_.nodes[static_cast<std::size_t>(cell.nodes[i])];

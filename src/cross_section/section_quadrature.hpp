@@ -68,7 +68,7 @@ class SectionQuadrature {
     CellPoints at_nodes(const SectionCell& cell) const;
 
   private:
-    CellPoints compute_points(const SectionCell& cell, const ShapeTable2& table) const;
+    CellPoints compute_points(const SectionCell& cell, const CellShapes& table) const;
     const ReferenceCell& reference(const SectionCell& cell) const;
 
     const SectionMesh& mesh_;

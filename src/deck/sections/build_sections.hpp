@@ -12,6 +12,7 @@ namespace gxrod {
 struct SectionPlace {
     double s = 0.0;  // arc length
     std::string rod = {};
+    double first = 0.0, last = 0.0;  // arc lengths between which the rod has the section
 };
 
 // Adds the sections to the model, with their values at the start of a rod.
@@ -19,6 +20,7 @@ void build_sections(BuildContext& context);
 
 // Returns whether a section has functions of s.
 bool varies_along_rod(const CheckedTable& section);
+bool varies_along_rod(const SectionTable& section, const BuildContext& context);
 // Builds the section at a place.
 Section build_section(const SectionTable& given, const SectionPlace& at, const BuildContext& context);
 

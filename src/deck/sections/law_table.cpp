@@ -6,6 +6,7 @@
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/sections/build_sections.hpp"
+#include "deck/sections/cut_shape.hpp"
 #include "laws/layered_law.hpp"
 #include "laws/moment_curvature_law.hpp"
 #include "laws/moved_law.hpp"
@@ -353,7 +354,10 @@ SharedLaw make_law(const LawTable& law, const Mat6& C, const SectionPlace& at, c
     return make_viscoelastic_law(*law.viscoelastic, C, context);
 }
 
-bool yields(const SectionTable& section) { return section.material && section.material->yield_stress; }
+// A yield stress of a shape that is cut into cells is a limit to compare stresses with.
+bool yields(const SectionTable& section) {
+    return section.material && section.material->yield_stress && !is_cut(section);
+}
 
 }  // namespace
 

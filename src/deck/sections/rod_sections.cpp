@@ -8,6 +8,7 @@
 
 #include "deck/schema/suggestion.hpp"
 #include "deck/sections/build_sections.hpp"
+#include "deck/sections/cut_shape.hpp"
 #include "deck/surroundings/section_fluid.hpp"
 #include "laws/layered_law.hpp"
 #include "laws/mixed_law.hpp"
@@ -141,10 +142,20 @@ class SectionsAlong {
         const Station& b = stations_[i];
         const double length = b.fraction - a.fraction;
         const double t = length > 0.0 ? std::clamp((fraction - a.fraction) / length, 0.0, 1.0) : 0.0;
-        const double s = fraction * rod_.length;
         if (a.of_file != nullptr) return mix(*a.of_file, *b.of_file, t);
-        if (a.section == b.section) return nameless(section(a, s));
-        return mix(section(a, s), section(b, s), t);
+        const SectionPlace place = place_between(a, b, fraction);
+        if (a.section == b.section) return nameless(section(a, place));
+        return mix(section(a, place), section(b, place), t);
+    }
+    // Notes how exact sections are that are computed at a few stations.
+    void note_stations() const {
+        for (std::size_t i = 1; i < stations_.size(); ++i) {
+            const Station& a = stations_[i - 1];
+            const Station& b = stations_[i];
+            if (a.of_file != nullptr || b.fraction <= a.fraction) continue;
+            gxrod::note_stations(table_of(a), place_between(a, b, a.fraction), context_);
+            if (a.section != b.section) gxrod::note_stations(table_of(b), place_between(a, b, a.fraction), context_);
+        }
     }
 
   private:
@@ -153,12 +164,20 @@ class SectionsAlong {
         const double end = stations_[interval].fraction;
         return are_one(fraction, end) ? inside > end : fraction > end;
     }
-    Section section(const Station& station, double s) const {
+    SectionPlace place_between(const Station& a, const Station& b, double fraction) const {
+        return {.s = fraction * rod_.length,
+                .rod = "rod." + rod_.name,
+                .first = a.fraction * rod_.length,
+                .last = b.fraction * rod_.length};
+    }
+    const SectionTable& table_of(const Station& station) const {
+        const CheckedTable& table = context_.deck.tables("section")[static_cast<std::size_t>(station.section)];
+        return static_cast<const SectionTable&>(*table.record);
+    }
+    Section section(const Station& station, const SectionPlace& place) const {
         const auto index = static_cast<std::size_t>(station.section);
-        const CheckedTable& table = context_.deck.tables("section")[index];
-        if (!varies_along_rod(table)) return context_.model.sections[index];
-        return build_section(
-            static_cast<const SectionTable&>(*table.record), {s, "rod." + rod_.name}, context_);
+        if (!varies_along_rod(context_.deck.tables("section")[index])) return context_.model.sections[index];
+        return build_section(table_of(station), place, context_);
     }
 
     const std::vector<Station>& stations_;
@@ -243,6 +262,7 @@ void set_sections(const std::vector<Station>& stations,
             mean.fluid = combine(1.0, mean.fluid, part, here.fluid);
         }
     }
+    profile.note_stations();
     set_laws(rod.varying.at_forces, mean);
     if (stations.front().section != stations.back().section)
         mean.name += " … " + known[static_cast<std::size_t>(stations.back().section)].name;

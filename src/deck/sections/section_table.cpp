@@ -4,7 +4,9 @@
 
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/top_level.hpp"
+#include "cross_section/moved_section.hpp"
 #include "deck/sections/build_sections.hpp"
+#include "deck/sections/cut_shape.hpp"
 #include "deck/sections/section_matrices.hpp"
 #include "deck/sections/section_shape.hpp"
 #include "deck/surroundings/section_fluid.hpp"
@@ -394,6 +396,16 @@ void set_from_shape(const SectionTable& table,
     section.mass = diagonal(Vec3::Constant(density * shape->area), density * Vec3(Iy + Iz, Iy, Iz));
 }
 
+void set_from_cells(const SectionTable& table,
+                    const SectionPlace& at,
+                    Section& section,
+                    const BuildContext& context) {
+    const CutSection cut = compute_cut_section(table, at, context);
+    section.stiffness = cut.stiffness;
+    section.mass = cut.mass;
+    section.shape = cut.shape;
+}
+
 // What a dynamic analysis needs, and a static one may miss.
 void check_inertia(const SectionTable& given, const Section& section, const BuildContext& context) {
     if (!context.needs_inertia()) {
@@ -465,7 +477,9 @@ double number_of(const TableHead& table,
 
 Section build_section(const SectionTable& given, const SectionPlace& at, const BuildContext& context) {
     Section section{.name = given.name};
-    if (given.shape) {
+    if (is_cut(given)) {
+        set_from_cells(given, at, section, context);
+    } else if (given.shape) {
         set_from_shape(given, at, section, context);
     } else if (given.stiffness) {
         section.stiffness = stiffness_of(*given.stiffness, at, context);
@@ -479,6 +493,7 @@ Section build_section(const SectionTable& given, const SectionPlace& at, const B
     const SectionFrame frame = frame_of(given, at, context);
     set_law(given, at, frame, section, context);
     section.mass = move_from(frame, section.mass);
+    if (section.shape) section.shape = move_cross_section(section.shape, {frame.y, frame.z}, frame.turn);
     if (given.damping) set_damping(*given.damping, section);
     set_fluid(given, at, section, context);
     section.radius = find_contact_radius(given, at, section, context);
@@ -504,6 +519,13 @@ bool varies_along_rod(const CheckedTable& section) {
                const auto* tables = std::get_if<std::vector<CheckedTable>>(&value.value);
                return tables != nullptr && std::ranges::any_of(*tables, varies_along_rod);
            });
+}
+
+bool varies_along_rod(const SectionTable& section, const BuildContext& context) {
+    const std::vector<CheckedTable>& tables = context.deck.tables("section");
+    const auto own = std::ranges::find_if(
+        tables, [&](const CheckedTable& table) { return table.record.get() == &section; });
+    return own != tables.end() && varies_along_rod(*own);
 }
 
 void build_sections(BuildContext& context) {

@@ -1,0 +1,156 @@
+#include "deck/sections/cut_shape.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <map>
+#include <mutex>
+
+#include "cross_section/section_error.hpp"
+#include "deck/places/build_context.hpp"
+#include "mesh/line_mesh.hpp"
+
+namespace gxrod {
+namespace {
+
+// Nine, between which the stiffness of a strong taper is right to 1e-4.
+constexpr int station_count = 9;
+
+// Sections by digest, for the life of the program: variants of a deck have most of them in common.
+class SectionStore {
+  public:
+    std::shared_ptr<const CrossSection> find(const CutShape& shape) {
+        const std::scoped_lock lock(mutex_);
+        if (const auto known = sections_.find(shape.digest); known != sections_.end()) return known->second;
+        auto computed = compute_cross_section(shape.source, shape.cut(), shape.materials);
+        if (sections_.size() >= most_sections) sections_.clear();
+        return sections_[shape.digest] = std::move(computed);
+    }
+
+  private:
+    // A blade has some fifty; each takes a few megabytes.
+    static constexpr std::size_t most_sections = 256;
+    std::mutex mutex_;
+    std::map<std::string, std::shared_ptr<const CrossSection>> sections_;
+};
+
+SectionStore& section_store() {
+    static SectionStore store;
+    return store;
+}
+
+std::shared_ptr<const CrossSection> compute_at(const SectionTable& section,
+                                               const SectionPlace& at,
+                                               const BuildContext& context) {
+    const std::optional<CutShape> shape = find_cut_shape(section, at, context);
+    if (!shape) return nullptr;
+    try {
+        return section_store().find(*shape);
+    } catch (const MeshError& error) {
+        context.add_fault(section, section.shape, error.what());
+    } catch (const SectionError& error) {
+        context.add_fault(section, section.shape, error.what());
+    }
+    return nullptr;
+}
+
+// A section at the Chebyshev points of the second kind of a piece of a rod, from its start to its end.
+struct SectionStations {
+    std::vector<double> s;
+    std::vector<std::shared_ptr<const CrossSection>> sections;
+
+    bool is_complete() const { return sections.size() == s.size(); }
+    // Lagrange's polynomial at an arc length, of an entry of each station, by the barycentric formula.
+    template <class Entry>
+    Mat6 interpolate(double at, const Entry& entry) const {
+        Mat6 sum = Mat6::Zero();
+        double weights = 0.0;
+        for (std::size_t k = 0; k < s.size(); ++k) {
+            const double distance = at - s[k];
+            if (std::abs(distance) <= 1e-14 * std::abs(s.back() - s.front())) return entry(*sections[k]);
+            const double half = k == 0 || k + 1 == s.size() ? 0.5 : 1.0;
+            const double weight = (k % 2 == 0 ? half : -half) / distance;
+            sum += weight * entry(*sections[k]);
+            weights += weight;
+        }
+        return sum / weights;
+    }
+    std::size_t nearest(double at) const {
+        std::size_t best = 0;
+        for (std::size_t k = 1; k < s.size(); ++k) {
+            if (std::abs(s[k] - at) < std::abs(s[best] - at)) best = k;
+        }
+        return best;
+    }
+};
+
+const Mat6& stiffness_of_shape(const CrossSection& section) { return section.properties.stiffness; }
+const Mat6& mass_of_shape(const CrossSection& section) { return section.properties.mass; }
+
+SectionStations compute_stations(const SectionTable& section, const SectionPlace& at, const BuildContext& context) {
+    SectionStations stations;
+    for (int k = 0; k < station_count; ++k) {
+        const double part = 0.5 * (1.0 - std::cos(M_PI * k / (station_count - 1)));
+        stations.s.push_back(at.first + part * (at.last - at.first));
+        SectionPlace place = at;
+        place.s = stations.s.back();
+        auto computed = compute_at(section, place, context);
+        if (!computed) break;
+        stations.sections.push_back(std::move(computed));
+    }
+    return stations;
+}
+
+bool has_stations(const SectionTable& section, const SectionPlace& at, const BuildContext& context) {
+    return !at.rod.empty() && at.last > at.first && varies_along_rod(section, context);
+}
+
+}  // namespace
+
+CutSection compute_cut_section(const SectionTable& section, const SectionPlace& at, const BuildContext& context) {
+    if (!has_stations(section, at, context)) {
+        const auto computed = compute_at(section, at, context);
+        if (!computed) return {};
+        return {computed->properties.stiffness, computed->properties.mass, computed};
+    }
+    const SectionStations stations = compute_stations(section, at, context);
+    if (!stations.is_complete()) return {};
+    return {stations.interpolate(at.s, stiffness_of_shape),
+            stations.interpolate(at.s, mass_of_shape),
+            stations.sections[stations.nearest(at.s)]};
+}
+
+void note_stations(const SectionTable& section, const SectionPlace& at, const BuildContext& context) {
+    if (!is_cut(section) || !has_stations(section, at, context)) return;
+    const SectionStations stations = compute_stations(section, at, context);
+    if (!stations.is_complete()) return;
+    SectionPlace between = at;
+    between.s = 0.5 * (stations.s[3] + stations.s[4]);
+    const auto computed = compute_at(section, between, context);
+    if (!computed) return;
+    const Mat6& exact = computed->properties.stiffness;
+    const Vec6 scale = exact.diagonal().cwiseSqrt();
+    const Mat6 difference = stations.interpolate(between.s, stiffness_of_shape) - exact;
+    const double error = (difference.array() / (scale * scale.transpose()).array()).abs().maxCoeff();
+    context.notes.push_back(fmt::format("{} along {}: computed at {} stations; between them, at s = {:.4g}, the stiffness "
+                                        "differs by {:.2g} of itself",
+                                        section.path,
+                                        at.rod,
+                                        station_count,
+                                        between.s,
+                                        error));
+    constexpr int samples = 64;
+    for (int i = 0; i <= samples; ++i) {
+        const double s = at.first + (at.last - at.first) * i / samples;
+        if (Eigen::LLT<Mat6>(stations.interpolate(s, stiffness_of_shape)).info() == Eigen::Success) continue;
+        return context.add_fault(section,
+                                 section.shape,
+                                 fmt::format("varies too much along {}: the stiffness between {} stations is not "
+                                             "positive definite at s = {:.6g}; give sections at stations instead",
+                                             at.rod,
+                                             station_count,
+                                             s));
+    }
+}
+
+}  // namespace gxrod
