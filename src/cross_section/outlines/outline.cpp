@@ -65,6 +65,19 @@ OutlineLoop draw_circle(double radius) {
     return loop;
 }
 
+template <class Change>
+void change_points(Outline& outline, const Change& change) {
+    const auto change_loop = [&](OutlineLoop& loop) {
+        for (OutlinePiece& piece : loop) {
+            change(piece.from);
+            change(piece.to);
+            change(piece.centre);
+        }
+    };
+    change_loop(outline.outer);
+    std::ranges::for_each(outline.holes, change_loop);
+}
+
 }  // namespace
 
 double OutlinePiece::length() const {
@@ -142,15 +155,12 @@ Outline draw_ring(double outer_radius, double inner_radius) {
 }
 
 Outline move_outline(Outline outline, const PlanePoint& by) {
-    const auto move = [&](OutlineLoop& loop) {
-        for (OutlinePiece& piece : loop) {
-            piece.from += by;
-            piece.to += by;
-            piece.centre += by;
-        }
-    };
-    move(outline.outer);
-    std::ranges::for_each(outline.holes, move);
+    change_points(outline, [&](PlanePoint& point) { point += by; });
+    return outline;
+}
+
+Outline scale_outline(Outline outline, double factor) {
+    change_points(outline, [&](PlanePoint& point) { point *= factor; });
     return outline;
 }
 

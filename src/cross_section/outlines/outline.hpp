@@ -49,10 +49,13 @@ struct Outline {
     std::vector<const OutlineLoop*> loops() const;
 };
 
-// What is wrong with a shape: the part of it, such as "outer[3]" or "flange", and the message.
+// What is wrong with a shape: the part of it, such as "outer[3]" or "flange", and the message. The hole of a
+// polygon, and the corner of its outer chain or of the hole, if the part has them.
 struct OutlineFault {
     std::string part;
     std::string message;
+    std::optional<std::size_t> hole = std::nullopt;
+    std::optional<std::size_t> corner = std::nullopt;
 };
 
 // Rounds the corners of a chain; the loop has the chain's direction. A rounded corner without a turn stays as
@@ -67,6 +70,9 @@ Outline draw_ring(double outer_radius, double inner_radius);
 
 // Moves an outline.
 Outline move_outline(Outline outline, const PlanePoint& by);
+
+// Scales an outline about (0, 0).
+Outline scale_outline(Outline outline, double factor);
 
 // Returns a × b: positive if b is to the left of a.
 inline double cross(const PlanePoint& a, const PlanePoint& b) { return a.x() * b.y() - a.y() * b.x(); }

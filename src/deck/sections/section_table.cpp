@@ -6,7 +6,7 @@
 #include "deck/schema/top_level.hpp"
 #include "cross_section/moved_section.hpp"
 #include "deck/sections/build_sections.hpp"
-#include "deck/sections/cut_shape.hpp"
+#include "deck/sections/profile_keys.hpp"
 #include "deck/sections/section_matrices.hpp"
 #include "deck/sections/section_shape.hpp"
 #include "deck/surroundings/section_fluid.hpp"
@@ -106,8 +106,10 @@ const TableSpec& shape_table() {
         .key("tube", &T::tube, tube_table(), "A hollow circle.")
             .also("pipe ring annulus hollow_circle hollow_cylinder")
         .key("rectangle", &T::rectangle, rectangle_table(), "A solid rectangle with sides along y and z.")
-            .also("rect square box plate")
-        .exactly_one_of({"circle", "tube", "rectangle"});
+            .also("rect square plate")
+        .with(&add_outlined_shapes)
+        .exactly_one_of({"circle", "tube", "rectangle", "profile", "I", "channel", "angle", "tee", "box", "zed", "hat",
+                         "polygon"});
     // clang-format on
     return table;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "deck/schema/choices.hpp"
+#include "deck/sections/profile_tables.hpp"
 #include "deck/table/kinds.hpp"
 #include "deck/table/table_head.hpp"
 
@@ -33,7 +34,7 @@ struct RectangleTable : TableHead {
     ArcNumber width_y, height_z;
 };
 
-struct ShapeTable : TableHead {
+struct ShapeTable : OutlinedShapes {
     std::optional<CircleTable> circle;
     std::optional<TubeTable> tube;
     std::optional<RectangleTable> rectangle;
