@@ -20,7 +20,8 @@ void build_sections(BuildContext& context);
 
 // Returns whether a section has functions of s.
 bool varies_along_rod(const CheckedTable& section);
-bool varies_along_rod(const SectionTable& section, const BuildContext& context);
+// Returns the same of the table that a section was read from.
+bool depends_on_place(const SectionTable& section, const BuildContext& context);
 // Builds the section at a place.
 Section build_section(const SectionTable& given, const SectionPlace& at, const BuildContext& context);
 

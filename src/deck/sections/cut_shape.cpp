@@ -6,9 +6,13 @@
 #include <map>
 #include <mutex>
 
+#include "cross_section/moved_section.hpp"
 #include "cross_section/section_error.hpp"
 #include "deck/places/build_context.hpp"
+#include "deck/sections/profile_outline.hpp"
 #include "mesh/line_mesh.hpp"
+#include "mesh/section_mesher.hpp"
+#include "model/sections/section_centres.hpp"
 
 namespace gxrod {
 namespace {
@@ -23,6 +27,10 @@ class SectionStore {
         const std::scoped_lock lock(mutex_);
         if (const auto known = sections_.find(shape.digest); known != sections_.end()) return known->second;
         auto computed = compute_cross_section(shape.source, shape.cut(), shape.materials);
+        if (shape.is_at_shear_centre) {
+            const SectionCentres centres(computed->properties.stiffness, Mat6::Zero());
+            computed = move_cross_section(computed, -centres.shear_centre(), 0.0);
+        }
         if (sections_.size() >= most_sections) sections_.clear();
         return sections_[shape.digest] = std::move(computed);
     }
@@ -37,6 +45,75 @@ class SectionStore {
 SectionStore& section_store() {
     static SectionStore store;
     return store;
+}
+
+// The bytes of numbers and texts, one after the other.
+class Digest {
+  public:
+    void add(double number) { text_.append(reinterpret_cast<const char*>(&number), sizeof number); }
+    void add(const std::string& text) { text_ += text + '\0'; }
+    template <class Matrix>
+    void add(const Eigen::MatrixBase<Matrix>& matrix) {
+        for (const double number : matrix.reshaped()) add(number);
+    }
+    void add(const Outline& outline) {
+        for (const OutlineLoop* loop : outline.loops()) {
+            add(static_cast<double>(loop->size()));
+            for (const OutlinePiece& piece : *loop) {
+                add(piece.from);
+                add(piece.to);
+                add(piece.centre);
+                add(piece.turn);
+            }
+        }
+    }
+    void add(const ElasticMaterial& material) {
+        add(material.name);
+        add(material.stiffness);
+        add(material.density);
+        add(material.expansion);
+        add(material.yield_stress.value_or(0.0));
+    }
+    const std::string& text() const { return text_; }
+
+  private:
+    std::string text_;
+};
+
+// Poisson's ratio below which nothing is incompressible: cells would lock.
+constexpr double most_nu = 0.4999;
+
+std::optional<ElasticMaterial> find_material(const MaterialTable& table,
+                                             const SectionPlace& at,
+                                             const BuildContext& context) {
+    const double E = number_of(table, table.E, at, context);
+    const double nu = table.nu ? number_of(table, *table.nu, at, context)
+                               : E / (2.0 * number_of(table, *table.G, at, context)) - 1.0;
+    if (!(nu > -1.0 && nu <= most_nu)) {
+        const std::string found =
+            fmt::format("nu = {:.6g}; expected more than -1 and at most {}", nu, most_nu);
+        const std::string message = found + ", as the stress across a rod depends on it";
+        table.nu ? context.add_fault(table, table.nu, message)
+                 : context.add_fault(table, table.G, "it means " + message);
+        return std::nullopt;
+    }
+    ElasticMaterial material{.name = "material", .stiffness = compute_isotropic_stiffness(E, nu)};
+    if (table.density) material.density = number_of(table, *table.density, at, context);
+    if (table.yield_stress) material.yield_stress = number_of(table, *table.yield_stress, at, context);
+    return material;
+}
+
+// Keys of a material that only a circle, a tube and a rectangle have.
+void check_material_keys(const MaterialTable& material, const BuildContext& context) {
+    const std::string reason = "goes with a circle, a tube or a rectangle";
+    if (material.shear_factor)
+        context.add_fault(
+            material, material.shear_factor, reason + "; the shear stiffness of this shape is computed");
+    if (material.interaction)
+        context.add_fault(
+            material,
+            material.interaction,
+            reason + "; the yield stress of this shape is a limit that stresses are compared with");
 }
 
 std::shared_ptr<const CrossSection> compute_at(const SectionTable& section,
@@ -87,7 +164,9 @@ struct SectionStations {
 const Mat6& stiffness_of_shape(const CrossSection& section) { return section.properties.stiffness; }
 const Mat6& mass_of_shape(const CrossSection& section) { return section.properties.mass; }
 
-SectionStations compute_stations(const SectionTable& section, const SectionPlace& at, const BuildContext& context) {
+SectionStations compute_stations(const SectionTable& section,
+                                 const SectionPlace& at,
+                                 const BuildContext& context) {
     SectionStations stations;
     for (int k = 0; k < station_count; ++k) {
         const double part = 0.5 * (1.0 - std::cos(M_PI * k / (station_count - 1)));
@@ -102,12 +181,39 @@ SectionStations compute_stations(const SectionTable& section, const SectionPlace
 }
 
 bool has_stations(const SectionTable& section, const SectionPlace& at, const BuildContext& context) {
-    return !at.rod.empty() && at.last > at.first && varies_along_rod(section, context);
+    return !at.rod.empty() && at.last > at.first && depends_on_place(section, context);
 }
 
 }  // namespace
 
-CutSection compute_cut_section(const SectionTable& section, const SectionPlace& at, const BuildContext& context) {
+bool is_cut(const SectionTable& section) { return section.shape && has_outline(*section.shape); }
+
+std::optional<CutShape> find_cut_shape(const SectionTable& section,
+                                       const SectionPlace& at,
+                                       const BuildContext& context) {
+    if (at.rod.empty()) check_material_keys(*section.material, context);
+    std::optional<ShapeOutline> drawn = find_outline(*section.shape, at, context);
+    std::optional<ElasticMaterial> material = find_material(*section.material, at, context);
+    if (!drawn || !material) return std::nullopt;
+    Digest digest;
+    digest.add(drawn->source);
+    digest.add(drawn->outline);
+    digest.add(*material);
+    digest.add(static_cast<double>(drawn->origin));
+    CutShape shape{.source = drawn->source,
+                   .digest = digest.text(),
+                   .cut = {},
+                   .materials = {std::move(*material)},
+                   .is_at_shear_centre = drawn->origin == ShapeOrigin::shear_centre};
+    shape.cut = [outline = std::move(drawn->outline), name = section.name] {
+        return mesh_outline(outline, name);
+    };
+    return shape;
+}
+
+CutSection compute_cut_section(const SectionTable& section,
+                               const SectionPlace& at,
+                               const BuildContext& context) {
     if (!has_stations(section, at, context)) {
         const auto computed = compute_at(section, at, context);
         if (!computed) return {};
@@ -132,24 +238,26 @@ void note_stations(const SectionTable& section, const SectionPlace& at, const Bu
     const Vec6 scale = exact.diagonal().cwiseSqrt();
     const Mat6 difference = stations.interpolate(between.s, stiffness_of_shape) - exact;
     const double error = (difference.array() / (scale * scale.transpose()).array()).abs().maxCoeff();
-    context.notes.push_back(fmt::format("{} along {}: computed at {} stations; between them, at s = {:.4g}, the stiffness "
-                                        "differs by {:.2g} of itself",
-                                        section.path,
-                                        at.rod,
-                                        station_count,
-                                        between.s,
-                                        error));
+    context.notes.push_back(
+        fmt::format("{} along {}: computed at {} stations; between them, at s = {:.4g}, the stiffness "
+                    "differs by {:.2g} of itself",
+                    section.path,
+                    at.rod,
+                    station_count,
+                    between.s,
+                    error));
     constexpr int samples = 64;
     for (int i = 0; i <= samples; ++i) {
         const double s = at.first + (at.last - at.first) * i / samples;
         if (Eigen::LLT<Mat6>(stations.interpolate(s, stiffness_of_shape)).info() == Eigen::Success) continue;
-        return context.add_fault(section,
-                                 section.shape,
-                                 fmt::format("varies too much along {}: the stiffness between {} stations is not "
-                                             "positive definite at s = {:.6g}; give sections at stations instead",
-                                             at.rod,
-                                             station_count,
-                                             s));
+        return context.add_fault(
+            section,
+            section.shape,
+            fmt::format("varies too much along {}: the stiffness between {} stations is not "
+                        "positive definite at s = {:.6g}; give sections at stations instead",
+                        at.rod,
+                        station_count,
+                        s));
     }
 }
 

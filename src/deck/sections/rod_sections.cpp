@@ -154,7 +154,8 @@ class SectionsAlong {
             const Station& b = stations_[i];
             if (a.of_file != nullptr || b.fraction <= a.fraction) continue;
             gxrod::note_stations(table_of(a), place_between(a, b, a.fraction), context_);
-            if (a.section != b.section) gxrod::note_stations(table_of(b), place_between(a, b, a.fraction), context_);
+            if (a.section != b.section)
+                gxrod::note_stations(table_of(b), place_between(a, b, a.fraction), context_);
         }
     }
 
@@ -171,7 +172,8 @@ class SectionsAlong {
                 .last = b.fraction * rod_.length};
     }
     const SectionTable& table_of(const Station& station) const {
-        const CheckedTable& table = context_.deck.tables("section")[static_cast<std::size_t>(station.section)];
+        const CheckedTable& table =
+            context_.deck.tables("section")[static_cast<std::size_t>(station.section)];
         return static_cast<const SectionTable&>(*table.record);
     }
     Section section(const Station& station, const SectionPlace& place) const {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "cross_section/moved_section.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/top_level.hpp"
-#include "cross_section/moved_section.hpp"
 #include "deck/sections/build_sections.hpp"
 #include "deck/sections/profile_keys.hpp"
 #include "deck/sections/section_matrices.hpp"
@@ -523,7 +523,7 @@ bool varies_along_rod(const CheckedTable& section) {
            });
 }
 
-bool varies_along_rod(const SectionTable& section, const BuildContext& context) {
+bool depends_on_place(const SectionTable& section, const BuildContext& context) {
     const std::vector<CheckedTable>& tables = context.deck.tables("section");
     const auto own = std::ranges::find_if(
         tables, [&](const CheckedTable& table) { return table.record.get() == &section; });
