@@ -37,7 +37,9 @@
 #include "deck/schema/choices.hpp"
 #include "deck/schema/top_level.hpp"
 #include "deck/sections/build_sections.hpp"
+#include "deck/sections/material_tables.hpp"
 #include "deck/sections/section_files.hpp"
+#include "deck/sections/wall_shape.hpp"
 #include "deck/supports/build_supports.hpp"
 #include "deck/surroundings/build_surroundings.hpp"
 #include "deck/text/further_faults.hpp"
@@ -141,17 +143,20 @@ Problem build_problem(const CheckedTable& deck, const DeckFiles& files, FaultLis
         read_surroundings_files(deck, files.tables, faults, problem.record.meshes);
     std::map<std::string, std::shared_ptr<const TriangleMesh>> obstacle_meshes =
         read_obstacle_meshes(deck, files.meshes, faults, problem.record.meshes, problem.notes);
+    auto section_meshes = read_section_meshes(deck, files.meshes, faults, problem.record.meshes);
     check_memory(deck, nets, count_usable_bytes(), faults);
     faults.throw_if_any();
     const PointNames names(deck, points_of(nets));
     BuildContext context{deck, names, faults, problem.notes, problem.model};
     context.obstacle_meshes = std::move(obstacle_meshes);
+    context.section_meshes = std::move(section_meshes);
     check_names(deck, faults);
     context.stages = build_stages(context);
     check_stage_names(context);
     build_inputs(context);
     plan_signals(context);
     const std::vector<RodPoint> points = check_points(context);
+    check_materials(context);
     build_sections(context);
     build_rods(points, nets, section_files, context);
     build_connections(context);

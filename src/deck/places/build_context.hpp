@@ -18,6 +18,8 @@
 
 namespace gxrod {
 
+struct SurfaceMesh;
+
 // A point that has a node.
 struct PlacedPoint {
     int node = 0;
@@ -57,6 +59,8 @@ struct BuildContext {
     // The settings of each node: of its velocity and of its angular velocity.
     std::vector<std::array<VelocitySetting, 2>> velocity_settings = {};
     std::map<std::string, std::shared_ptr<const TriangleMesh>> obstacle_meshes = {};  // by obstacle
+
+    std::map<std::string, std::shared_ptr<const SurfaceMesh>> section_meshes = {};  // by section
 
     const AnalysisSettings& analysis() const { return stages[stage].analysis; }
     // Whether any stage integrates accelerations; whether the first one does, which has the initial

@@ -214,6 +214,7 @@ class Validator {
     }
 
     static std::string explain_name(const std::string& name, const KeySpec& key) {
+        if (key.binding) return "";  // names of a file
         if (is_for_expressions(key)) return explain_unusable_name(name);
         return is_plain_name(name) ? "" : "a name has letters, digits, _ and - only";
     }

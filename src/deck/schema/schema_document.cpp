@@ -107,6 +107,8 @@ std::string write_rows(const TableSpec& table, const std::string& prefix) {
                             sentence_of(key));
         const bool has_table = key.shape == KeyShape::table || key.shape == KeyShape::value;
         if (has_table && key.table != nullptr) rows += write_rows(*key.table, prefix + key.name + ".");
+        if (key.shape == KeyShape::named_tables && key.binding)
+            rows += write_rows(*key.table, prefix + key.name + ".NAME.");
         if (key.shape == KeyShape::table_list) rows += write_rows(*key.table, prefix + key.name + "[].");
     }
     return rows;

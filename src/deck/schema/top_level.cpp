@@ -2,6 +2,7 @@
 
 #include "deck/schema/schema.hpp"
 #include "deck/schema/schema_tables.hpp"
+#include "deck/sections/material_tables.hpp"
 #include "deck/table/table.hpp"
 #include "deck/ties/ties.hpp"
 #include "model/ties/ties.hpp"
@@ -39,6 +40,10 @@ void add_parts(Table<TopLevelTable>& table) {
     table
         .tables("section", KeyShape::named_tables, section_table())
             .also("cross_section cross_sections profile profiles")
+        .tables("material", KeyShape::named_tables, elastic_material_table())
+            .also("materials")
+        .tables("layup", KeyShape::named_tables, layup_table())
+            .also("layups laminate laminates stack plies ply")
         .tables("rod", KeyShape::named_tables, rod_table())
             .also("beam beams cable cables rope string element elements")
         .tables("body", KeyShape::named_tables, body_table())

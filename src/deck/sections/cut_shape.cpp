@@ -10,6 +10,8 @@
 #include "cross_section/section_error.hpp"
 #include "deck/places/build_context.hpp"
 #include "deck/sections/profile_outline.hpp"
+#include "deck/sections/wall_shape.hpp"
+#include "machine/digest.hpp"
 #include "mesh/line_mesh.hpp"
 #include "mesh/section_mesher.hpp"
 #include "model/sections/section_centres.hpp"
@@ -73,6 +75,21 @@ class Digest {
         add(material.density);
         add(material.expansion);
         add(material.yield_stress.value_or(0.0));
+        const PlyStrength s = material.strength.value_or(PlyStrength{});
+        for (const double strength : {s.Xt, s.Xc, s.Yt, s.Yc, s.S12, s.S23, s.f12}) add(strength);
+    }
+    void add(const SectionMesh& mesh) {
+        for (const PlanePoint& node : mesh.nodes) add(node);
+        for (const SectionLayer& layer : mesh.layers) {
+            add(layer.name);
+            add(static_cast<double>(layer.material));
+            add(layer.fibre_angle);
+        }
+        for (const SectionCell& cell : mesh.cells) {
+            add(static_cast<double>(cell.layer));
+            for (const int node : cell.nodes) add(static_cast<double>(node));
+            for (const PlanePoint& wall : cell.walls) add(wall);
+        }
     }
     const std::string& text() const { return text_; }
 
@@ -114,6 +131,31 @@ void check_material_keys(const MaterialTable& material, const BuildContext& cont
             material,
             material.interaction,
             reason + "; the yield stress of this shape is a limit that stresses are compared with");
+}
+
+// Finds a shape of walls or of a mesh, which has been read.
+std::optional<CutShape> find_plied_shape(const SectionTable& section, const BuildContext& context) {
+    if (section.material) {
+        context.add_fault(
+            section, section.material, "walls and meshes have materials of their own, [material.NAME]");
+        return std::nullopt;
+    }
+    std::optional<MeshedShape> meshed;
+    if (section.shape->walls) {
+        meshed = mesh_walls_of(*section.shape->walls, context);
+    } else if (const auto file = context.section_meshes.find(section.name);
+               file != context.section_meshes.end()) {
+        meshed = mesh_file_of(*section.shape->mesh, *file->second, context);
+    }
+    if (!meshed) return std::nullopt;
+    Digest digest;
+    digest.add(meshed->source);
+    digest.add(meshed->mesh);
+    for (const ElasticMaterial& material : meshed->materials) digest.add(material);
+    return CutShape{.source = std::move(meshed->source),
+                    .digest = sha256_hex(digest.text()),
+                    .cut = [mesh = std::move(meshed->mesh)] { return mesh; },
+                    .materials = std::move(meshed->materials)};
 }
 
 std::shared_ptr<const CrossSection> compute_at(const SectionTable& section,
@@ -186,11 +228,16 @@ bool has_stations(const SectionTable& section, const SectionPlace& at, const Bui
 
 }  // namespace
 
-bool is_cut(const SectionTable& section) { return section.shape && has_outline(*section.shape); }
+bool is_plied(const ShapeTable& shape) { return shape.walls || shape.mesh; }
+
+bool is_cut(const SectionTable& section) {
+    return section.shape && (has_outline(*section.shape) || is_plied(*section.shape));
+}
 
 std::optional<CutShape> find_cut_shape(const SectionTable& section,
                                        const SectionPlace& at,
                                        const BuildContext& context) {
+    if (is_plied(*section.shape)) return find_plied_shape(section, context);
     if (at.rod.empty()) check_material_keys(*section.material, context);
     std::optional<ShapeOutline> drawn = find_outline(*section.shape, at, context);
     std::optional<ElasticMaterial> material = find_material(*section.material, at, context);

@@ -24,6 +24,9 @@ struct CutShape {
 // Returns whether a section's stiffness is computed on cells: not that of a circle, a tube or a rectangle.
 bool is_cut(const SectionTable& section);
 
+// Returns whether a shape is of walls of plies or of a mesh, whose materials are in tables of their own.
+bool is_plied(const ShapeTable& shape);
+
 // Finds the shape of a section that is cut. With a fault, nullopt.
 std::optional<CutShape> find_cut_shape(const SectionTable& section,
                                        const SectionPlace& at,

@@ -188,7 +188,9 @@ class OutlineBuilder {
 
 }  // namespace
 
-bool has_outline(const ShapeTable& shape) { return !shape.circle && !shape.tube && !shape.rectangle; }
+bool has_outline(const ShapeTable& shape) {
+    return !shape.circle && !shape.tube && !shape.rectangle && !shape.walls && !shape.mesh;
+}
 
 std::optional<ShapeOutline> find_outline(const ShapeTable& shape,
                                          const SectionPlace& at,

@@ -108,8 +108,12 @@ const TableSpec& shape_table() {
         .key("rectangle", &T::rectangle, rectangle_table(), "A solid rectangle with sides along y and z.")
             .also("rect square plate")
         .with(&add_outlined_shapes)
+        .key("walls", &T::walls, walls_table(), "Walls of plies along a line.")
+            .also("wall laminate plies layup layups")
+        .key("mesh", &T::mesh, mesh_shape_table(), "Triangles and quadrangles of a file.")
+            .also("file msh gmsh")
         .exactly_one_of({"circle", "tube", "rectangle", "profile", "I", "channel", "angle", "tee", "box", "zed", "hat",
-                         "polygon"});
+                         "polygon", "walls", "mesh"});
     // clang-format on
     return table;
 }
@@ -213,8 +217,9 @@ const TableSpec& section_table() {
         .key("mass_matrix", &T::mass_matrix, "The same as a full matrix: that of a rigid slice, [m 1, −m [d]×; m [d]×, "
              "J] with d from the node to the centre of mass and J about the node; positive definite.")
             .unit("of inertia").also("m inertia_matrix")
-        .key("material", &T::material, material_table(), "What the shape is made of.")
-            .required().only_with("shape").also("e nu rho density youngs_modulus")
+        .key("material", &T::material, material_table(), "What the shape is made of. Walls and meshes have materials of their "
+             "own.")
+            .only_with("shape").otherwise("of walls and meshes none, else required").also("e nu rho density youngs_modulus")
         .key("at", &T::at, "Where the point is, from the rod and in its section axes, about which stiffness and "
              "inertia are given, or in which the middle of the shape lies. They are moved from there to the rod, "
              "exactly.")
@@ -414,7 +419,14 @@ void check_inertia(const SectionTable& given, const Section& section, const Buil
         if (!top_level_of(context.deck).gravity || !section.mass.isZero(0.0)) return;
         context.notes.push_back(given.path + ": no inertia, so that gravity does not act on it");
     } else if (given.shape) {
-        if (given.material->density) return;
+        if (is_plied(*given.shape)) {
+            if (!section.mass.isZero(0.0)) return;
+            return context.add_fault(
+                given,
+                given.shape,
+                "its materials have no density; a dynamic analysis needs the mass of the rods");
+        }
+        if (!given.material || given.material->density) return;
         context.add_fault(*given.material,
                           given.material->density,
                           "missing; a dynamic analysis needs the mass of the rods");
@@ -479,7 +491,11 @@ double number_of(const TableHead& table,
 
 Section build_section(const SectionTable& given, const SectionPlace& at, const BuildContext& context) {
     Section section{.name = given.name};
-    if (is_cut(given)) {
+    if (given.shape && !is_plied(*given.shape) && !given.material) {
+        context.add_fault(
+            given, given.material, "missing; expected " + describe_expected(given.key_of(&given.material)));
+        section.stiffness = Mat6::Identity();
+    } else if (is_cut(given)) {
         set_from_cells(given, at, section, context);
     } else if (given.shape) {
         set_from_shape(given, at, section, context);

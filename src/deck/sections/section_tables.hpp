@@ -7,6 +7,7 @@
 
 #include "deck/schema/choices.hpp"
 #include "deck/sections/profile_tables.hpp"
+#include "deck/sections/wall_tables.hpp"
 #include "deck/table/kinds.hpp"
 #include "deck/table/table_head.hpp"
 
@@ -35,6 +36,8 @@ struct RectangleTable : TableHead {
 };
 
 struct ShapeTable : OutlinedShapes {
+    std::optional<WallsTable> walls;
+    std::optional<MeshShapeTable> mesh;
     std::optional<CircleTable> circle;
     std::optional<TubeTable> tube;
     std::optional<RectangleTable> rectangle;

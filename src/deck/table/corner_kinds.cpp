@@ -60,7 +60,7 @@ std::optional<CornerRows> read_corners(const DeckNode& node,
 
 std::string Kind<CornerRows>::schema(const KeySpec&) {
     return schema_of_list(
-        schema_of_any({schema_of_array(any_number_schema, 2), schema_of_array(any_number_schema, 3)}), 3);
+        schema_of_any({schema_of_array(any_number_schema, 2), schema_of_array(any_number_schema, 3)}), 2);
 }
 
 std::optional<CornerRows> Kind<CornerRows>::read(const ValueSource& from) {

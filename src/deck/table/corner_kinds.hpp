@@ -30,7 +30,7 @@ struct CornerRowLists {
 template <>
 struct Kind<CornerRows> {
     static std::string words(const KeySpec&) {
-        return "an array of corners [y, z] or [y, z, radius], three at least";
+        return "an array of corners [y, z] or [y, z, radius], two at least";
     }
     static std::string column(const KeySpec&) { return "rows [y, z] or [y, z, radius]"; }
     static std::string schema(const KeySpec&);

@@ -33,7 +33,9 @@ std::vector<std::string> samples_of(const KeySpec& key) {
     if (key.table == nullptr) return samples;
     const KeySpec& first = key.table->keys.front();
     const std::string inner = "{ " + first.name + " = " + samples_of(first).front() + " }";
-    samples.push_back(key.shape == KeyShape::table_list ? "[" + inner + "]" : inner);
+    samples.push_back(key.shape == KeyShape::table_list     ? "[" + inner + "]"
+                      : key.shape == KeyShape::named_tables ? "{ some = " + inner + " }"
+                                                            : inner);
     return samples;
 }
 
