@@ -51,7 +51,7 @@ class MapTables {
     }
 
   private:
-    static double find_least(const ShapeTable2& table, const Eigen::MatrixX2d& nodes) {
+    static double find_least(const CellShapes& table, const Eigen::MatrixX2d& nodes) {
         const Eigen::MatrixX2d a = table.slopes_1 * nodes, b = table.slopes_2 * nodes;
         const Eigen::ArrayXd determinants =
             a.col(0).array() * b.col(1).array() - a.col(1).array() * b.col(0).array();
