@@ -10,7 +10,7 @@ constexpr double no_turn = 1e-9;
 // Pieces shorter than this, over the length of their side, are left out.
 constexpr double no_length = 1e-9;
 
-PlanePoint left_of(const PlanePoint& direction) { return {-direction.y(), direction.x()}; }
+PlanePoint left_normal(const PlanePoint& direction) { return {-direction.y(), direction.x()}; }
 
 PlanePoint on_circle(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
@@ -28,7 +28,7 @@ WallStrip make_strip(const WallOutline& outline, const std::vector<Layup>& layup
     const PlanePoint direction = side_direction(outline, side);
     const double thickness = layups[outline.layup_of(side)].thickness();
     const double right = right_offset(outline.line, thickness);
-    return {direction, left_of(direction), right, right + thickness};
+    return {direction, left_normal(direction), right, right + thickness};
 }
 
 // Returns where two lines at offsets from the two sides of a corner meet.
@@ -128,7 +128,7 @@ PlanePoint WallPiece::at(double along, double across) const {
 
 PlanePoint WallPiece::wall(double along) const {
     if (!is_arc()) return direction;
-    return (turn > 0.0 ? 1.0 : -1.0) * left_of(on_circle(from_angle + along * turn));
+    return (turn > 0.0 ? 1.0 : -1.0) * left_normal(on_circle(from_angle + along * turn));
 }
 
 double right_offset(WallSide line, double thickness) {
