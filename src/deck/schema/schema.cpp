@@ -65,11 +65,14 @@ std::string variables_of(const KeySpec& key) {
     return kind != nullptr && kind->variables != nullptr ? kind->variables() : "t";
 }
 
-std::string spell(const KeySpec& key) { return key.shape == KeyShape::value ? key.name : key.table->heading; }
+std::string spell(const KeySpec& key) {
+    if (key.shape == KeyShape::named_tables && key.binding) return key.name + " = { NAME = { … } }";
+    return key.shape == KeyShape::value ? key.name : key.table->heading;
+}
 
 std::string describe_expected(const KeySpec& key) {
     if (key.shape == KeyShape::table_list) return "tables " + key.table->heading;
-    if (key.shape != KeyShape::value) return "a table " + key.table->heading;
+    if (key.shape != KeyShape::value) return "a table " + spell(key);
     const std::string words = find_kind(key)->words(key);
     const bool has_table = key.table != nullptr && nature_of(key) == ValueNature::number;
     return has_table ? words + ", or a table " + key.table->heading : words;

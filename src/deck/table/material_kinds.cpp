@@ -83,6 +83,7 @@ std::optional<AxisNumbers> Kind<AxisNumbers>::read(const ValueSource& from) {
 }
 
 std::string Kind<AxisNumbers>::print(const AxisNumbers& value) {
+    if (value.numbers.empty()) return "";
     return value.is_list ? Kind<std::vector<double>>::print(value.numbers)
                          : Kind<double>::print(value.numbers.front());
 }
