@@ -20,17 +20,17 @@ const TableSpec& strength_table() {
     // clang-format off
     static const TableSpec table = Table<T>("material.NAME.strength", "")
         .key("Xt", &T::Xt, "In tension along the fibres.")
-            .unit(stress_unit).above(0).required().also("xt f1t s_lt")
+            .unit(stress_unit).above(0).required().also("f1t")
         .key("Xc", &T::Xc, "In compression along the fibres, a positive number.")
-            .unit(stress_unit).above(0).required().also("xc f1c s_lc")
+            .unit(stress_unit).above(0).required().also("f1c")
         .key("Yt", &T::Yt, "In tension across the fibres.")
-            .unit(stress_unit).above(0).required().also("yt f2t s_tt")
+            .unit(stress_unit).above(0).required().also("f2t")
         .key("Yc", &T::Yc, "In compression across the fibres, a positive number.")
-            .unit(stress_unit).above(0).required().also("yc f2c s_tc")
+            .unit(stress_unit).above(0).required().also("f2c")
         .key("S12", &T::S12, "In shear along the fibres, 12 and 13.")
-            .unit(stress_unit).above(0).required().also("s s12 s6 f6 s_lt")
+            .unit(stress_unit).above(0).required().also("s s6 f6 s_lt")
         .key("S23", &T::S23, "In shear across the fibres.")
-            .unit(stress_unit).above(0).required().also("s23 st s4 f4")
+            .unit(stress_unit).above(0).required().also("st s4 f4")
         .key("f12", &T::f12, "Tsai and Wu's F12 is f12 √(F11 F22).")
             .unit("1").above(-1).at_most(1);
     // clang-format on

@@ -33,7 +33,7 @@ const TableSpec& walls_table() {
     static const TableSpec table = Table<T>("section.NAME.shape.walls", "")
         .key("corners", &T::corners, "Corners [y, z] of a line along the wall. A third number rounds the line there; without "
              "it walls are mitred.")
-            .unit("length").required().also("points line outline nodes")
+            .unit("length").required().also("points outline nodes")
         .key("closed", &T::closed, "Whether the last corner goes on to the first; then they go anticlockwise, y to the right and z "
              "up.")
             .otherwise("false").also("is_closed")
