@@ -25,7 +25,7 @@ constexpr double least_area = 1e-6;
 // there.
 constexpr double flat_corner = 0.01;
 
-double find_extent(const SectionMesh& mesh) {
+double find_mesh_extent(const SectionMesh& mesh) {
     PlanePoint low = mesh.nodes.front(), high = low;
     for (const PlanePoint& node : mesh.nodes) {
         low = low.cwiseMin(node);
@@ -129,7 +129,7 @@ std::string find_overlap_fault(const SectionMesh& mesh, const MeshSides& sides) 
 
 std::string find_mesh_fault(const SectionMesh& mesh) {
     if (mesh.cells.empty()) return "has no elements";
-    const double extent = find_extent(mesh);
+    const double extent = find_mesh_extent(mesh);
     std::string fault = find_area_fault(mesh);
     if (fault.empty()) fault = find_part_fault(mesh, coincidence * extent);
     if (!fault.empty()) return fault;

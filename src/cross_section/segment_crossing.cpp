@@ -10,7 +10,7 @@ constexpr double at_an_end = 1e-7;
 
 double wedge(const PlanePoint& a, const PlanePoint& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-std::pair<double, double> range_of(const PlaneSegment& segment, int axis) {
+std::pair<double, double> segment_range(const PlaneSegment& segment, int axis) {
     return std::minmax({segment.from[axis], segment.to[axis]});
 }
 
@@ -29,12 +29,12 @@ std::optional<PlanePoint> find_crossing(const PlaneSegment& a, const PlaneSegmen
 
 std::optional<SegmentCrossing> find_crossing(std::vector<PlaneSegment> segments) {
     // Swept along y: a segment meets those that begin before it ends.
-    std::ranges::sort(segments, {}, [](const PlaneSegment& one) { return range_of(one, 0).first; });
+    std::ranges::sort(segments, {}, [](const PlaneSegment& one) { return segment_range(one, 0).first; });
     for (std::size_t i = 0; i < segments.size(); ++i) {
-        const double last = range_of(segments[i], 0).second;
-        const auto [low, high] = range_of(segments[i], 1);
-        for (std::size_t j = i + 1; j < segments.size() && range_of(segments[j], 0).first < last; ++j) {
-            const auto [other_low, other_high] = range_of(segments[j], 1);
+        const double last = segment_range(segments[i], 0).second;
+        const auto [low, high] = segment_range(segments[i], 1);
+        for (std::size_t j = i + 1; j < segments.size() && segment_range(segments[j], 0).first < last; ++j) {
+            const auto [other_low, other_high] = segment_range(segments[j], 1);
             if (other_low > high || other_high < low) continue;
             if (const auto at = find_crossing(segments[i], segments[j]))
                 return SegmentCrossing{segments[i], segments[j], *at};

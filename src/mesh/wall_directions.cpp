@@ -10,7 +10,7 @@ namespace gxrod {
 namespace {
 
 // Lines that turn more than this (30°) meet at a corner.
-constexpr double least_cosine = 0.866;
+constexpr double corner_cosine = 0.866;
 
 // Returns the nodes of a curve's element from end to end; the file has the ends first.
 std::vector<int> nodes_along(const SurfaceElement& element) {
@@ -62,7 +62,7 @@ void WallDirections::add_chain(std::vector<PlanePoint> points, bool is_closed) {
     for (std::size_t i = 0; i < (is_closed ? count : count - 1); ++i) {
         Line &before = lines_[first + i], &after = lines_[first + (i + 1) % count];
         const PlanePoint a = (before.to - before.from).normalized(), b = (after.to - after.from).normalized();
-        if (a.dot(b) < least_cosine) continue;
+        if (a.dot(b) < corner_cosine) continue;
         // The tangent of the circle through three points: a line twice as long counts half as much.
         const double length_a = (before.to - before.from).norm(), length_b = (after.to - after.from).norm();
         before.end_direction = after.start_direction = (length_b * a + length_a * b).normalized();

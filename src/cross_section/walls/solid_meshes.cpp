@@ -11,7 +11,7 @@
 namespace gxrod {
 namespace {
 
-constexpr double right_angle = 0.5 * std::numbers::pi;
+constexpr double quarter_turn = 0.5 * std::numbers::pi;
 
 int refined(double cells, const SolidMeshSettings& settings) {
     return std::max(1, static_cast<int>(std::ceil(cells * settings.refinement - 1e-6)));
@@ -145,7 +145,7 @@ SectionMesh mesh_tube(double outer_radius, double inner_radius, const SolidMeshS
     for (int i = 0; i < grid.columns(); ++i) {
         for (int j = 0; j < grid.rows(); ++j) {
             mesh.nodes[static_cast<std::size_t>(grid.node(i, j))] = at_angle(
-                4.0 * right_angle * i / grid.columns(), outer_radius - thickness * j / (grid.rows() - 1));
+                4.0 * quarter_turn * i / grid.columns(), outer_radius - thickness * j / (grid.rows() - 1));
         }
     }
     return mesh;
@@ -160,7 +160,7 @@ SectionMesh mesh_circle(double radius, const SolidMeshSettings& settings) {
         const double around = 4.0 * i / ring.columns();
         const PlanePoint on_square = place_on_square(around);
         const PlanePoint inner = place_in_core(on_square.x(), on_square.y(), radius);
-        const PlanePoint outer = at_angle((around - 0.5) * right_angle, radius);
+        const PlanePoint outer = at_angle((around - 0.5) * quarter_turn, radius);
         for (int j = 0; j < ring.rows(); ++j) {
             const double inwards = static_cast<double>(j) / (ring.rows() - 1);
             mesh.nodes[static_cast<std::size_t>(ring.node(i, j))] = outer + inwards * (inner - outer);

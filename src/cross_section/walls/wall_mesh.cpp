@@ -37,9 +37,9 @@ std::vector<double> list_interfaces(const Layup& layup) {
 }
 
 // The rows of a mesh, between fractions of the thickness; plies of all layups end at rows.
-std::vector<double> list_rows(const std::set<std::size_t>& used,
-                              const std::vector<Layup>& layups,
-                              const WallMeshSettings& settings) {
+std::vector<double> list_wall_rows(const std::set<std::size_t>& used,
+                                   const std::vector<Layup>& layups,
+                                   const WallMeshSettings& settings) {
     std::vector<double> all;
     for (const std::size_t layup : used) {
         const std::vector<double> some = list_interfaces(layups[layup]);
@@ -93,7 +93,7 @@ class WallMesher {
             along_.push_back(grade_piece(piece, layups[layup].thickness(), settings.refinement));
             grid_.cells_along += static_cast<int>(along_.back().size()) - 1;
         }
-        rows_ = list_rows(used_, layups, settings);
+        rows_ = list_wall_rows(used_, layups, settings);
         grid_.cells_across = static_cast<int>(rows_.size()) - 1;
     }
 

@@ -32,7 +32,7 @@ WallStrip make_strip(const WallOutline& outline, const std::vector<Layup>& layup
 }
 
 // Returns where two lines at offsets from the two sides of a corner meet.
-PlanePoint meet(
+PlanePoint meet_surfaces(
     const PlanePoint& corner, const WallStrip& a, double offset_a, const WallStrip& b, double offset_b) {
     const double along = (offset_b - offset_a * a.normal.dot(b.normal)) / a.direction.dot(b.normal);
     return corner + offset_a * a.normal + along * a.direction;
@@ -54,12 +54,12 @@ WallPiece make_straight(std::size_t side,
 }
 
 // Makes a part of the arc of a corner, between two fractions of its turn.
-WallPiece make_arc(const WallOutline& outline,
-                   const std::vector<Layup>& layups,
-                   std::size_t corner,
-                   std::size_t side,
-                   double from,
-                   double to) {
+WallPiece make_arc_piece(const WallOutline& outline,
+                         const std::vector<Layup>& layups,
+                         std::size_t corner,
+                         std::size_t side,
+                         double from,
+                         double to) {
     const WallTurn turn = find_wall_turn(outline, layups, corner);
     const WallStrip before = make_strip(outline, layups, side_before(outline, corner));
     const double radius = outline.corners[corner].radius;
@@ -87,10 +87,10 @@ void add_arc(const WallOutline& outline,
              std::vector<WallPiece>& pieces) {
     const std::size_t before = side_before(outline, corner);
     if (outline.layup_of(before) == outline.layup_of(corner)) {
-        pieces.push_back(make_arc(outline, layups, corner, before, 0.0, 1.0));
+        pieces.push_back(make_arc_piece(outline, layups, corner, before, 0.0, 1.0));
     } else {
-        pieces.push_back(make_arc(outline, layups, corner, before, 0.0, 0.5));
-        pieces.push_back(make_arc(outline, layups, corner, corner, 0.5, 1.0));
+        pieces.push_back(make_arc_piece(outline, layups, corner, before, 0.0, 0.5));
+        pieces.push_back(make_arc_piece(outline, layups, corner, corner, 0.5, 1.0));
     }
 }
 
@@ -154,7 +154,7 @@ WallTurn find_wall_turn(const WallOutline& outline, const std::vector<Layup>& la
         turn.before = a.cut_at(at - turn.trim * a.direction);
         turn.after = b.cut_at(at + turn.trim * b.direction);
     } else {
-        turn.before = {meet(at, a, a.right, b, b.right), meet(at, a, a.left, b, b.left)};
+        turn.before = {meet_surfaces(at, a, a.right, b, b.right), meet_surfaces(at, a, a.left, b, b.left)};
         turn.after = turn.before;
     }
     return turn;

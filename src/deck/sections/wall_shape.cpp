@@ -10,7 +10,7 @@
 #include "cross_section/walls/wall_mesh.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
-#include "deck/sections/material_tables.hpp"
+#include "deck/sections/section_materials.hpp"
 #include "deck/sections/section_tables.hpp"
 #include "deck/text/table_files.hpp"
 #include "mesh/section_file.hpp"

@@ -208,6 +208,19 @@ TEST_CASE("meshes whose groups do not fit are refused", "[deck][sections]") {
     CHECK(text.find("none.msh: cannot be read") != std::string::npos);
 }
 
+TEST_CASE("materials and layups that nothing has are noted", "[deck][sections]") {
+    const auto notes = [](const std::string& deck) {
+        std::string text;
+        for (const std::string& note : read(deck).notes) text += note + "\n";
+        return text;
+    };
+    CHECK(notes(box_deck + rest).find("no section has it") == std::string::npos);
+    const std::string more = "[layup.web]\nplies = [[\"carbon\", 1]]\n[material.iron]\nE = 1\nnu = 0\n";
+    const std::string idle = notes(more + box_deck + rest);
+    CHECK(idle.find("layup.web: no section has it\nmaterial.iron: no layup and no section has it\n") !=
+          std::string::npos);
+}
+
 TEST_CASE("a section on cells without density has no mass", "[deck][sections]") {
     const std::string dynamic = replaced(
         box("density = 2.0\n", ""), "kind = \"static\"", "kind = \"dynamic\"\nend_time = 1\nsteps = 2");
