@@ -1,6 +1,7 @@
 #include "mesh/section_mesher.hpp"
 
-#include "mesh/curved_triangles.hpp"
+#include "mesh/sections/curved_triangles.hpp"
+#include "mesh/sections/flat_ears.hpp"
 
 namespace gxrod {
 
@@ -18,7 +19,9 @@ SectionMesh mesh_outline(const Outline& outline,
             loop.sizes.push_back(edge.size);
         }
     }
-    SectionMesh mesh = bend_triangles(mesh_area(loops, gmsh), boundary.loops, order);
+    PlaneTriangles triangles = mesh_area(loops, gmsh);
+    divide_flat_ears(triangles);
+    SectionMesh mesh = bend_triangles(triangles, boundary.loops, order);
     mesh.layers = {{.name = layer}};
     mesh.sharp_corners = boundary.sharp_corners;
     return mesh;

@@ -2,7 +2,7 @@
 
 #include "cross_section/outlines/outline.hpp"
 #include "cross_section/section_mesh.hpp"
-#include "mesh/boundary_division.hpp"
+#include "mesh/sections/boundary_division.hpp"
 #include "mesh/gmsh_library.hpp"
 
 namespace gxrod {

@@ -3,11 +3,13 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <map>
+#include <random>
 
+#include "cross_section/outlines/outline_examination.hpp"
 #include "cross_section/outlines/outline_moments.hpp"
 #include "cross_section/profiles/profile_shape.hpp"
 #include "mesh/line_mesh.hpp"
-#include "mesh/plane_triangles.hpp"
+#include "mesh/sections/plane_triangles.hpp"
 #include "numerics/gauss_legendre.hpp"
 #include "tools/catch.hpp"
 
@@ -189,6 +191,44 @@ TEST_CASE("Sizes follow the local thickness, at most a fifth of the least extent
     };
     CHECK(count(0, 8) < 150);
     CHECK(count(11, 20) > 250);
+}
+
+TEST_CASE("A curve by many points has no sharp corners", "[mesh]") {
+    Polygon star;
+    for (int i = 0; i < 120; ++i) {
+        const double angle = 2 * M_PI * i / 120, radius = 1 + 0.3 * std::cos(3 * angle);
+        star.outer.push_back({{radius * std::cos(angle), radius * std::sin(angle)}});
+    }
+    const SectionMesh mesh = mesh_outline(draw_outline(star), "star");
+    CHECK(mesh.sharp_corners.empty());
+    CHECK(mesh.cells.size() < 1000);
+}
+
+TEST_CASE("Meshes of random polygons have the area of the outline, and no cell with a flat corner",
+          "[mesh]") {
+    std::mt19937 random(7);
+    const auto draw = [&](double least, double greatest) {
+        return std::uniform_real_distribution(least, greatest)(random);
+    };
+    int meshed = 0;
+    for (int k = 0; k < 40; ++k) {
+        const int corners = 4 + k % 8;
+        Polygon polygon;
+        for (int i = 0; i < corners; ++i) {
+            const double angle = 2 * M_PI * (i + draw(0, 0.6)) / corners, radius = draw(0.1, 1.1);
+            const double rounding = i % 2 == 0 ? 0.2 * draw(0, 1) * draw(0, 1) : 0.0;
+            polygon.outer.push_back({{radius * std::cos(angle), radius * std::sin(angle)}, rounding});
+        }
+        if (k % 3 == 0) polygon.holes = {{{{0.05, 0}, 0.01}, {{0, 0.05}}, {{-0.05, 0}}, {{0, -0.05}, 0.02}}};
+        if (find_fault(polygon)) continue;
+        INFO("polygon " << k);
+        const Outline outline = draw_outline(polygon);
+        const auto [found, least] = integrate(mesh_outline(outline, "random"));
+        CHECK(found.area == Approx(compute_moments(outline).area).epsilon(1e-6));
+        CHECK(least > 0.6);
+        ++meshed;
+    }
+    CHECK(meshed > 15);
 }
 
 TEST_CASE("The same outline has the same mesh", "[mesh]") {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mesh/boundary_division.hpp"
-#include "mesh/plane_triangles.hpp"
+#include "mesh/sections/boundary_division.hpp"
+#include "mesh/sections/plane_triangles.hpp"
 
 namespace gxrod {
 

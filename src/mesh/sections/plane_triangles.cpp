@@ -1,4 +1,4 @@
-#include "mesh/plane_triangles.hpp"
+#include "mesh/sections/plane_triangles.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "mesh/curved_triangles.hpp"
+#include "mesh/sections/curved_triangles.hpp"
 
 #include <map>
 #include <utility>
