@@ -41,9 +41,8 @@ its results are one HDF5 file, which Python and ParaView read.
 
 This package has the program, its documentation and its examples.")
 install(FILES "${gxrod_debian}/gxrod.1.gz" DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS python3-gxrod)
-# Loaded when a deck names a mesh.
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "libgmsh4.8 | libgmsh4.13 | libgmsh4.12t64")
+# Gmsh's library is loaded when a deck names a mesh or a profile.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "python3-gxrod, libgmsh4.8 | libgmsh4.13 | libgmsh4.12t64")
 
 gxrod_debian_package(debian_python python3-gxrod python "geometrically exact rod finite elements (Python 3)
 ${gxrod_about}

@@ -32,16 +32,13 @@ Integrals integrate(const SectionQuadrature& quadrature, const WarpingFields& fi
     const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(quadrature.unknowns(), count);
     Integrals sums{zero, zero, Eigen::MatrixXd::Zero(6, count), Eigen::MatrixXd::Zero(count, count)};
     for (const CellPoints& points : quadrature.cells()) {
-        const std::vector<StrainColumns> strains = compute_strains(points, fields);
-        std::vector<StrainColumns> stresses(strains.size());
-        for (std::size_t q = 0; q < strains.size(); ++q) {
-            stresses[q] = points.stiffness_at(q) * strains[q];
-            const StrainColumns weighted = points.weights[q] * stresses[q];
-            sums.resultants += compute_slice_strains(points.at[q]).transpose() * weighted;
-            sums.energy += strains[q].transpose() * weighted;
-        }
+        const PointFields strains = compute_strains(points, fields);
+        PointFields stresses = compute_stresses(points, strains);
+        weigh(points, stresses);
         add_warping_force(points, stresses, sums.warping_force);
         add_slope_force(points, stresses, sums.slope_force);
+        add_resultants(points, stresses, sums.resultants);
+        for (std::size_t i = 0; i < 6; ++i) sums.energy.noalias() += strains[i].transpose() * stresses[i];
     }
     return sums;
 }
@@ -67,23 +64,24 @@ Mat6 symmetric(const Eigen::MatrixXd& matrix) { return 0.5 * (matrix + matrix.tr
 CentralSolutions solve_section(const SectionQuadrature& quadrature) {
     const WarpingSystem system(quadrature);
     const Eigen::MatrixXd units = list_deforming_strains();
-    // (C3)
+    // (CS3)
     const Eigen::MatrixXd unit_warping =
         system.solve(-integrate(quadrature, {.strain = units}).warping_force);
     const Integrals of_units = integrate(quadrature, {.warping = unit_warping, .strain = units});
     const Eigen::FullPivLU<Eigen::MatrixXd> central(pick_deforming(of_units.resultants));
-    // (C4)
+    // (CS4)
     const Eigen::MatrixXd strain_slopes = central.solve(list_load_slopes());
     const Eigen::MatrixXd slope = unit_warping * strain_slopes;
     const Integrals of_slopes = integrate(quadrature, {.warping = slope, .strain = units * strain_slopes});
     const Integrals of_warping_slopes = integrate(quadrature, {.slope = slope});
     const Eigen::MatrixXd correction = system.solve(of_slopes.slope_force - of_warping_slopes.warping_force);
     const Integrals of_corrections = integrate(quadrature, {.warping = correction, .slope = slope});
+    // (CS5)
     const Eigen::MatrixXd left = Eigen::MatrixXd::Identity(6, 6) - of_corrections.resultants;
     const Eigen::MatrixXd strains = central.solve(pick_deforming(left));
     CentralSolutions solutions;
     solutions.fields = {unit_warping * strains + correction, slope, units * strains};
-    // (C5)
+    // (CS6)
     solutions.flexibility = symmetric(integrate(quadrature, solutions.fields).energy);
     solutions.stiffness = symmetric(solutions.flexibility.inverse());
     solutions.shear_defect = left.middleRows<2>(1).cwiseAbs().maxCoeff();
@@ -94,9 +92,12 @@ CentralSolutions solve_section(const SectionQuadrature& quadrature) {
 }
 
 std::vector<Mat6> compute_strain_operators(const CellPoints& points, const CentralSolutions& solutions) {
-    std::vector<Mat6> operators;
-    for (const StrainColumns& strains : compute_strains(points, solutions.fields))
-        operators.emplace_back(strains);
+    const PointFields strains = compute_strains(points, solutions.fields);
+    std::vector<Mat6> operators(points.at.size());
+    for (std::size_t q = 0; q < operators.size(); ++q) {
+        for (std::size_t i = 0; i < 6; ++i)
+            operators[q].row(static_cast<Eigen::Index>(i)) = strains[i].row(static_cast<Eigen::Index>(q));
+    }
     return operators;
 }
 

@@ -10,7 +10,7 @@
 namespace gxrod {
 
 // The answer to unit resultants (N, Vy, Vz, T, My, Mz) in the axes of the section, about the origin of the
-// mesh: a column for each. Strains everywhere follow from (C1).
+// mesh: a column for each. Strains everywhere follow from (CS1).
 struct CentralSolutions {
     WarpingFields fields;
     Mat6 flexibility = Mat6::Zero();  // strains (Γ, K) by resultants: ∫ εᵀ Q ε
@@ -19,12 +19,12 @@ struct CentralSolutions {
     double shear_defect = 0.0;        // by how much shear forces miss their unit: round-off
 };
 
-// Computes them with one factorization; equations (C3) to (C5). Throws SectionError if the section does not
+// Computes them with one factorization; equations (CS3) to (CS6). Throws SectionError if the section does not
 // hold together.
 CentralSolutions solve_section(const SectionQuadrature& quadrature);
 
 // Computes the strains of the solutions at the points of a cell: 6×6, a column for each resultant, for each
-// point. Times the stiffness at the point this is the stress operator H of (C6).
+// point. Times the stiffness at the point this is the stress operator H of (CS9).
 std::vector<Mat6> compute_strain_operators(const CellPoints& points, const CentralSolutions& solutions);
 
 }  // namespace gxrod

@@ -19,21 +19,6 @@ void scatter_component(const SectionCell& cell,
         all.row(3 * cell.nodes[i] + component) += rows.row(static_cast<Eigen::Index>(i));
 }
 
-// One component of stress at each point, times the weight: a row for each point.
-Eigen::MatrixXd weigh_component(const CellPoints& points,
-                                const std::vector<StrainColumns>& stresses,
-                                int component) {
-    Eigen::MatrixXd rows(static_cast<Eigen::Index>(stresses.size()), stresses.front().cols());
-    for (std::size_t q = 0; q < stresses.size(); ++q)
-        rows.row(static_cast<Eigen::Index>(q)) = points.weights[q] * stresses[q].row(component);
-    return rows;
-}
-
-void add_row(const Eigen::MatrixXd& of_points, int component, std::vector<StrainColumns>& strains) {
-    for (std::size_t q = 0; q < strains.size(); ++q)
-        strains[q].row(component) += of_points.row(static_cast<Eigen::Index>(q));
-}
-
 PlanePoint unit(const PlanePoint& vector) { return vector / vector.norm(); }
 
 }  // namespace
@@ -52,55 +37,87 @@ Mat6 compute_slice_strains(const PlanePoint& at) {
     return strains;
 }
 
-std::vector<StrainColumns> compute_strains(const CellPoints& points, const WarpingFields& fields) {
-    std::vector<StrainColumns> strains(points.at.size(), StrainColumns::Zero(6, fields.count()));
+PointFields compute_strains(const CellPoints& points, const WarpingFields& fields) {
+    const auto count = static_cast<Eigen::Index>(points.at.size());
+    PointFields strains;
+    strains.fill(Eigen::MatrixXd::Zero(count, fields.count()));
     if (fields.warping.size() > 0) {
         const Eigen::MatrixXd x = gather_component(*points.cell, fields.warping, 0);
         const Eigen::MatrixXd y = gather_component(*points.cell, fields.warping, 1);
         const Eigen::MatrixXd z = gather_component(*points.cell, fields.warping, 2);
-        add_row(points.slopes_y * y, 1, strains);
-        add_row(points.slopes_z * z, 2, strains);
-        add_row(points.slopes_y * z + points.slopes_z * y, 3, strains);
-        add_row(points.slopes_z * x, 4, strains);
-        add_row(points.slopes_y * x, 5, strains);
+        strains[1].noalias() += points.slopes_y * y;
+        strains[2].noalias() += points.slopes_z * z;
+        strains[3].noalias() += points.slopes_y * z;
+        strains[3].noalias() += points.slopes_z * y;
+        strains[4].noalias() += points.slopes_z * x;
+        strains[5].noalias() += points.slopes_y * x;
     }
     if (fields.slope.size() > 0) {
-        add_row(*points.shapes * gather_component(*points.cell, fields.slope, 0), 0, strains);
-        add_row(*points.shapes * gather_component(*points.cell, fields.slope, 2), 4, strains);
-        add_row(*points.shapes * gather_component(*points.cell, fields.slope, 1), 5, strains);
+        strains[0].noalias() += *points.shapes * gather_component(*points.cell, fields.slope, 0);
+        strains[4].noalias() += *points.shapes * gather_component(*points.cell, fields.slope, 2);
+        strains[5].noalias() += *points.shapes * gather_component(*points.cell, fields.slope, 1);
     }
     if (fields.strain.size() > 0) {
-        for (std::size_t q = 0; q < strains.size(); ++q)
-            strains[q] += compute_slice_strains(points.at[q]) * fields.strain;
+        const Eigen::MatrixXd& psi = fields.strain;
+        for (Eigen::Index q = 0; q < count; ++q) {
+            const PlanePoint& at = points.at[static_cast<std::size_t>(q)];
+            strains[0].row(q) += psi.row(0) + at.y() * psi.row(4) - at.x() * psi.row(5);
+            strains[4].row(q) += psi.row(2) + at.x() * psi.row(3);
+            strains[5].row(q) += psi.row(1) - at.y() * psi.row(3);
+        }
     }
     return strains;
 }
 
-void add_warping_force(const CellPoints& points,
-                       const std::vector<StrainColumns>& stresses,
-                       Eigen::MatrixXd& force) {
-    const Eigen::MatrixXd yy = weigh_component(points, stresses, 1);
-    const Eigen::MatrixXd zz = weigh_component(points, stresses, 2);
-    const Eigen::MatrixXd yz = weigh_component(points, stresses, 3);
-    const Eigen::MatrixXd xz = weigh_component(points, stresses, 4);
-    const Eigen::MatrixXd xy = weigh_component(points, stresses, 5);
-    scatter_component(
-        *points.cell, points.slopes_y.transpose() * xy + points.slopes_z.transpose() * xz, 0, force);
-    scatter_component(
-        *points.cell, points.slopes_y.transpose() * yy + points.slopes_z.transpose() * yz, 1, force);
-    scatter_component(
-        *points.cell, points.slopes_y.transpose() * yz + points.slopes_z.transpose() * zz, 2, force);
+PointFields compute_stresses(const CellPoints& points, const PointFields& strains, double factor) {
+    PointFields stresses;
+    stresses.fill(Eigen::MatrixXd::Zero(strains[0].rows(), strains[0].cols()));
+    Eigen::VectorXd entries(strains[0].rows());
+    for (std::size_t i = 0; i < 6; ++i) {
+        for (std::size_t j = 0; j < 6; ++j) {
+            const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(j);
+            for (Eigen::Index q = 0; q < entries.size(); ++q)
+                entries[q] = factor * points.stiffness_at(static_cast<std::size_t>(q))(row, column);
+            if (!entries.isZero(0.0)) stresses[i].noalias() += entries.asDiagonal() * strains[j];
+        }
+    }
+    return stresses;
 }
 
-void add_slope_force(const CellPoints& points,
-                     const std::vector<StrainColumns>& stresses,
-                     Eigen::MatrixXd& force) {
-    scatter_component(
-        *points.cell, points.shapes->transpose() * weigh_component(points, stresses, 0), 0, force);
-    scatter_component(
-        *points.cell, points.shapes->transpose() * weigh_component(points, stresses, 5), 1, force);
-    scatter_component(
-        *points.cell, points.shapes->transpose() * weigh_component(points, stresses, 4), 2, force);
+void weigh(const CellPoints& points, PointFields& fields) {
+    const Eigen::Map<const Eigen::ArrayXd> weights(points.weights.data(),
+                                                   static_cast<Eigen::Index>(points.weights.size()));
+    for (Eigen::MatrixXd& field : fields) field.array().colwise() *= weights;
+}
+
+void add_warping_force(const CellPoints& points, const PointFields& stresses, Eigen::MatrixXd& force) {
+    const auto add = [&](const Eigen::MatrixXd& along_y, const Eigen::MatrixXd& along_z, int component) {
+        Eigen::MatrixXd rows = points.slopes_y.transpose() * along_y;
+        rows.noalias() += points.slopes_z.transpose() * along_z;
+        scatter_component(*points.cell, rows, component, force);
+    };
+    add(stresses[5], stresses[4], 0);
+    add(stresses[1], stresses[3], 1);
+    add(stresses[3], stresses[2], 2);
+}
+
+void add_slope_force(const CellPoints& points, const PointFields& stresses, Eigen::MatrixXd& force) {
+    scatter_component(*points.cell, points.shapes->transpose() * stresses[0], 0, force);
+    scatter_component(*points.cell, points.shapes->transpose() * stresses[5], 1, force);
+    scatter_component(*points.cell, points.shapes->transpose() * stresses[4], 2, force);
+}
+
+void add_resultants(const CellPoints& points, const PointFields& stresses, Eigen::MatrixXd& resultants) {
+    const auto& [xx, yy, zz, yz, xz, xy] = stresses;
+    resultants.row(0) += xx.colwise().sum();
+    resultants.row(1) += xy.colwise().sum();
+    resultants.row(2) += xz.colwise().sum();
+    for (Eigen::Index q = 0; q < xx.rows(); ++q) {
+        const PlanePoint& at = points.at[static_cast<std::size_t>(q)];
+        resultants.row(3) += at.x() * xz.row(q) - at.y() * xy.row(q);
+        resultants.row(4) += at.y() * xx.row(q);
+        resultants.row(5) -= at.x() * xx.row(q);
+    }
 }
 
 SectionQuadrature::SectionQuadrature(const SectionMesh& mesh, std::span<const ElasticMaterial> materials)

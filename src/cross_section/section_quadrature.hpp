@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <span>
 #include <utility>
@@ -12,7 +13,7 @@
 // Integrals over a section. A slice of a rod is displaced by a rigid motion and by the warping w(y, z), three
 // components; its strains (xx, yy, zz, yz, xz, xy) are
 //     ε = B w + S (w′ + Z ψ),     ψ = (Γ, K),     Z ψ = Γ + K × (0, y, z),     S a = (a_x, 0, 0, 0, a_z, a_y)
-//     (C1)
+//     (CS1)
 // with the derivatives across in B w, and ′ along x.
 namespace gxrod {
 
@@ -37,22 +38,27 @@ struct CellPoints {
     const Mat6& stiffness_at(std::size_t point) const { return stiffness[stiffness.size() > 1 ? point : 0]; }
 };
 
-using StrainColumns = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+// Strains or stresses (xx, yy, zz, yz, xz, xy) at the points of a cell: of each component a row for each
+// point, a column for each case.
+using PointFields = std::array<Eigen::MatrixXd, 6>;
 
 // Returns S Z at a point.
 Mat6 compute_slice_strains(const PlanePoint& at);
 
-// Computes strains at the points of a cell, a matrix for each point.
-std::vector<StrainColumns> compute_strains(const CellPoints& points, const WarpingFields& fields);
+// Computes the strains at the points of a cell.
+PointFields compute_strains(const CellPoints& points, const WarpingFields& fields);
 
-// Adds ∫ Bᵀ σ to rows of unknowns, for stresses at the points of a cell.
-void add_warping_force(const CellPoints& points,
-                       const std::vector<StrainColumns>& stresses,
-                       Eigen::MatrixXd& force);
-// Adds ∫ Nᵀ Sᵀ σ.
-void add_slope_force(const CellPoints& points,
-                     const std::vector<StrainColumns>& stresses,
-                     Eigen::MatrixXd& force);
+// Computes stresses from strains, times a factor.
+PointFields compute_stresses(const CellPoints& points, const PointFields& strains, double factor = 1.0);
+// Multiplies values at points by their weights.
+void weigh(const CellPoints& points, PointFields& fields);
+
+// Adds ∫ Bᵀ σ to rows of unknowns, for weighed stresses at the points of a cell.
+void add_warping_force(const CellPoints& points, const PointFields& stresses, Eigen::MatrixXd& force);
+// Adds ∫ Nᵀ Sᵀ σ, likewise.
+void add_slope_force(const CellPoints& points, const PointFields& stresses, Eigen::MatrixXd& force);
+// Adds ∫ (S Z)ᵀ σ to six rows, likewise.
+void add_resultants(const CellPoints& points, const PointFields& stresses, Eigen::MatrixXd& resultants);
 
 // A mesh ready to be integrated over. It keeps references to the mesh and the materials.
 class SectionQuadrature {

@@ -4,7 +4,7 @@
 
 #include "cross_section/central_solutions.hpp"
 
-// The stresses at the nodes of a section's mesh (C6).
+// The stresses at the nodes of a section's mesh (CS9).
 namespace gxrod {
 
 // Resultants are (N, Vy, Vz, T, My, Mz), in section axes, about the origin of the mesh.

@@ -183,8 +183,8 @@ Eigen::MatrixXd WarpingSystem::solve(const Eigen::MatrixXd& force) const {
     Eigen::MatrixXd warping = solve_once(force);
     Eigen::MatrixXd left = force;
     for (const CellPoints& points : quadrature_.cells()) {
-        std::vector<StrainColumns> stresses = compute_strains(points, {.warping = warping});
-        for (std::size_t q = 0; q < stresses.size(); ++q) stresses[q] = -points.stiffness_at(q) * stresses[q];
+        PointFields stresses = compute_stresses(points, compute_strains(points, {.warping = warping}), -1.0);
+        weigh(points, stresses);
         add_warping_force(points, stresses, left);
     }
     return warping + solve_once(left);

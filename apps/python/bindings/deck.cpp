@@ -59,6 +59,10 @@ void bind_deck(nb::module_& module) {
                 return bodies;
             },
             "{name: node}.")
+        .def_prop_ro(
+            "sections",
+            [](const BuiltModel& model) { return model.problem.model.sections; },
+            "Those of the deck, and the means of rods whose section varies.")
         .def_prop_ro("inputs", &list_inputs)
         .def_prop_ro("histories", &list_histories)
         .def("examine", [](const BuiltModel& model) { return check(model.problem); });

@@ -14,6 +14,7 @@ NB_MODULE(_core, module) {
         [] { return gxrod::json_schema(gxrod::deck_schema(), "gxrod deck"); },
         "The JSON Schema of decks, as text.");
     bind_errors(module);
+    bind_section(module);
     bind_deck(module);
     bind_simulation(module);
 }

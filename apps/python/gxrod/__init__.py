@@ -3,6 +3,7 @@
     r = gxrod.open_results("arm.vtkhdf")        what a run has written
     table = gxrod.read_batch("sweep")           the table of a batch; gxrod.batch("plan.toml") runs it
     sim = gxrod.Simulation(gxrod.Deck("arm.toml").build())
+    gxrod.Section.profile("IPE 200", steel)     a cross-section: stiffness, centres, stresses
     gxrod.map(deck, cases, collect)             many runs, a row each
     gxrod.gym.RodEnv("arm.toml", …)             an environment to learn in
     gxrod.importers.read_blade("blade.htc")     a blade of another program, for a deck
@@ -25,12 +26,12 @@ except ImportError:  # in the source tree, which CMake has not configured
 _HOMES = {"open_results": "results", "Results": "results", "batch": "batches", "read_batch": "batches", "map": "mapping"}
 _MODULES = ("batches", "gym", "importers", "mapping", "plot", "program", "results")
 # What needs the compiled part, and where it is.
-_COMPILED = {**dict.fromkeys(("Checkpoint", "Deck", "Model", "Simulation", "Step", "Summary", "schema"), "simulation"), "check_gradient": "gradients"}
+_COMPILED = {**dict.fromkeys(("Checkpoint", "Deck", "Model", "Section", "Simulation", "Step", "Summary", "schema"), "simulation"), "check_gradient": "gradients"}
 
 if _typing.TYPE_CHECKING:  # the same names, for editors and type checkers
     from . import batches as batches, gym as gym, importers as importers, mapping as mapping, plot as plot, program as program, results as results
     from .batches import batch as batch, read_batch as read_batch
-    from .decks import Deck as Deck, Model as Model, schema as schema
+    from .decks import Deck as Deck, Model as Model, Section as Section, schema as schema
     from .gradients import check_gradient as check_gradient
     from .mapping import map as map
     from .results import Results as Results, open_results as open_results

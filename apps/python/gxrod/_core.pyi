@@ -13,6 +13,46 @@ version: str = ...
 def schema() -> str:
     """The JSON Schema of decks, as text."""
 
+class Section:
+    """A section of a model, at the start of a rod."""
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def stiffness(self) -> numpy.typing.NDArray[numpy.float64]: ...
+
+    @property
+    def mass(self) -> numpy.typing.NDArray[numpy.float64]: ...
+
+    @property
+    def shear_centre(self) -> numpy.typing.NDArray[numpy.float64]: ...
+
+    @property
+    def tension_centre(self) -> numpy.typing.NDArray[numpy.float64]: ...
+
+    @property
+    def has_shape(self) -> bool: ...
+
+    @property
+    def constants(self) -> dict: ...
+
+    @property
+    def points(self) -> numpy.typing.NDArray[numpy.float64]: ...
+
+    @property
+    def operators(self) -> numpy.typing.NDArray[numpy.float64]: ...
+
+    @property
+    def layers(self) -> list[str]: ...
+
+    @property
+    def singular(self) -> list[bool]: ...
+
+    def describe(self) -> str: ...
+
+    def draw(self, resultants: Sequence[float] | None) -> str: ...
+
 class Deck:
     """A deck that was read once and is built many times."""
 
@@ -49,6 +89,10 @@ class Model:
     @property
     def bodies(self) -> dict:
         """{name: node}."""
+
+    @property
+    def sections(self) -> list[Section]:
+        """Those of the deck, and the means of rods whose section varies."""
 
     @property
     def inputs(self) -> list[str]: ...

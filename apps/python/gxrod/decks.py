@@ -83,6 +83,111 @@ class Deck:
         return f"gxrod.Deck({self.file!r})"
 
 
+class Section(Shown):
+    """A cross-section: its stiffness and mass and, where a shape was computed on cells, its constants and stresses.
+
+    `Section.profile("IPE 200", {"E": 2.1e11, "nu": 0.3}, units="m, N")`, `Section.from_table` for every shape that `[section.NAME]` of a deck has, or
+    `model.sections["post"]`. All is about the rod and in its section axes, y and z across, order x y z rx ry rz.
+    """
+
+    def __init__(self) -> None:
+        raise TypeError("use Section.profile, Section.from_table, or the sections of a model")
+
+    @classmethod
+    def _of(cls, core):
+        section = cls.__new__(cls)
+        section._core = core
+        section._table = None
+        return section
+
+    @classmethod
+    def from_table(cls, table: Mapping[str, Any], units: str = "", folder: AnyPath = ".", **tables: Any) -> Section:
+        """A section of a table as a deck has it: `{"shape": {…}, "material": {…}}`. tables: of the deck, such as `material={"steel": {…}}`.
+        Raises DeckError with all that is wrong."""
+        rod = {"section": "section", "line": {"from": [0, 0, 0], "to": [1, 0, 0]}, "y_axis": [0, 1, 0], "elements": 1}
+        tree = {"units": units, **tables, "section": {"section": dict(table)}, "rod": {"rod": rod}, "support": [{"at": "rod.start", "fix": "all"}],
+                "analysis": {"kind": "static"}}
+        section = Deck.from_dict(tree, folder, "section").build().sections["section"]
+        section._table = copy.deepcopy(dict(table))
+        return section
+
+    @classmethod
+    def profile(cls, name: str, material: Mapping[str, Any], units: str = "", **keys: Any) -> Section:
+        """A profile of the catalogue. material: as `material` of a section; units: of which the first says the length ("m, N"); keys: more of
+        `shape`, such as `origin="shear centre"`, or `millimetre=1e-3` in place of units."""
+        return cls.from_table({"shape": {"profile": name, **keys}, "material": dict(material)}, units)
+
+    @property
+    def name(self) -> str:
+        """Its name in the deck."""
+        return self._core.name
+
+    @property
+    def stiffness(self) -> Array:
+        """[6, 6]: resultants from strains."""
+        return self._core.stiffness
+
+    @property
+    def mass(self) -> Array:
+        """[6, 6]: momenta from velocities, for each length."""
+        return self._core.mass
+
+    @property
+    def shear_centre(self) -> Array:
+        """[2]: where forces across cause no twist."""
+        return self._core.shear_centre
+
+    @property
+    def tension_centre(self) -> Array:
+        """[2]: where a force along causes no bending."""
+        return self._core.tension_centre
+
+    @property
+    def constants(self) -> dict[str, Any]:
+        """Of a shape on cells: `source`, `area`, `centroid` [2], `second_moment_y`, `second_moment_z` and `product_moment` about the centroid,
+        `warping_stiffness` E Iw and `warping_length` √(E Iw/(G J))."""
+        return dict(self._core.constants)
+
+    @property
+    def points(self) -> Array:
+        """[n, 2]: where stresses are known: the nodes of the cells, once for each layer that meets there."""
+        return self._core.points
+
+    @property
+    def layers(self) -> list[str]:
+        """The layer of each point: a material, or a ply."""
+        return list(self._core.layers)
+
+    def stress(self, resultants: Sequence[float]) -> Array:
+        """[n, 6]: the stresses xx yy zz yz xz xy at the points, of N, Vy, Vz, T, My, Mz."""
+        wanted = np.asarray(resultants, float)
+        if wanted.shape != (6,):
+            raise ValueError(f"expected six resultants: N, Vy, Vz, T, My, Mz, got an array of shape {wanted.shape}")
+        return self._core.operators @ wanted
+
+    def von_mises(self, resultants: Sequence[float]) -> Array:
+        """[n]: the von Mises stress at the points; NaN next to sharp re-entrant corners, where stress has no bound."""
+        xx, yy, zz, yz, xz, xy = self.stress(resultants).T
+        values = np.sqrt(0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) + 3.0 * (yz**2 + xz**2 + xy**2))
+        return np.where(self._core.singular, np.nan, values)
+
+    def draw(self, path: AnyPath, resultants: Sequence[float] | None = None) -> None:
+        """Writes a picture, SVG: the layers, or coloured by the von Mises stress of N, Vy, Vz, T, My, Mz."""
+        Path(path).write_text(self._core.draw(None if resultants is None else [float(value) for value in resultants]), encoding="utf-8")
+
+    def to_deck(self) -> dict[str, Any]:
+        """The table of a deck, for `from_dict`: as it was given, or its matrices."""
+        if self._table is not None:
+            return copy.deepcopy(self._table)
+        return {"stiffness_matrix": self.stiffness.tolist(), "mass_matrix": self.mass.tolist()}
+
+    def _headline(self):
+        return f"gxrod.Section {self.name}"
+
+    def _rows(self):
+        return [(line.strip(), "") for line in self._core.describe().splitlines()[1:]]
+
+
 class RodPlaces(NamedTuple):
     """Where a rod is in a model. `nodes` [n]: the rows of its nodes in states, from start to end. `arc_length` [n]: of these along it, at t = 0.
     `cells` [e,order+1]: the nodes of each element, likewise."""
@@ -130,6 +235,11 @@ class Model(Shown):
     def bodies(self) -> dict[str, int]:
         """{name: row of the body's node in states}."""
         return dict(self._core.bodies)
+
+    @property
+    def sections(self) -> dict[str, Section]:
+        """{name: `Section`} of the deck, as they are at the start of a rod."""
+        return {core.name: Section._of(core) for core in self._core.sections}
 
     @property
     def inputs(self) -> list[str]:

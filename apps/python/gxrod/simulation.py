@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from .decks import Deck, Model, add_points, schema
+from .decks import Deck, Model, Section, add_points, schema
 from .errors import Error, unknown_name
 from .installing import pip_install
 from .results.display import Shown
@@ -22,7 +22,7 @@ from .typed import AnyPath, Array, Names, WholeArray
 if TYPE_CHECKING:
     import scipy.sparse
 
-__all__ = ["Checkpoint", "Deck", "Model", "Simulation", "Step", "Summary", "schema"]
+__all__ = ["Checkpoint", "Deck", "Model", "Section", "Simulation", "Step", "Summary", "schema"]
 
 Checkpoint = _core.Checkpoint
 LONGEST_CALL = 0.05  # seconds in which Python is not asked whether Ctrl-C was pressed

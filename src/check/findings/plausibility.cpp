@@ -10,6 +10,7 @@
 #include <string>
 #include <variant>
 
+#include "check/findings/shape_findings.hpp"
 #include "check/mesh_frequencies.hpp"
 #include "check/static_scale.hpp"
 #include "check/summaries/rod_lines.hpp"
@@ -313,7 +314,9 @@ class Questions {
 }  // namespace
 
 std::vector<Finding> question_model(const Model& model, const std::vector<StagePlan>& stages) {
-    return Questions(model).ask(stages);
+    std::vector<Finding> findings = Questions(model).ask(stages);
+    std::ranges::move(question_shapes(model), std::back_inserter(findings));
+    return findings;
 }
 
 }  // namespace gxrod

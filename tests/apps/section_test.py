@@ -1,0 +1,77 @@
+"""gxrod section: constants, stresses and pictures of cross-sections."""
+
+import re
+import unittest
+from xml.etree import ElementTree
+
+from program import ProgramTest
+
+DECK = """units = "m, N"
+[section.post]
+shape    = { profile = "IPE 200" }
+material = { E = 2.1e11, nu = 0.3, density = 7850, yield_stress = 235e6 }
+[section.wire]
+shape    = { circle = { radius = 1e-3 } }
+material = { E = 2.1e11, nu = 0.3 }
+[rod.post]
+section  = "post"
+line     = { from = [0, 0, 0], to = [2, 0, 0] }
+y_axis   = [0, 1, 0]
+elements = 4
+[[support]]
+at  = "post.start"
+fix = "all"
+[analysis]
+kind = "static"
+"""
+
+
+def number_of(text, name):
+    return float(re.search(rf"\b{name} ([-+\d.e]+)", text)[1])
+
+
+class SectionVerb(ProgramTest):
+    def test_a_profile_by_name_has_the_printed_constants(self):
+        said = self.gxrod("section", "ipe200").stdout
+        self.assertIn("shape: IPE 200, ", said)
+        for name, value, relative in (("A", 2848.4107, 1e-6), ("Iy", 19431683, 1e-6), ("Iz", 1423683.3, 1e-6), ("It", 68462.0, 1e-4),
+                                      ("Iw", 1.274616e10, 1e-4), ("Wy", 194316.8, 1e-5)):
+            self.assertAlmostEqual(number_of(said, name) / value, 1, delta=relative, msg=name)
+
+    def test_a_name_that_no_profile_has_is_answered_by_near_ones(self):
+        said = self.gxrod("section", "IPE 205", code=2).stderr
+        self.assertIn('no file and no profile "IPE 205"; nearest are IPE 200', said)
+        self.assertIn("series are", self.gxrod("section", "nothing", code=2).stderr)
+
+    def test_sections_of_a_deck(self):
+        self.write("frame.toml", DECK)
+        said = self.gxrod("section", "frame.toml").stdout
+        self.assertIn("section post:", said)
+        self.assertNotIn("section wire:", said)
+        self.assertAlmostEqual(number_of(said, "My") / (220638.65e-9 * 235e6), 1, delta=1e-6)
+        self.assertIn("section wire:", self.gxrod("section", "frame.toml", "wire").stdout)
+        self.assertIn('no section "past"; the deck has post, wire', self.gxrod("section", "frame.toml", "past", code=2).stderr)
+
+    def test_stress_of_resultants_and_its_picture(self):
+        done = self.gxrod("section", "IPE 200", "--resultants", "0", "0", "1", "0", "0", "0", "-o", "shear.svg")
+        self.assertAlmostEqual(number_of(done.stdout, "at most"), 1.75600e-3, delta=3e-6 * 1.756e-3 * 10)
+        picture = (self.folder / "shear.svg").read_text(encoding="utf-8")
+        ElementTree.fromstring(picture)
+        self.assertIn("von Mises", picture)
+        self.assertIn("--force", self.gxrod("section", "IPE 200", "-o", "shear.svg", code=4).stderr)
+        self.gxrod("section", "IPE 200", "-o", "shear.svg", "--force")
+        self.assertNotIn("von Mises", (self.folder / "shear.svg").read_text(encoding="utf-8"))
+
+    def test_check_says_how_far_restrained_warping_reaches(self):
+        self.write("frame.toml", DECK)
+        said = self.gxrod("check", "frame.toml").stdout
+        self.assertRegex(said, r"where the warping of IPE 200 is held, as at a clamp, this reaches 0\.696 along the rod, which is 2 long; "
+                               r"held at one end it twists 35 % less")
+
+    def test_a_deck_without_shapes_on_cells_says_so(self):
+        self.write("wire.toml", DECK.replace('profile = "IPE 200"', "rectangle = { width_y = 0.1, height_z = 0.2 }"))
+        self.assertIn("no section of the deck is cut into cells", self.gxrod("section", "wire.toml", code=2).stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
