@@ -10,7 +10,7 @@
 #include "exit_code.hpp"
 #include "job.hpp"
 #include "machine/file_error.hpp"
-#include "mesh/section_mesher.hpp"
+#include "mesh/sections/section_mesher.hpp"
 #include "report/page_file.hpp"
 #include "report/section/section_picture.hpp"
 #include "say.hpp"

@@ -3,7 +3,7 @@
 
 #include "cross_section/cross_section.hpp"
 #include "cross_section/profiles/profile_shape.hpp"
-#include "mesh/section_mesher.hpp"
+#include "mesh/sections/section_mesher.hpp"
 #include "tools/catch.hpp"
 
 namespace gxrod::test {

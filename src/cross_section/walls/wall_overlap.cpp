@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cross_section/segment_crossing.hpp"
+#include "cross_section/examination/segment_crossing.hpp"
 
 namespace gxrod {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "deck/schema/schema.hpp"
 #include "deck/schema/schema_tables.hpp"
-#include "deck/sections/material_tables.hpp"
+#include "deck/sections/shapes/material_tables.hpp"
 #include "deck/table/table.hpp"
 #include "deck/ties/ties.hpp"
 #include "model/ties/ties.hpp"

@@ -6,7 +6,7 @@
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/sections/build_sections.hpp"
-#include "deck/sections/cut_shape.hpp"
+#include "deck/sections/shapes/cut_shape.hpp"
 #include "laws/layered_law.hpp"
 #include "laws/moment_curvature_law.hpp"
 #include "laws/moved_law.hpp"

@@ -8,7 +8,7 @@
 
 #include "deck/schema/suggestion.hpp"
 #include "deck/sections/build_sections.hpp"
-#include "deck/sections/cut_shape.hpp"
+#include "deck/sections/shapes/cut_shape.hpp"
 #include "deck/surroundings/section_fluid.hpp"
 #include "laws/layered_law.hpp"
 #include "laws/mixed_law.hpp"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "deck/schema/choices.hpp"
-#include "deck/sections/profile_tables.hpp"
-#include "deck/sections/wall_tables.hpp"
+#include "deck/sections/shapes/profile_tables.hpp"
+#include "deck/sections/shapes/wall_tables.hpp"
 #include "deck/table/kinds.hpp"
 #include "deck/table/table_head.hpp"
 

@@ -1,4 +1,4 @@
-#include "deck/sections/profile_keys.hpp"
+#include "deck/sections/shapes/profile_keys.hpp"
 
 namespace gxrod {
 namespace {

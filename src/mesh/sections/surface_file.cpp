@@ -1,4 +1,4 @@
-#include "mesh/surface_file.hpp"
+#include "mesh/sections/surface_file.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "cross_section/mesh_examination.hpp"
+#include "cross_section/examination/mesh_examination.hpp"
 
 #include <fmt/format.h>
 
@@ -9,10 +9,10 @@
 #include <set>
 #include <utility>
 
-#include "cross_section/cell_sides.hpp"
-#include "cross_section/mesh_parts.hpp"
+#include "cross_section/examination/cell_sides.hpp"
+#include "cross_section/examination/mesh_parts.hpp"
+#include "cross_section/examination/segment_crossing.hpp"
 #include "cross_section/reference_cell.hpp"
-#include "cross_section/segment_crossing.hpp"
 
 namespace gxrod {
 namespace {

@@ -1,4 +1,4 @@
-#include "deck/sections/material_tables.hpp"
+#include "deck/sections/shapes/material_tables.hpp"
 
 #include "deck/table/table.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "cross_section/cell_sides.hpp"
+#include "cross_section/examination/cell_sides.hpp"
 
 namespace gxrod {
 

@@ -1,4 +1,4 @@
-#include "mesh/surface_cells.hpp"
+#include "mesh/sections/surface_cells.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "deck/sections/wall_shape.hpp"
+#include "deck/sections/shapes/wall_shape.hpp"
 
 #include <fmt/format.h>
 
@@ -6,14 +6,14 @@
 #include <array>
 #include <numeric>
 
-#include "cross_section/mesh_examination.hpp"
+#include "cross_section/examination/mesh_examination.hpp"
 #include "cross_section/walls/wall_mesh.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
-#include "deck/sections/section_materials.hpp"
 #include "deck/sections/section_tables.hpp"
+#include "deck/sections/shapes/material_tables.hpp"
 #include "deck/text/table_files.hpp"
-#include "mesh/section_file.hpp"
+#include "mesh/sections/section_file.hpp"
 #include "mesh/triangle_file.hpp"
 
 namespace gxrod {

@@ -2,8 +2,8 @@
 
 #include "cross_section/outlines/outline.hpp"
 #include "cross_section/section_mesh.hpp"
-#include "mesh/sections/boundary_division.hpp"
 #include "mesh/gmsh_library.hpp"
+#include "mesh/sections/boundary_division.hpp"
 
 namespace gxrod {
 

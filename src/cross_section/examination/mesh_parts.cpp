@@ -1,4 +1,4 @@
-#include "cross_section/mesh_parts.hpp"
+#include "cross_section/examination/mesh_parts.hpp"
 
 #include <fmt/format.h>
 

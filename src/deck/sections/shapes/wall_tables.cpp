@@ -1,4 +1,4 @@
-#include "deck/sections/wall_tables.hpp"
+#include "deck/sections/shapes/wall_tables.hpp"
 
 #include <cmath>
 

@@ -1,12 +1,12 @@
-#include "mesh/section_file.hpp"
+#include "mesh/sections/section_file.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
-#include "mesh/surface_cells.hpp"
-#include "mesh/wall_directions.hpp"
+#include "mesh/sections/surface_cells.hpp"
+#include "mesh/sections/wall_directions.hpp"
 
 namespace gxrod {
 namespace {

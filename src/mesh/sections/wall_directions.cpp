@@ -1,4 +1,4 @@
-#include "mesh/wall_directions.hpp"
+#include "mesh/sections/wall_directions.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "cross_section/segment_crossing.hpp"
+#include "cross_section/examination/segment_crossing.hpp"
 
 #include <cmath>
 

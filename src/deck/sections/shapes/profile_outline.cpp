@@ -1,4 +1,4 @@
-#include "deck/sections/profile_outline.hpp"
+#include "deck/sections/shapes/profile_outline.hpp"
 
 #include <fmt/format.h>
 

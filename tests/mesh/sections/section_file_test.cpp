@@ -1,4 +1,4 @@
-#include "mesh/section_file.hpp"
+#include "mesh/sections/section_file.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string>
 
-#include "cross_section/mesh_examination.hpp"
+#include "cross_section/examination/mesh_examination.hpp"
 #include "cross_section/section_quadrature.hpp"
 #include "deck/decks.hpp"
 #include "mesh/line_mesh.hpp"

@@ -1,4 +1,4 @@
-#include "cross_section/mesh_examination.hpp"
+#include "cross_section/examination/mesh_examination.hpp"
 
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "cross_section/cell_sides.hpp"
+#include "cross_section/examination/cell_sides.hpp"
 
 #include <algorithm>
 #include <map>

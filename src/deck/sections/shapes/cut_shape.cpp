@@ -1,4 +1,4 @@
-#include "deck/sections/cut_shape.hpp"
+#include "deck/sections/shapes/cut_shape.hpp"
 
 #include <fmt/format.h>
 
@@ -9,11 +9,11 @@
 #include "cross_section/moved_section.hpp"
 #include "cross_section/section_error.hpp"
 #include "deck/places/build_context.hpp"
-#include "deck/sections/profile_outline.hpp"
-#include "deck/sections/wall_shape.hpp"
+#include "deck/sections/shapes/profile_outline.hpp"
+#include "deck/sections/shapes/wall_shape.hpp"
 #include "machine/digest.hpp"
 #include "mesh/line_mesh.hpp"
-#include "mesh/section_mesher.hpp"
+#include "mesh/sections/section_mesher.hpp"
 #include "model/sections/section_centres.hpp"
 
 namespace gxrod {

@@ -1,4 +1,4 @@
-#include "deck/sections/cut_shape.hpp"
+#include "deck/sections/shapes/cut_shape.hpp"
 
 #include "deck/decks.hpp"
 #include "model/sections/section_centres.hpp"

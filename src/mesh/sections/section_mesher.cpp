@@ -1,4 +1,4 @@
-#include "mesh/section_mesher.hpp"
+#include "mesh/sections/section_mesher.hpp"
 
 #include "mesh/sections/curved_triangles.hpp"
 #include "mesh/sections/flat_ears.hpp"

@@ -8,8 +8,8 @@
 
 #include "cross_section/elastic_material.hpp"
 #include "deck/places/build_context.hpp"
-#include "deck/sections/wall_tables.hpp"
-#include "mesh/surface_file.hpp"
+#include "deck/sections/shapes/wall_tables.hpp"
+#include "mesh/sections/surface_file.hpp"
 
 // Sections of walls of plies, and of meshes.
 namespace gxrod {

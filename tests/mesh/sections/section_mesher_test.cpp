@@ -1,4 +1,4 @@
-#include "mesh/section_mesher.hpp"
+#include "mesh/sections/section_mesher.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

@@ -12,7 +12,7 @@
 #include "deck/table/named_tables.hpp"
 #include "deck/text/fault_list.hpp"
 #include "mesh/mesh_files.hpp"
-#include "mesh/surface_file.hpp"
+#include "mesh/sections/surface_file.hpp"
 
 // The tables of `walls` and `mesh` of a section's shape.
 namespace gxrod {

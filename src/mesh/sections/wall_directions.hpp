@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "cross_section/section_mesh.hpp"
-#include "mesh/surface_file.hpp"
+#include "mesh/sections/surface_file.hpp"
 
 namespace gxrod {
 
