@@ -136,6 +136,35 @@ def taper(deck, draw):
     section(deck)["inertia"]["rhoA"] = "1.1 - 0.3*s"
 
 
+def cut(deck, shape, **tables):
+    """A shape that is cut into cells in place of the numbers of the section, about as stiff and as heavy."""
+    bar = section(deck)
+    for key in ("stiffness", "inertia", "material"):
+        bar.pop(key, None)
+    bar["shape"] = shape
+    if not tables:
+        bar["material"] = {"E": 2.5e5, "nu": 0.3, "density": 340}
+    deck |= tables
+
+
+@feature("taper")
+def box(deck, draw):
+    cut(deck, {"box": {"height": draw.uniform(0.09, 0.11), "width": 0.08, "wall": 0.01, "outer_radius": 0.012, "inner_radius": 0.004}})
+
+
+@feature("taper")
+def tapered_box(deck, draw):
+    cut(deck, {"box": {"height": "0.11 - 0.03*s", "width": 0.08, "wall": 0.01, "outer_radius": 0.012, "inner_radius": 0.004}})
+
+
+@feature("taper")
+def plies(deck, draw):
+    corners = [[-0.04, -0.05], [0.04, -0.05], [0.04, 0.05], [-0.04, 0.05]]
+    cut(deck, {"walls": {"corners": corners, "closed": True, "line": "right", "layup": "skin"}},
+        material={"ply": {"E": [4e5, 1e5], "G": 1.5e5, "nu": 0.3, "density": 340}},
+        layup={"skin": {"plies": [["ply", 0.005, draw.uniform(0.2, 0.6)], ["ply", 0.005, -0.3]]}})
+
+
 @feature("law")
 def trapeze(deck, draw):
     section(deck)["trapeze"] = True
@@ -179,7 +208,8 @@ def hysteresis(deck, draw):
 @feature("law", follows_load=True, kinked=True)
 def yield_stress(deck, draw):
     bar = section(deck)
-    del bar["stiffness"], bar["inertia"]
+    for key in ("stiffness", "inertia"):
+        bar.pop(key, None)
     bar |= {"shape": {"rectangle": {"width_y": 0.11, "height_z": 0.1}},
             "material": {"E": 1e5, "nu": 0.3, "density": 100, "yield_stress": draw.uniform(2000, 4000)}}
 
