@@ -120,6 +120,7 @@ std::shared_ptr<const SectionLaw> law_of(const Section& section) {
 // (1 − t) a + t b.
 Section mix(const Section& a, const Section& b, double t) {
     Section section = nameless(a);
+    section.shape = t < 0.5 ? a.shape : b.shape;
     section.stiffness = (1.0 - t) * a.stiffness + t * b.stiffness;
     section.mass = (1.0 - t) * a.mass + t * b.mass;
     section.expansion = (1.0 - t) * a.expansion + t * b.expansion;
@@ -245,6 +246,7 @@ void set_sections(const std::vector<Station>& stations,
     const std::vector<QuadraturePoint> mass_points = list_gauss_rule(rod.order + 1);
     Section mean = section_of(stations.front(), context);
     mean.stiffness.setZero();
+    mean.shape = nullptr;
     mean.mass.setZero();
     if (mean.fluid) mean.fluid = combine(0.0, mean.fluid, 0.0, mean.fluid);
     for (std::size_t e = 0; e + 1 < element_fractions.size(); ++e) {
