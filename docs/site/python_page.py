@@ -22,7 +22,7 @@ at t = 0, F frames; n and e are the nodes and elements of one rod.
 
 # As a user thinks of them: title, an introduction, and the names by their modules.
 GROUPS = [
-    ("Decks and models", "", {"decks": ["Deck", "Model", "RodPlaces", "schema"]}),
+    ("Decks and models", "", {"decks": ["Deck", "Model", "Section", "RodPlaces", "schema"]}),
     ("Simulations", "", {"simulation": ["Simulation", "Step", "Summary", "State", "Elements", "Values", "Records", "Inputs"], "_core": ["Checkpoint"]}),
     ("Derivatives", "Derivatives by the `sensitivities` of a `Simulation` are carried along with it; `sim[\"tip\"].derivative` of `Values` reads them "
                     "([theory](theory/sensitivities.md)).", {"gradients": ["check_gradient"]}),
@@ -30,14 +30,15 @@ GROUPS = [
     ("Results of runs", "", {"results": ["open_results", "Results"], "results/records": ["Record", "History", "SampledHistory", "Quantity", "Named"],
                      "results/frames": ["Frames", "Frame", "Fields", "Rod"], "results/contacts": ["Contacts", "ContactFrame"], "results/tables": ["Table"],
                      "results/stages": ["Stage", "ShapesStage", "Sweep", "Response", "Answers", "PathStage", "Shapes"], "plot": ["draw"], "page": ["Page"]}),
+    ("Fatigue", "", {"fatigue": ["rainflow", "Cycles", "SNCurve", "damage", "equivalent_range"]}),
     ("Blades and sections of other programs", "", {"importers/formats": ["read_blade"], "importers/writing": ["write_deck"], "importers/blade": ["Blade"], "importers/sections": ["from_sectionproperties"]}),
     ("Mooring lines of other programs", "", {"importers/moordyn": ["read_moordyn"], "importers/mooring_deck": ["write_mooring"], "importers/mooring": ["Mooring", "Line", "LineType", "Place", "Body"],
                                              "importers/moorprops": ["read_moorprops", "write_section"]}),
     ("Environments to learn in", "Needs gymnasium.", {"gym": ["RodEnv"]}),
     ("Errors", "", {"errors": ["Error", "DeckError", "Fault", "ConvergenceError", "EvaluationError", "FileError", "UnknownNameError"]}),
 ]
-CONSTRUCTED = {"Deck": "gxrod.Deck", "Simulation": "gxrod.Simulation", "RodEnv": "gxrod.gym.RodEnv"}  # by users; others are handed out
-PREFIXES = {"gym": "gxrod.gym.", "plot": "gxrod.plot.", **dict.fromkeys(("importers/formats", "importers/writing", "importers/sections", "importers/moordyn", "importers/mooring_deck", "importers/moorprops"), "gxrod.importers.")}
+CONSTRUCTED = {"Deck": "gxrod.Deck", "SNCurve": "gxrod.fatigue.SNCurve", "Simulation": "gxrod.Simulation", "RodEnv": "gxrod.gym.RodEnv"}  # by users; others are handed out
+PREFIXES = {"gym": "gxrod.gym.", "fatigue": "gxrod.fatigue.", "plot": "gxrod.plot.", **dict.fromkeys(("importers/formats", "importers/writing", "importers/sections", "importers/moordyn", "importers/mooring_deck", "importers/moorprops"), "gxrod.importers.")}
 NAMES = {name for _, _, modules in GROUPS for names in modules.values() for name in names}
 TYPES = {"Array": "array", "WholeArray": "array of int", "NDArray[np.complex128]": "complex array"}
 
