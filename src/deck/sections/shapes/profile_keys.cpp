@@ -178,7 +178,7 @@ void add_outlined_shapes(Table<ShapeTable>& table) {
             .otherwise("`\"centroid\"`; of a polygon `\"given\"`").also("reference axis")
         .key("millimetre", &T::millimetre, "How long a millimetre is in the deck, for a profile: 1e-3 if lengths are in m.")
             .unit("length").above(0).only_with("profile")
-            .otherwise("by the first word of units: m, mm, cm, in or ft").also("mm millimeter");
+            .otherwise("by the m, mm, cm, in or ft in units").also("mm millimeter");
     // clang-format on
 }
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
+#include <string_view>
 
 #include "cross_section/catalogue/profile_catalogue.hpp"
 #include "cross_section/outlines/outline_examination.hpp"
@@ -14,12 +16,24 @@
 namespace gxrod {
 namespace {
 
-// How long a millimetre is in a unit of length; nothing for another word.
-std::optional<double> find_millimetre(const std::string& unit) {
-    constexpr std::array<std::pair<const char*, double>, 5> units{
+// How long a millimetre is by the first word of units, or by the only one of them that is a length.
+std::optional<double> find_millimetre(const std::string& units) {
+    constexpr std::array<std::pair<std::string_view, double>, 5> lengths{
         {{"m", 1e-3}, {"mm", 1.0}, {"cm", 0.1}, {"in", 1.0 / 25.4}, {"ft", 1.0 / 304.8}}};
-    const auto found = std::ranges::find(units, unit, &std::pair<const char*, double>::first);
-    return found == units.end() ? std::nullopt : std::optional(found->second);
+    std::optional<double> only;
+    bool is_first = true;
+    for (const auto part : std::views::split(units, ' ')) {
+        const std::string_view word(part.begin(), part.end());
+        const auto found = std::ranges::find(
+            lengths, word.substr(0, word.find_first_of(",;")), &std::pair<std::string_view, double>::first);
+        if (found != lengths.end()) {
+            if (is_first) return found->second;
+            if (only && *only != found->second) return std::nullopt;
+            only = found->second;
+        }
+        is_first = false;
+    }
+    return only;
 }
 
 class OutlineBuilder {
@@ -128,8 +142,8 @@ class OutlineBuilder {
             return std::nullopt;
         }
         const std::string& units = top_level_of(context_.deck).units;
-        const auto by_units = find_millimetre(units.substr(0, units.find_first_of(" ,;")));
-        const std::optional<double> millimetre = shape_.millimetre ? shape_.millimetre : by_units;
+        const std::optional<double> millimetre =
+            shape_.millimetre ? shape_.millimetre : find_millimetre(units);
         if (!millimetre) {
             context_.add_fault(
                 shape_,
