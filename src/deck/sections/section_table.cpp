@@ -10,6 +10,7 @@
 #include "deck/sections/section_shape.hpp"
 #include "deck/sections/shapes/cut_shape.hpp"
 #include "deck/sections/shapes/profile_keys.hpp"
+#include "deck/sections/shapes/profile_outline.hpp"
 #include "deck/surroundings/section_fluid.hpp"
 #include "model/evaluation_error.hpp"
 #include "model/sections/section_frame.hpp"
@@ -492,6 +493,7 @@ double number_of(const TableHead& table,
 
 Section build_section(const SectionTable& given, const SectionPlace& at, const BuildContext& context) {
     Section section{.name = given.name};
+    if (given.shape) check_outline_keys(*given.shape, context);
     if (given.shape && !is_plied(*given.shape) && !given.material) {
         context.add_fault(
             given, given.material, "missing; expected " + describe_expected(given.key_of(&given.material)));

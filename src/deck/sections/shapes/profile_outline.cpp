@@ -216,8 +216,8 @@ void check_outline_keys(const ShapeTable& shape, const BuildContext& context) {
     if (shape.origin && !has_outline(shape)) {
         context.add_fault(shape,
                           shape.origin,
-                          "goes with profiles and polygons; the middle of this shape is where `at` of the "
-                          "section says");
+                          "goes with profiles and polygons; another shape has its own, and `at` of the "
+                          "section moves it");
     }
 }
 
