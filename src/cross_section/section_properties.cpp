@@ -62,6 +62,19 @@ void add_cell(const SectionQuadrature& quadrature,
     }
 }
 
+// Sets couplings to zero that are those of the cells: sections with symmetries have none, their meshes some.
+Mat6 without_round_off(const Mat6& stiffness) {
+    constexpr double of_cells = 1e-7;
+    const Vec6 scale = stiffness.diagonal().cwiseSqrt();
+    Mat6 clean = stiffness;
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 6; ++j) {
+            if (i != j && std::abs(stiffness(i, j)) < of_cells * scale[i] * scale[j]) clean(i, j) = 0.0;
+        }
+    }
+    return clean;
+}
+
 // ∫ Hᵀ α dA: by the virtual work of unit resultants.
 Vec6 compute_thermal_strains(const SectionQuadrature& quadrature, const CentralSolutions& solutions) {
     Vec6 sum = Vec6::Zero();
@@ -98,7 +111,7 @@ SectionProperties compute_properties(const SectionQuadrature& quadrature, const 
     properties.second_moment_y = areas(2, 2) - properties.area * centroid.y() * centroid.y();
     properties.second_moment_z = areas(1, 1) - properties.area * centroid.x() * centroid.x();
     properties.product_moment = areas(1, 2) - properties.area * centroid.x() * centroid.y();
-    properties.stiffness = solutions.stiffness;
+    properties.stiffness = without_round_off(solutions.stiffness);
     properties.mass = sums.mass;
     // What a mean and turns of the slice can take up is no warping; this also moves it to the shear centre.
     properties.warping_stiffness =

@@ -174,7 +174,7 @@ std::string draw_mark(const View& view, const PlanePoint& at, const char* shape,
 // Lines through a point, `length` pixels to each side, turned about x.
 std::string draw_axes(const View& view, const PlanePoint& at, double turn) {
     std::string text;
-    constexpr double length = 330.0;
+    constexpr double length = 290.0;
     for (const double angle : {turn, turn + M_PI / 2}) {
         const PlanePoint along = length * view.pixel() * PlanePoint(std::cos(angle), std::sin(angle));
         const PlanePoint from = view.at(at - along), to = view.at(at + along);
@@ -204,27 +204,35 @@ std::string write_line(double y, const std::string& text) {
     return fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", margin, y, escape(text));
 }
 
+// A coloured square and the name of each layer, in two rows at most.
+std::string list_layers(const std::vector<SectionLayer>& layers) {
+    std::string text;
+    double x = margin, y = picture_height + 28;
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        const double width = 40.0 + 8.0 * static_cast<double>(layers[i].name.size());
+        if (x + width > picture_width) {
+            if (y > picture_height + 28) return text;
+            x = margin;
+            y += 24;
+        }
+        text += fmt::format(
+            "<rect x=\"{:.1f}\" y=\"{}\" width=\"14\" height=\"14\" fill=\"{}\"/>"
+            "<text x=\"{:.1f}\" y=\"{}\">{}</text>\n",
+            x,
+            y,
+            colour_of_group(i),
+            x + 19,
+            y + 12,
+            escape(layers[i].name));
+        x += width;
+    }
+    return text;
+}
+
 std::string draw_legend(const CrossSection& section, const std::optional<Stresses>& stresses) {
     std::string text = fmt::format("<g font-size=\"{}\" fill=\"#222\">\n", font_size);
-    text +=
-        write_line(picture_height + 12, section.source + "   + origin   ○ tension centre   × shear centre");
-    if (!stresses) {
-        double x = margin;
-        for (std::size_t i = 0; i < section.mesh.layers.size() && x < picture_width - 120; ++i) {
-            const std::string& name = section.mesh.layers[i].name;
-            text += fmt::format(
-                "<rect x=\"{0:.1f}\" y=\"{1}\" width=\"14\" height=\"14\" fill=\"{2}\"/><text "
-                "x=\"{3:.1f}\" y=\"{4}\">{5}</text>\n",
-                x,
-                picture_height + 28,
-                colour_of_group(i),
-                x + 19,
-                picture_height + 40,
-                escape(name));
-            x += 40.0 + 8.0 * static_cast<double>(name.size());
-        }
-        return text + "</g>\n";
-    }
+    text += write_line(picture_height + 12, section.source + ": + origin, ○ tension centre, × shear centre");
+    if (!stresses) return text + list_layers(section.mesh.layers) + "</g>\n";
     const StressPoint& worst = section.stresses.points[stresses->largest];
     constexpr int steps = 60;
     constexpr double width = 240.0;
