@@ -139,7 +139,7 @@ TEST_CASE("what is wrong with a polygon has the place of the corner", "[deck][se
     CHECK_THAT(
         faults_of(with_shape("polygon = { outer = 3 }")),
         Contains("section.s.shape.polygon.outer: expected an array of corners [y, z] or [y, z, radius], "
-                 "three at least, found"));
+                 "two at least, found"));
     CHECK_THAT(faults_of(with_shape("polygon = { outer = [[0, 0], [9, 0], [0, 9]], holes = 3 }")),
                Contains("section.s.shape.polygon.holes: expected an array of arrays of corners"));
 }
