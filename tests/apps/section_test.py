@@ -68,6 +68,10 @@ class SectionVerb(ProgramTest):
         self.assertRegex(said, r"where the warping of IPE 200 is held, as at a clamp, this reaches 0\.696 along the rod, which is 2 long; "
                                r"held at one end it twists 35 % less")
 
+    def test_check_asks_about_lengths_in_another_unit(self):
+        self.write("frame.toml", DECK.replace('profile = "IPE 200"', 'profile = "IPE 200", millimetre = 1'))
+        self.assertRegex(self.gxrod("check", "frame.toml").stdout, r"its section IPE 200 is 224 across and the rod 2 long; are both in one unit\?")
+
     def test_a_deck_without_shapes_on_cells_says_so(self):
         self.write("wire.toml", DECK.replace('profile = "IPE 200"', "rectangle = { width_y = 0.1, height_z = 0.2 }"))
         self.assertIn("no section of the deck is cut into cells", self.gxrod("section", "wire.toml", code=2).stderr)

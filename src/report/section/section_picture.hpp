@@ -11,7 +11,7 @@ namespace gxrod {
 // them.
 struct PictureRequest {
     std::optional<Vec6> resultants = std::nullopt;  // (N, Vy, Vz, T, My, Mz), about the origin
-    bool shows_cells = true;                              // edges of cells
+    bool shows_cells = true;                        // edges of cells
 };
 
 // Draws a section as SVG, as seen against x: y to the right, z up. It shows the origin, the centres, the
