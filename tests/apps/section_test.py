@@ -34,7 +34,7 @@ class SectionVerb(ProgramTest):
     def test_a_profile_by_name_has_the_printed_constants(self):
         said = self.gxrod("section", "ipe200").stdout
         self.assertIn("shape: IPE 200, ", said)
-        for name, value, relative in (("A", 2848.4107, 1e-6), ("Iy", 19431683, 1e-6), ("Iz", 1423683.3, 1e-6), ("It", 68462.0, 1e-4),
+        for name, value, relative in (("A", 2848.4107, 4e-6), ("Iy", 19431683, 4e-6), ("Iz", 1423683.3, 4e-6), ("It", 68462.0, 1e-4),
                                       ("Iw", 1.274616e10, 1e-4), ("Wy", 194316.8, 1e-5)):
             self.assertAlmostEqual(number_of(said, name) / value, 1, delta=relative, msg=name)
 
@@ -48,7 +48,7 @@ class SectionVerb(ProgramTest):
         said = self.gxrod("section", "frame.toml").stdout
         self.assertIn("section post:", said)
         self.assertNotIn("section wire:", said)
-        self.assertAlmostEqual(number_of(said, "My") / (220638.65e-9 * 235e6), 1, delta=1e-6)
+        self.assertAlmostEqual(number_of(said, "My") / (220638.65e-9 * 235e6), 1, delta=1e-5)
         self.assertIn("section wire:", self.gxrod("section", "frame.toml", "wire").stdout)
         self.assertIn('no section "past"; the deck has post, wire', self.gxrod("section", "frame.toml", "past", code=2).stderr)
 
@@ -70,7 +70,7 @@ class SectionVerb(ProgramTest):
 
     def test_check_asks_about_lengths_in_another_unit(self):
         self.write("frame.toml", DECK.replace('profile = "IPE 200"', 'profile = "IPE 200", millimetre = 1'))
-        self.assertRegex(self.gxrod("check", "frame.toml").stdout, r"its section IPE 200 is 224 across and the rod 2 long; are both in one unit\?")
+        self.assertIn("rod post is thicker than long; are all lengths in one unit?", self.gxrod("check", "frame.toml").stdout)
 
     def test_a_deck_without_shapes_on_cells_says_so(self):
         self.write("wire.toml", DECK.replace('profile = "IPE 200"', "rectangle = { width_y = 0.1, height_z = 0.2 }"))

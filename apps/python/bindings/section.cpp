@@ -108,20 +108,28 @@ nb::dict list_constants(const Section& section) {
 void bind_section(nb::module_& module) {
     nb::class_<Section>(module, "Section", "A section of a model, at the start of a rod.")
         .def_prop_ro("name", [](const Section& section) { return section.name; })
-        .def_prop_ro("stiffness", [](const Section& section) { return keep_matrix(section.stiffness); })
-        .def_prop_ro("mass", [](const Section& section) { return keep_matrix(section.mass); })
-        .def_prop_ro("shear_centre",
-                     [](const Section& section) {
-                         return keep_point(SectionCentres(section.stiffness, section.mass).shear_centre());
-                     })
-        .def_prop_ro("tension_centre",
-                     [](const Section& section) {
-                         return keep_point(SectionCentres(section.stiffness, section.mass).tension_centre());
-                     })
+        .def_prop_ro(
+            "stiffness",
+            [](const Section& section) { return keep_matrix(section.stiffness); },
+            nb::rv_policy::move)
+        .def_prop_ro(
+            "mass", [](const Section& section) { return keep_matrix(section.mass); }, nb::rv_policy::move)
+        .def_prop_ro(
+            "shear_centre",
+            [](const Section& section) {
+                return keep_point(SectionCentres(section.stiffness, section.mass).shear_centre());
+            },
+            nb::rv_policy::move)
+        .def_prop_ro(
+            "tension_centre",
+            [](const Section& section) {
+                return keep_point(SectionCentres(section.stiffness, section.mass).tension_centre());
+            },
+            nb::rv_policy::move)
         .def_prop_ro("has_shape", [](const Section& section) { return section.shape != nullptr; })
         .def_prop_ro("constants", &list_constants)
-        .def_prop_ro("points", &list_points)
-        .def_prop_ro("operators", &list_operators)
+        .def_prop_ro("points", &list_points, nb::rv_policy::move)
+        .def_prop_ro("operators", &list_operators, nb::rv_policy::move)
         .def_prop_ro("layers", &list_layers)
         .def_prop_ro("singular", &list_singular)
         .def("describe", [](const Section& section) { return describe_section(section); })

@@ -12,7 +12,6 @@ namespace gxrod {
 namespace {
 
 constexpr double most_reach = 0.05;      // of restrained warping, compared with the length of the rod
-constexpr double most_size = 0.5;        // of the section, compared with the length of the rod
 constexpr double most_curvature = 0.05;  // times the size of the section
 constexpr double most_twist = 0.03;
 
@@ -56,21 +55,12 @@ std::vector<Finding> question_shapes(const Model& model) {
     for (const Rod& rod : model.rods) {
         const CrossSection* shape = find_shape(model, rod);
         if (shape == nullptr) continue;
-        const double size = measure_size(*shape);
-        if (size > most_size * rod.length)
-            note(fmt::format(
-                "rod {}: its section {} is {:.3g} across and the rod {:.3g} long; are both in one unit? "
-                "`millimetre` says how long a millimetre is for a profile of the catalogue",
-                rod.name,
-                shape->source,
-                size,
-                rod.length));
         const double reach = shape->properties.warping_length();
         if (reach > most_reach * rod.length) {
             const double slenderness = rod.length / reach;
             note(fmt::format(
                 "rod {}: where the warping of {} is held, as at a clamp, this reaches {:.3g} along the rod, "
-                "which is {:.3g} long; held at one end it twists {:.2g} % less than computed",
+                "which is {:.5g} long; held at one end it twists {:.0f} % less than computed",
                 rod.name,
                 shape->source,
                 reach,
@@ -78,6 +68,7 @@ std::vector<Finding> question_shapes(const Model& model) {
                 100.0 * std::tanh(slenderness) / slenderness));
         }
         if (!rod.starts_free_of_stress()) continue;
+        const double size = measure_size(*shape);
         const LargestTurn turn = find_largest_turn(rod);
         if (turn.curvature * size > most_curvature)
             note(fmt::format(
