@@ -78,7 +78,7 @@ TEST_CASE("a channel loaded at its shear centre does not twist, benchmark X33", 
     CHECK(std::abs(tip.twist) < 1e-9 * std::abs(at_web.twist));
     CHECK(tip.displacement.z() == Approx(-2.76356e-4).epsilon(2e-5));
     const Problem centred = read(channel(", origin = \"given\"", ""));
-    CHECK(SectionCentres(centred.model.sections[0].stiffness, Mat6::Zero()).tension_centre().norm() < 1e-9);
+    CHECK(SectionCentres(centred.model.sections[0].stiffness, Mat6::Zero()).tension_centre().norm() < 1e-5);
 }
 
 TEST_CASE("the stiffness of a shape and its stresses are in the axes of the rod", "[deck][sections]") {
@@ -128,7 +128,7 @@ TEST_CASE("a shape that varies is right between the stations at which it is comp
 TEST_CASE("keys that a shape on cells does not have are refused", "[deck][sections]") {
     CHECK_THAT(
         faults_of(channel("yield_stress = 235", "shear_factor = 0.5")),
-        Contains("x.toml:5:45: section.s.material.shear_factor: goes with a circle, a tube or a rectangle"));
+        Contains("x.toml:5:50: section.s.material.shear_factor: goes with a circle, a tube or a rectangle"));
     CHECK_THAT(
         faults_of(channel("yield_stress = 235", "yield_stress = 235, interaction = true")),
         Contains(
