@@ -38,7 +38,7 @@
 #include "deck/schema/top_level.hpp"
 #include "deck/sections/build_sections.hpp"
 #include "deck/sections/section_files.hpp"
-#include "deck/sections/shapes/material_tables.hpp"
+#include "deck/sections/shapes/section_materials.hpp"
 #include "deck/sections/shapes/wall_shape.hpp"
 #include "deck/supports/build_supports.hpp"
 #include "deck/surroundings/build_surroundings.hpp"

@@ -45,13 +45,8 @@ class MapTables {
         for (Eigen::Index i = 0; i < nodes.rows(); ++i)
             nodes.row(i) = node_of(mesh, cell.nodes[static_cast<std::size_t>(i)]).transpose();
         const double size = (nodes.colwise().maxCoeff() - nodes.colwise().minCoeff()).maxCoeff();
-        double least = std::numeric_limits<double>::infinity();
-        for (const CellShapes* table : {&reference.at_nodes, &reference.at_points}) {
-            const Eigen::MatrixX2d a = table->slopes_1 * nodes, b = table->slopes_2 * nodes;
-            const Eigen::ArrayXd determinants =
-                a.col(0).array() * b.col(1).array() - a.col(1).array() * b.col(0).array();
-            least = std::min(least, determinants.minCoeff());
-        }
+        const double least = std::min(find_least(reference.at_points, nodes),
+                                      find_least(reference.at_nodes, nodes) + flat_corner * size * size);
         return size > 0.0 ? least / (size * size) : 0.0;
     }
 

@@ -18,7 +18,8 @@ colour = 3)")) ==
     CHECK(faults_of(rod_deck + "[zone.a]") ==
           "x.toml:13:2: zone: unknown key; known here: title, units, gravity, plane, parameters, function, "
           "input, signal, "
-          "section, rod, body, spring, bushing, joint, gear, connect, load, tendon, actuation, magnetic, "
+          "section, material, layup, rod, body, spring, bushing, joint, gear, connect, load, tendon, "
+          "actuation, magnetic, "
           "fluid, wave, air, seabed, contact, obstacle, support, initial, rotation, "
           "analysis, "
           "stage, output, history");

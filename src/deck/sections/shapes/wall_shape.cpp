@@ -11,7 +11,7 @@
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "deck/sections/section_tables.hpp"
-#include "deck/sections/shapes/material_tables.hpp"
+#include "deck/sections/shapes/section_materials.hpp"
 #include "deck/text/table_files.hpp"
 #include "mesh/sections/section_file.hpp"
 #include "mesh/triangle_file.hpp"

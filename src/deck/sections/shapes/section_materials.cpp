@@ -1,4 +1,4 @@
-#include "deck/sections/section_materials.hpp"
+#include "deck/sections/shapes/section_materials.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
-#include "deck/sections/material_tables.hpp"
 #include "deck/sections/section_tables.hpp"
+#include "deck/sections/shapes/material_tables.hpp"
 #include "deck/table/table.hpp"
 
 namespace gxrod {
