@@ -11,7 +11,8 @@ std::vector<CellSide> list_cell_sides(const SectionMesh& mesh, int index) {
     const bool is_quad = cell.shape == CellShape::quad;
     const auto node = [&](int i, int j) {
         const int before = is_quad ? j * (p + 1) : j * (p + 1) - j * (j - 1) / 2;
-        return cell.nodes[static_cast<std::size_t>(before + i)];
+        const int at = before + i;
+        return cell.nodes[static_cast<std::size_t>(at)];
     };
     std::vector<CellSide> sides(is_quad ? 4 : 3, CellSide{index, {}});
     for (int k = 0; k <= p; ++k) {

@@ -24,7 +24,8 @@ PlanePoint at_angle(double angle, double radius) {
 SectionMesh make_grid_mesh(const QuadGrid& grid) {
     SectionMesh mesh;
     mesh.layers.push_back({.name = "shape"});
-    mesh.nodes.resize(static_cast<std::size_t>(grid.columns() * grid.rows()));
+    const int nodes = grid.columns() * grid.rows();
+    mesh.nodes.resize(static_cast<std::size_t>(nodes));
     for (int along = 0; along < grid.cells_along; ++along) {
         for (int across = 0; across < grid.cells_across; ++across)
             mesh.cells.push_back(grid.cell_at(along, across));

@@ -99,7 +99,8 @@ class WallMesher {
 
     SectionMesh mesh() {
         add_layers();
-        mesh_.nodes.resize(static_cast<std::size_t>(grid_.columns() * grid_.rows()));
+        const int nodes = grid_.columns() * grid_.rows();
+        mesh_.nodes.resize(static_cast<std::size_t>(nodes));
         int first_cell = 0;
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
             for (std::size_t k = 0; k + 1 < along_[i].size(); ++k) {
@@ -137,7 +138,8 @@ class WallMesher {
             cell.layer = first_layer_[layup] + static_cast<int>(ply);
             for (int j = 0; j <= order; ++j) {
                 for (int i = 0; i <= order; ++i) {
-                    const int node = cell.nodes[static_cast<std::size_t>(j * (order + 1) + i)];
+                    const int at = j * (order + 1) + i;
+                    const int node = cell.nodes[static_cast<std::size_t>(at)];
                     mesh_.nodes[static_cast<std::size_t>(node)] =
                         piece.at(place(i), low + (high - low) * j / order);
                     cell.walls.push_back(piece.wall(place(i)));

@@ -26,7 +26,8 @@ LatticePlaces list_gmsh_places(CellShape shape, int order) {
 
 std::size_t lattice_index(CellShape shape, int order, int i, int j) {
     const int before = shape == CellShape::quad ? j * (order + 1) : j * (order + 1) - j * (j - 1) / 2;
-    return static_cast<std::size_t>(before + i);
+    const int at = before + i;
+    return static_cast<std::size_t>(at);
 }
 
 struct ElementType {

@@ -189,8 +189,10 @@ class OutlineBuilder {
 
     ShapeOutline place(std::string source, Outline outline, ShapeOrigin usual) const {
         const ShapeOrigin origin = shape_.origin.value_or(usual);
-        if (origin != ShapeOrigin::given)
-            outline = move_outline(std::move(outline), -compute_moments(outline).centroid);
+        if (origin != ShapeOrigin::given) {
+            const PlanePoint centroid = compute_moments(outline).centroid;
+            outline = move_outline(std::move(outline), -centroid);
+        }
         return {std::move(source), std::move(outline), origin};
     }
 
