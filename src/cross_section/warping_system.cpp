@@ -180,14 +180,14 @@ Eigen::MatrixXd WarpingSystem::solve_once(const Eigen::MatrixXd& force) const {
 }
 
 Eigen::MatrixXd WarpingSystem::solve(const Eigen::MatrixXd& force) const {
-    Eigen::MatrixXd warping = solve_once(force);
+    const WarpingFields fields{.warping = solve_once(force)};
     Eigen::MatrixXd left = force;
     for (const CellPoints& points : quadrature_.cells()) {
-        PointFields stresses = compute_stresses(points, compute_strains(points, {.warping = warping}), -1.0);
+        PointFields stresses = compute_stresses(points, compute_strains(points, fields), -1.0);
         weigh(points, stresses);
         add_warping_force(points, stresses, left);
     }
-    return warping + solve_once(left);
+    return fields.warping + solve_once(left);
 }
 
 }  // namespace gxrod
