@@ -18,7 +18,7 @@ struct FailureMode {
 
     // The left side for the stress as it is: the failure index of handbooks, not linear in the load.
     double index() const { return linear + quadratic; }
-    // 1/R with the least positive R; 0 if there is none. Linear in the load.
+    // Returns 1/R with the least positive R; 0 without a positive R. Linear in the load.
     double exposure() const;
 };
 

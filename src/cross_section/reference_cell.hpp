@@ -31,7 +31,7 @@ struct CellQuadrature {
 // to 4.
 CellQuadrature list_cell_quadrature(CellShape shape, int order);
 
-// What all cells of a shape and an order have in common.
+// Quadrature and shape functions that all cells of a shape and an order share.
 struct ReferenceCell {
     CellQuadrature quadrature;
     CellShapes at_points;  // at the quadrature points

@@ -2,8 +2,8 @@
 
 #include "rotation/types.hpp"
 
-// What is measured of a stress whatever its axes. Components are in the order xx yy zz yz xz xy, or 11 22 33
-// 23 13 12.
+// Measures of a stress that do not depend on its axes. Components are in the order xx yy zz yz xz xy, or 11
+// 22 33 23 13 12.
 namespace gxrod {
 
 double compute_von_mises(const Vec6& stress);

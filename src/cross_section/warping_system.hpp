@@ -23,7 +23,7 @@ class WarpingSystem {
     void lay_out();
     void assemble();
     void add_cell(const CellPoints& points);
-    // Adds the block of two nodes, rows first, of which the row comes later in the order of elimination.
+    // Adds the block of two nodes; the row's node comes later in the order of elimination.
     void add_block(int row_node, int column_node, const Eigen::Matrix3d& block);
     bool is_held(int unknown) const;
     Eigen::MatrixXd solve_once(const Eigen::MatrixXd& force) const;

@@ -113,7 +113,7 @@ class Section(Shown):
 
     @classmethod
     def profile(cls, name: str, material: Mapping[str, Any], units: str = "", **keys: Any) -> Section:
-        """A profile of the catalogue. material: as `material` of a section; units: of which the first says the length ("m, N"); keys: more of
+        """A profile of the catalogue. material: as `material` of a section; units: the first of them says the length ("m, N"); keys: more of
         `shape`, such as `origin="shear centre"`, or `millimetre=1e-3` in place of units."""
         return cls.from_table({"shape": {"profile": name, **keys}, "material": dict(material)}, units)
 

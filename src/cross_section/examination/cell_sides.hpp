@@ -16,7 +16,7 @@ struct CellSide {
 // Lists the sides of a cell.
 std::vector<CellSide> list_cell_sides(const SectionMesh& mesh, int cell);
 
-// What the sides of a mesh are to each other.
+// The sides of a mesh, sorted by how many cells they have.
 struct MeshSides {
     std::vector<CellSide> boundary;               // sides of one cell only
     std::vector<std::pair<int, int>> neighbours;  // cells that share a side

@@ -49,7 +49,7 @@ struct Outline {
     std::vector<const OutlineLoop*> loops() const;
 };
 
-// What is wrong with a shape: the part of it, such as "outer[3]" or "flange", and the message. The hole of a
+// A fault of a shape: the part of it, such as "outer[3]" or "flange", and the message. The hole of a
 // polygon, and the corner of its outer chain or of the hole, if the part has them.
 struct OutlineFault {
     std::string part;

@@ -33,7 +33,7 @@ struct WallOutline {
     }
 };
 
-// What is wrong with walls: the part of them, such as "corners[3]", and the message.
+// A fault of walls: the part of them, such as "corners[3]", and the message.
 struct WallFault {
     std::string part;
     std::string message;

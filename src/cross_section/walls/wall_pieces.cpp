@@ -5,7 +5,7 @@
 namespace gxrod {
 namespace {
 
-// Turns smaller than this are none.
+// Smaller turns do not count as turns.
 constexpr double no_turn = 1e-9;
 // Pieces shorter than this, over the length of their side, are left out.
 constexpr double no_length = 1e-9;

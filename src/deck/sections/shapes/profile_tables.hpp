@@ -53,7 +53,7 @@ struct PolygonTable : TableHead {
     std::optional<CornerRowLists> holes;
 };
 
-// Where the rod is in a shape.
+// The point of a shape that lies on the rod.
 enum class ShapeOrigin { centroid, shear_centre, given };
 inline constexpr std::array<Choice<ShapeOrigin>, 3> shape_origin_choices{
     {{"centroid", ShapeOrigin::centroid},

@@ -112,7 +112,7 @@ std::optional<ElasticMaterial> build_material(const ElasticMaterialTable& given,
     return material;
 }
 
-// Finds a table of a deck by its name; adds a fault if there is none.
+// Finds a table of a deck by its name; adds a fault if the deck has no such table.
 template <class T>
 const T* find_table_named(const CheckedWord& name,
                           const char* kind,

@@ -17,7 +17,7 @@ class SectionMaterials {
   public:
     explicit SectionMaterials(const BuildContext& context) : context_(context) {}
 
-    // Returns the index of a [material.NAME]. If there is none, or it has a fault, adds a fault and returns
+    // Returns the index of a [material.NAME]. Without one, or with a fault of it, adds a fault and returns
     // nothing.
     std::optional<int> find(const CheckedWord& name);
     // Returns a [layup.NAME] with its materials likewise.
