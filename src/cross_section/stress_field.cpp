@@ -5,6 +5,10 @@
 namespace gxrod {
 namespace {
 
+// Compared with the largest of a cell: at a corner whose two sides lie on one smooth curve the map is flat,
+// and has no derivatives.
+constexpr double least_determinant = 1e-2;
+
 bool is_in_reach(const std::vector<SharpCorner>& corners, const PlanePoint& at) {
     return std::ranges::any_of(
         corners, [&](const SharpCorner& corner) { return (at - corner.at).norm() <= corner.reach; });
@@ -15,8 +19,8 @@ class PointGathering {
   public:
     PointGathering(const SectionMesh& mesh, StressField& field) : mesh_(mesh), field_(field) {}
 
-    // Returns the index of the point of a node in a layer.
-    int add(int node, int layer, const PlanePoint& wall, const Mat6& stress_operator) {
+    // Returns the index of the point of a node in a layer; without an operator, the cell has no say in it.
+    int add(int node, int layer, const PlanePoint& wall, const Mat6* stress_operator) {
         const auto [place, is_new] =
             index_.try_emplace({node, layer}, static_cast<int>(field_.points.size()));
         if (is_new) {
@@ -27,14 +31,20 @@ class PointGathering {
         }
         const auto index = static_cast<std::size_t>(place->second);
         field_.points[index].wall += wall;
-        field_.points[index].stress_operator += stress_operator;
-        ++counts_[index];
+        if (stress_operator != nullptr) {
+            field_.points[index].stress_operator += *stress_operator;
+            ++counts_[index];
+        }
         return place->second;
     }
 
     void take_means() {
         for (std::size_t i = 0; i < counts_.size(); ++i) {
-            field_.points[i].stress_operator /= counts_[i];
+            if (counts_[i] > 0) {
+                field_.points[i].stress_operator /= counts_[i];
+            } else {
+                field_.points[i].is_singular = true;
+            }
             field_.points[i].wall.normalize();
         }
     }
@@ -55,9 +65,13 @@ StressField compute_stress_field(const SectionQuadrature& quadrature, const Cent
         const CellPoints points = quadrature.at_nodes(cell);
         const std::vector<Mat6> strains = compute_strain_operators(points, solutions);
         std::vector<int> indices;
+        const double flat = least_determinant * *std::ranges::max_element(points.weights);
         for (std::size_t i = 0; i < strains.size(); ++i) {
-            indices.push_back(gathering.add(
-                cell.nodes[i], cell.layer, points.walls[i], points.stiffness_at(i) * strains[i]));
+            const Mat6 stress_operator = points.stiffness_at(i) * strains[i];
+            indices.push_back(gathering.add(cell.nodes[i],
+                                            cell.layer,
+                                            points.walls[i],
+                                            points.weights[i] > flat ? &stress_operator : nullptr));
         }
         field.points_of_cells.push_back(std::move(indices));
     }

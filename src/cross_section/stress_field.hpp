@@ -16,7 +16,7 @@ struct StressPoint {
     int layer = 0;
     PlanePoint wall;           // the unit vector t
     Mat6 stress_operator;      // H: stresses (xx, yy, zz, yz, xz, xy) = H × resultants
-    bool is_singular = false;  // in reach of a sharp corner, so that the mesh decides how large stresses are
+    bool is_singular = false;  // near a sharp corner, or where a cell is flat: left out of largest values
 };
 
 struct StressField {

@@ -301,3 +301,20 @@ TEST_CASE("Plastic moments of a rectangle, a tube and two materials are exact", 
         CHECK_FALSE(compute_plastic_capacity(SectionQuadrature(mesh, materials)));
     }
 }
+
+TEST_CASE("Corners of cells on a smooth curve have no say in stresses", "[cross_section]") {
+    // A square taken to a circle: at its four corners two sides of a cell lie on one curve.
+    const SectionMesh mesh = make_block({4, 4, 4}, false, [](double a, double b) {
+        const double y = 2.0 * a - 1.0, z = 2.0 * b - 1.0;
+        return PlanePoint(y * std::sqrt(1.0 - z * z / 2.0), z * std::sqrt(1.0 - y * y / 2.0));
+    });
+    const auto circle = solve(mesh, isotropic(1.0, 0.3));
+    int corners = 0;
+    for (const StressPoint& point : circle->stresses.points) {
+        corners += point.is_singular ? 1 : 0;
+        REQUIRE(point.stress_operator.allFinite());
+        if (!point.is_singular)
+            CHECK(point.stress_operator(0, 4) == Approx(4.0 / pi * point.at.y()).margin(2e-2));
+    }
+    CHECK(corners == 4);
+}

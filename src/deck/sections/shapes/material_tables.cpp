@@ -52,7 +52,8 @@ const TableSpec& elastic_material_table() {
         .key("strength", &T::strength, strength_table(), "Limits of a ply, for the criteria of Tsai and Wu, of Hashin and of "
              "the largest stress.")
             .also("strengths limits failure")
-        .key("expansion", &T::expansion, "Strain by heat, or by axis.")
+        .key("expansion", &T::expansion, "Strain by heat, or by axis. It acts on nothing yet: heat acts "
+             "in a run by `expansion` of the section.")
             .unit("1/temperature").otherwise("0").also("alpha thermal_expansion cte")
         .shown_by(
             "[material.carbon]\n"

@@ -131,7 +131,7 @@ const T* find_table_named(const CheckedWord& name,
     return nullptr;
 }
 
-// Notes materials that no layup and no section has, and layups that no section has.
+// Notes materials that no layup and no section has, layups that no section has, and expansions of materials.
 void note_idle_tables(const BuildContext& context) {
     std::set<std::string> materials, layups;
     for (const SectionTable& section : tables_of<SectionTable>(context.deck, section_table())) {
@@ -152,6 +152,10 @@ void note_idle_tables(const BuildContext& context) {
          tables_of<ElasticMaterialTable>(context.deck, elastic_material_table())) {
         if (!materials.contains(material.name))
             context.notes.push_back(material.path + ": no layup and no section has it");
+        if (material.expansion)
+            context.notes.push_back(
+                material.path_of(&material.expansion) +
+                ": it acts on nothing yet; heat acts by `expansion` of the section alone");
     }
 }
 
