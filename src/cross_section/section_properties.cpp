@@ -44,7 +44,6 @@ void add_cell(const SectionQuadrature& quadrature,
         if (q < points.stiffness.size()) {
             modulus = compute_axial_modulus(points.stiffness[q]);
             properties.stiffest = std::max(properties.stiffest, modulus);
-            properties.softest = properties.softest == 0.0 ? modulus : std::min(properties.softest, modulus);
         }
         const Vec3 monomials = plane_monomials(points.at[q]);
         const auto map = compute_velocity_map(points.at[q]);

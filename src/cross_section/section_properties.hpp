@@ -17,8 +17,8 @@ struct SectionProperties {
     // Axial force by which restrained warping resists, E Iw: ∫ Ẽ ω² dA about the shear centre, with the axial
     // modulus Ẽ.
     double warping_stiffness = 0.0;
-    Vec6 thermal_strains = Vec6::Zero();   // free strains (Γ, K) for each degree
-    double softest = 0.0, stiffest = 0.0;  // axial moduli of the materials present
+    Vec6 thermal_strains = Vec6::Zero();  // free strains (Γ, K) for each degree
+    double stiffest = 0.0;                // largest axial modulus of the materials present
 
     // ℓ = √(E Iw/(G J)): how far restrained warping reaches along the rod.
     double warping_length() const;

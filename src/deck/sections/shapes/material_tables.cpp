@@ -50,7 +50,7 @@ const TableSpec& elastic_material_table() {
         .key("yield_stress", &T::yield_stress, "A limit that von Mises' stress is compared with.")
             .unit(stress_unit).above(0).also("yield yield_strength sigma_y fy")
         .key("strength", &T::strength, strength_table(), "Limits of a ply, for the criteria of Tsai and Wu, of Hashin and of "
-             "the largest stress.")
+             "the largest stress. No result compares stresses with them yet.")
             .also("strengths limits failure")
         .key("expansion", &T::expansion, "Strain by heat, or by axis. It acts on nothing yet: heat acts "
              "in a run by `expansion` of the section.")
