@@ -24,7 +24,7 @@ const std::vector<WatchedKind>& list_kinds() {
         // clang-format off
         std::vector<WatchedKind> all{
             {"rod", "point", {&quantities_of_places, &quantities_of_rod_turns, &quantities_of_rates, &quantities_of_sections,
-                              &quantities_of_reactions, &quantities_of_rods_around}},
+                              &quantities_of_stresses, &quantities_of_reactions, &quantities_of_rods_around}},
             {"body", "point", {&quantities_of_places, &quantities_of_body_turns, &quantities_of_rates, &quantities_of_bodies,
                                &quantities_of_reactions, &quantities_of_bodies_around, &quantities_of_touching_bodies}},
             {"tendon", "tendon", {&quantities_of_tendons}},
@@ -75,7 +75,7 @@ std::vector<std::string> words_of(const Tables& tables) {
 const Tables& list_quantity_tables() {
     static const Tables tables = [] {
         Tables all{&quantities_of_places, &quantities_of_rod_turns, &quantities_of_body_turns, &quantities_of_rates,
-                   &quantities_of_bodies, &quantities_of_sections, &quantities_of_reactions};
+                   &quantities_of_bodies, &quantities_of_sections, &quantities_of_stresses, &quantities_of_reactions};
         for (const QuantityTable* table : quantities_of_ties) {
             if (std::ranges::find(all, table) == all.end()) all.push_back(table);
         }

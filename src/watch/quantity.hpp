@@ -11,11 +11,16 @@ namespace gxrod {
 
 struct Sight;
 
-// A row of a history: vectors use the first three numbers, single numbers the first; quaternions are w x y z.
-using HistoryRow = std::array<double, 4>;
+// A row of a history: vectors use the first three numbers, single numbers the first; quaternions are w x y z,
+// stresses xx yy zz yz xz xy.
+using HistoryRow = std::array<double, 6>;
 
 inline HistoryRow make_row(double number) { return {number}; }
 inline HistoryRow make_row(const Vec3& vector) { return {vector.x(), vector.y(), vector.z(), 0.0}; }
+inline HistoryRow make_row(const Vec6& stress) {
+    return {stress[0], stress[1], stress[2], stress[3], stress[4], stress[5]};
+}
+inline HistoryRow make_row(const Eigen::Vector2d& point) { return {point.x(), point.y()}; }
 inline HistoryRow make_row(const Quat& quaternion) {
     return {quaternion.w(), quaternion.x(), quaternion.y(), quaternion.z()};
 }
@@ -52,6 +57,7 @@ enum class Size {
     moment,
     strain,
     curvature,
+    stress,
     number
 };
 
@@ -65,6 +71,7 @@ constexpr Size size_of_dimension(std::string_view dimension) {
     if (dimension == "force/length") return Size::line_force;
     if (dimension == "force·length") return Size::moment;
     if (dimension == "angle/length") return Size::curvature;
+    if (dimension == "force/length²") return Size::stress;
     return Size::number;
 }
 
@@ -140,8 +147,11 @@ struct Quantity {
     static constexpr int columns_of() {
         constexpr bool is_number = std::is_same_v<Result, double>;
         constexpr bool is_quaternion = std::is_same_v<Result, Quat>;
-        static_assert(is_number || is_quaternion || std::is_same_v<Result, Vec3>);
-        return is_number ? 1 : is_quaternion ? 4 : 3;
+        constexpr bool is_stress = std::is_same_v<Result, Vec6>;
+        constexpr bool is_in_section = std::is_same_v<Result, Eigen::Vector2d>;
+        static_assert(is_number || is_quaternion || is_stress || is_in_section ||
+                      std::is_same_v<Result, Vec3>);
+        return is_number ? 1 : is_quaternion ? 4 : is_stress ? 6 : is_in_section ? 2 : 3;
     }
 };
 

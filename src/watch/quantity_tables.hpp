@@ -22,7 +22,7 @@ struct QuantityTable {
 
 extern const QuantityTable quantities_of_places, quantities_of_rod_turns, quantities_of_body_turns;
 extern const QuantityTable quantities_of_rates, quantities_of_bodies, quantities_of_reactions;
-extern const QuantityTable quantities_of_sections;
+extern const QuantityTable quantities_of_sections, quantities_of_stresses;
 extern const QuantityTable quantities_of_tendons, quantities_of_joints, quantities_of_gears;
 // The quantities of ties, kind by kind.
 extern const std::array<const QuantityTable*, tie_kind_count> quantities_of_ties;

@@ -1,5 +1,6 @@
 #include "watch/sight.hpp"
 
+#include "model/sections/section_at.hpp"
 #include "model/ties/ties.hpp"
 
 #include <algorithm>
@@ -37,7 +38,17 @@ Subject::Subject(const Model& its_model, const std::vector<HistoryRequest>& requ
     else if (node >= 0)
         start_axes = section_axes(*model, std::get<WatchedPoint>(target).place, node);
     if (node >= 0) start = model->nodes[static_cast<std::size_t>(node)].position;
+    if (const auto* point = std::get_if<WatchedPoint>(&target)) {
+        if (auto shape = find_shape(*model, point->place))
+            stresses.emplace(std::move(shape), requests[index].section_point, requests[index].criterion);
+    }
     if (relative_node >= 0) relative_start = model->nodes[static_cast<std::size_t>(relative_node)].position;
+}
+
+Vec6 Sight::section_resultants() const {
+    Vec6 resultants;
+    resultants << section().force, section().moment;
+    return resultants;
 }
 
 SeenPoint Sight::point_by_itself() const {

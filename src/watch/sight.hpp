@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cross_section/section_stress.hpp"
 #include "state/records/step_record.hpp"
 #include "watch/quantity.hpp"
 
@@ -30,8 +31,9 @@ struct Subject {
     std::optional<Vec3> about;
     Vec3 start = Vec3::Zero();  // place of a node at t = 0
     Quat start_axes = Quat::Identity();
-    std::size_t point_row = 0;    // index in Snapshot::points
-    std::size_t contact_row = 0;  // index in Snapshot::watched_contacts
+    std::size_t point_row = 0;                     // index in Snapshot::points
+    std::size_t contact_row = 0;                   // index in Snapshot::watched_contacts
+    std::optional<SectionStresses> stresses = {};  // of a point of a rod whose section has a shape on cells
 };
 
 // The thing of a history at a step: where its quantities find their values.
@@ -42,6 +44,7 @@ struct Sight {
     SeenPoint point() const;
     Vec3 centre_of_mass() const;
     const PointValues& section() const { return now.points[of.point_row]; }
+    SectionStress stress() const { return of.stresses->find(section_resultants()); }
     const PointSurroundings& around() const;  // of a point or a body
     Vec3 reaction_force() const;
     Vec3 reaction_moment() const;
@@ -61,6 +64,7 @@ struct Sight {
         return static_cast<std::size_t>(std::get<Thing>(of.target).index);
     }
     SeenPoint point_by_itself() const;
+    Vec6 section_resultants() const;
 };
 
 }  // namespace gxrod

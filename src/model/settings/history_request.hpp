@@ -79,6 +79,9 @@ struct HistoryRequest {
     // Where moments of reactions are about a point, fixed in space, and not about the support's.
     std::optional<Vec3> about = {};
     std::string with = {};  // what the contacts are with, as the deck has it
+    // Where in the section stresses are recorded, (y, z) in its axes; nullopt: where they are worst.
+    std::optional<Eigen::Vector2d> section_point = {};
+    std::string criterion = {};  // of failure, by its word; "": von Mises
 };
 
 }  // namespace gxrod

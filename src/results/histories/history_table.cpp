@@ -11,7 +11,7 @@
 namespace gxrod {
 namespace {
 
-constexpr int most_columns = 4;
+constexpr int most_columns = 6;
 
 // "[1, 0, 2]", or "" where moments are about the support's point.
 std::string describe_about(const HistoryRequest& request) {

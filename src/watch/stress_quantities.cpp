@@ -1,0 +1,34 @@
+#include "model/sections/section_at.hpp"
+#include "watch/quantity_tables.hpp"
+
+namespace gxrod {
+namespace {
+
+std::string lacks_stress(const Watched& target, const Model& model) {
+    const RodPlace& place = std::get<WatchedPoint>(target).place;
+    const Section& section = section_at(model, place);
+    if (section.law)
+        return "the section has a law, " + section.law->describe() + ", of which stresses do not follow";
+    if (!section.shape) return "the section has no shape, only its numbers";
+    return "";
+}
+
+// clang-format off
+constexpr Quantity stress_lines[]{
+    Quantity("stress", "stress (xx, yy, zz, yz, xz, xy)", "force/length²", Axes::material,
+             [](const Sight& see) { return see.stress().stress; }).with_strain_order().unless(lacks_stress),
+    Quantity("von_mises", "von Mises stress", "force/length²", Axes::none,
+             [](const Sight& see) { return see.stress().von_mises; }).with_strain_order().unless(lacks_stress),
+    Quantity("principal_stress", "principal stresses, the largest first", "force/length²", Axes::none,
+             [](const Sight& see) { return see.stress().principal; }).with_strain_order().unless(lacks_stress),
+    Quantity("exposure", "exposure: 1/(factor on all resultants at which the material fails)", "1", Axes::none,
+             [](const Sight& see) { return see.stress().exposure; }).with_strain_order().unless(lacks_stress),
+    Quantity("stress_place", "where in the section (y, z) the stress is", "length", Axes::material,
+             [](const Sight& see) { return see.stress().at; }).unless(lacks_stress)};
+// clang-format on
+
+}  // namespace
+
+constinit const QuantityTable quantities_of_stresses{stress_lines, SnapshotPart::section, "points"};
+
+}  // namespace gxrod
