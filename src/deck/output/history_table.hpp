@@ -26,9 +26,14 @@ struct HistoryKeys : TableHead {
     std::optional<PointName> relative_to;
     HistoryAxes axes = HistoryAxes::section;
     std::optional<Vec3> about;
+    std::optional<std::array<double, 2>> point;
+    std::optional<std::string> criterion;
     WordList quantities;
     Copies copies;
 };
+
+// Returns whether a history of the deck has stresses, so that all sections need cells.
+bool asks_for_stresses(const CheckedTable& deck);
 
 // Builds the histories. Call it after build_supports.
 std::vector<HistoryRequest> build_histories(const BuildContext& context);

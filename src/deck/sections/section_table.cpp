@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cross_section/moved_section.hpp"
+#include "deck/output/history_table.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/top_level.hpp"
 #include "deck/sections/build_sections.hpp"
@@ -400,6 +401,7 @@ void set_from_shape(const SectionTable& table,
     const double GA = moduli.G * shape->area;
     section.stiffness = diagonal({moduli.E * shape->area, factors.y * GA, factors.z * GA},
                                  {moduli.G * shape->torsion_constant, moduli.E * Iy, moduli.E * Iz});
+    if (asks_for_stresses(context.deck)) section.shape = cut_plain_shape(table, at, context);
     if (!material.density) return;
     const double density = number_of(material, *material.density, at, context);
     section.mass = diagonal(Vec3::Constant(density * shape->area), density * Vec3(Iy + Iz, Iy, Iz));

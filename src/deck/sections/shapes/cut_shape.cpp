@@ -8,6 +8,7 @@
 
 #include "cross_section/moved_section.hpp"
 #include "cross_section/section_error.hpp"
+#include "cross_section/walls/solid_meshes.hpp"
 #include "deck/places/build_context.hpp"
 #include "deck/sections/shapes/profile_outline.hpp"
 #include "deck/sections/shapes/wall_shape.hpp"
@@ -271,6 +272,36 @@ CutSection compute_cut_section(const SectionTable& section,
     return {stations.interpolate(at.s, stiffness_of_shape),
             stations.interpolate(at.s, mass_of_shape),
             stations.sections[stations.nearest(at.s)]};
+}
+
+std::shared_ptr<const CrossSection> cut_plain_shape(const SectionTable& section,
+                                                    const SectionPlace& at,
+                                                    const BuildContext& context) {
+    std::optional<ElasticMaterial> material = find_material(*section.material, at, context);
+    if (!material) return nullptr;
+    CutShape shape{.source = {}, .digest = {}, .cut = {}, .materials = {std::move(*material)}};
+    Digest digest;
+    digest.add(shape.materials.front());
+    const auto number = [&](const TableHead& table, const ArcNumber& given) {
+        const double found = number_of(table, given, at, context);
+        digest.add(found);
+        return found;
+    };
+    if (const auto& circle = section.shape->circle) {
+        shape.source = "circle";
+        shape.cut = [radius = number(*circle, circle->radius)] { return mesh_circle(radius); };
+    } else if (const auto& tube = section.shape->tube) {
+        const double outer = number(*tube, tube->outer_radius), inner = number(*tube, tube->inner_radius);
+        shape.source = "tube";
+        shape.cut = [outer, inner] { return mesh_tube(outer, inner); };
+    } else {
+        const RectangleTable& table = *section.shape->rectangle;
+        const double width = number(table, table.width_y), height = number(table, table.height_z);
+        shape.source = "rectangle";
+        shape.cut = [width, height] { return mesh_rectangle(width, height); };
+    }
+    shape.digest = shape.source + digest.text();
+    return section_store().find(shape);
 }
 
 void note_stations(const SectionTable& section, const SectionPlace& at, const BuildContext& context) {

@@ -46,6 +46,12 @@ CutSection compute_cut_section(const SectionTable& section,
                                const SectionPlace& at,
                                const BuildContext& context);
 
+// Cuts a circle, a tube or a rectangle, whose stiffness has closed forms, into cells, for stresses. With a
+// fault, nullptr.
+std::shared_ptr<const CrossSection> cut_plain_shape(const SectionTable& section,
+                                                    const SectionPlace& at,
+                                                    const BuildContext& context);
+
 // Says how exact the polynomials of a section along a rod are, half-way between two stations, as a note; a
 // fault if the stiffness is not positive definite there.
 void note_stations(const SectionTable& section, const SectionPlace& at, const BuildContext& context);
