@@ -1,6 +1,6 @@
 # gxrod_join_sources(targets source...): if GXROD_JOIN_SOURCES names one of the targets, or is "all", these sources are
 # compiled in the groups that join-sources finds, so that what they include is read, instantiated and compiled once for
-# each group.
+# each group. Groups are kept from one configuration to the next.
 function(gxrod_join_sources targets)
   set(wanted "")
   foreach(target IN LISTS targets)
@@ -13,7 +13,8 @@ function(gxrod_join_sources targets)
   endif()
   list(GET targets 0 first)
   find_program(GXROD_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
-  execute_process(COMMAND "${GXROD_PYTHON}" -B "${PROJECT_SOURCE_DIR}/cmake/join-sources" ${ARGN}
+  execute_process(COMMAND "${GXROD_PYTHON}" -B "${PROJECT_SOURCE_DIR}/cmake/join-sources"
+    --keep "${PROJECT_BINARY_DIR}/${first}.groups" ${ARGN}
     OUTPUT_VARIABLE groups OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
   string(REPLACE "\n" ";" groups "${groups}")
   foreach(line IN LISTS groups)
