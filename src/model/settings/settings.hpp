@@ -175,6 +175,8 @@ struct OutputSettings {
     // Histories are recorded at the multiples of it too, in addition to the ends of steps.
     std::optional<double> history_interval;
     Compression compression = Compression::none;
+    // The criterion of failure, by its word, by which stresses of all rods are recorded; "": they are not.
+    std::string stresses = {};
     std::vector<HistoryRequest> histories;
 };
 
