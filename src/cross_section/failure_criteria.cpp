@@ -90,10 +90,10 @@ FailureModes find_maximum_stress(const Vec6& stress, const ElasticMaterial& mate
 }
 
 constexpr std::array<FailureCriterion, 4> cards{{
-    {"von_mises", "von Mises", "yield_stress", has_yield_stress, find_yield},
+    {"von-mises", "von Mises", "yield_stress", has_yield_stress, find_yield},
     {"tsai-wu", "Tsai–Wu", "strength", has_strength, find_tsai_wu},
     {"hashin", "Hashin", "strength", has_strength, find_hashin},
-    {"max_stress", "maximum stress", "strength", has_strength, find_maximum_stress},
+    {"max-stress", "maximum stress", "strength", has_strength, find_maximum_stress},
 }};
 
 }  // namespace

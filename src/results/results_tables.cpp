@@ -23,6 +23,17 @@ AppendDataset<double> open_times(const Hdf5Handle& histories, const DeckRecord& 
     return {histories, {"time", description, "none", "time"}, scalar_row, rows};
 }
 
+std::optional<StressTable> open_stresses(const Hdf5Handle& root,
+                                         const Model& model,
+                                         const OutputSettings& output,
+                                         hsize_t steps) {
+    if (!output.stresses.empty())
+        return std::optional<StressTable>(std::in_place, root, model, output, steps > 0);
+    if (has_link(root, "envelopes"))
+        throw std::runtime_error("the file has stresses; output.stresses cannot be left out");
+    return std::nullopt;
+}
+
 }  // namespace
 
 ResultsTables::ResultsTables(const Hdf5Handle& root,
@@ -39,7 +50,8 @@ ResultsTables::ResultsTables(const Hdf5Handle& root,
       ledger_(ledger_group_, ledger_columns, deck.has_statics, rows.steps),
       solver_(solver_group_, solver_columns, deck.has_statics, rows.steps),
       inputs_(root, model.inputs, rows.steps),
-      frames_(root, model, output, rows.frames),
+      stresses_(open_stresses(root, model, output, rows.steps)),
+      frames_(root, model, output, rows.frames, stresses_ ? &stresses_->watch() : nullptr),
       restart_(root),
       rows_(rows),
       step_numbers_(1 + count_numbers(ledger_columns, deck.has_statics) +
@@ -58,6 +70,7 @@ void ResultsTables::append_step(const Snapshot& snapshot, const LedgerRow& ledge
     ledger_.append(ledger);
     solver_.append(solver);
     inputs_.append(snapshot.inputs);
+    if (stresses_) stresses_->append(snapshot);
     ++rows_.steps;
 }
 
@@ -85,6 +98,7 @@ void ResultsTables::flush_rows() {
     if (samples_) samples_->flush();
     frames_.flush_frames();
     if (contacts_) contacts_->flush();
+    if (stresses_) stresses_->flush();
 }
 
 void ResultsTables::flush_frame_count() { frames_.flush_count(); }

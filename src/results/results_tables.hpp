@@ -9,6 +9,7 @@
 #include "results/tables/sample_table.hpp"
 #include "results/tables/stage_table.hpp"
 #include "results/tables/step_table.hpp"
+#include "results/tables/stress_table.hpp"
 
 namespace gxrod {
 
@@ -36,6 +37,9 @@ class ResultsTables {
     void write_paths(const StagePlace& stage, const PathRecord& paths) {
         stages_.write_paths(stage, paths, rows_.steps);
     }
+    // Returns the largest stresses of all steps so far; nullptr unless the output has them.
+    const StressTable* stresses() const { return stresses_ ? &*stresses_ : nullptr; }
+
     void append_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver);
     void append_sample(const Snapshot& snapshot);
     void append_frame(const Snapshot& snapshot);
@@ -64,6 +68,7 @@ class ResultsTables {
     StepTable<LedgerRow> ledger_;
     StepTable<SolverRow> solver_;
     InputTable inputs_;
+    std::optional<StressTable> stresses_;  // if the output has stresses
     FrameTable frames_;
     std::optional<ContactTable> contacts_;  // if the model has contact
     std::optional<SampleTable> samples_;    // if the deck asks for samples, or the file has some

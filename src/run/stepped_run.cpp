@@ -43,8 +43,11 @@ SteppedRun::SteppedRun(RunRequest request)
 SteppedRun::~SteppedRun() = default;
 
 StageSequence::Plan SteppedRun::make_plan() const {
+    // Stresses of all rods are recorded in files alone.
+    const bool has_file = request_.results || request_.resumed != nullptr;
     return {problem(),
-            list_rod_places(problem().output.histories),
+            has_file ? list_recorded_places(problem().model, problem().output)
+                     : list_rod_places(problem().output.histories),
             list_contact_watches(problem().output.histories),
             request_.threads};
 }

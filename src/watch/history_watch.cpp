@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "watch/stress_watch.hpp"
+
 namespace gxrod {
 
 std::vector<RodPlace> list_rod_places(const std::vector<HistoryRequest>& requests) {
@@ -14,6 +16,14 @@ std::vector<RodPlace> list_rod_places(const std::vector<HistoryRequest>& request
         places.back().is_asked =
             point->node < 0 || std::ranges::any_of(quantities_of(request), is_of_section);
     }
+    return places;
+}
+
+std::vector<RodPlace> list_recorded_places(const Model& model, const OutputSettings& output) {
+    std::vector<RodPlace> places = list_rod_places(output.histories);
+    if (output.stresses.empty()) return places;
+    const std::vector<RodPlace> compared = list_stress_places(model);
+    places.insert(places.end(), compared.begin(), compared.end());
     return places;
 }
 

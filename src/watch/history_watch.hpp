@@ -4,12 +4,15 @@
 #include <span>
 #include <vector>
 
+#include "model/settings/settings.hpp"
 #include "watch/quantities.hpp"
 
 namespace gxrod {
 
 // Lists the points of rods in the requests, in order, for Snapshot::points.
 std::vector<RodPlace> list_rod_places(const std::vector<HistoryRequest>& requests);
+// Lists these points, then those at which stresses are compared if the output has stresses.
+std::vector<RodPlace> list_recorded_places(const Model& model, const OutputSettings& output);
 // Lists the contacts that snapshots record for these requests, in order.
 std::vector<ContactWatch> list_contact_watches(const std::vector<HistoryRequest>& requests);
 

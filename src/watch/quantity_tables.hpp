@@ -30,4 +30,7 @@ extern const QuantityTable quantities_of_rods_around, quantities_of_bodies_aroun
 extern const QuantityTable quantities_of_obstacles;
 extern const QuantityTable quantities_of_touching_rods, quantities_of_touching_bodies;
 
+// Returns whether a word is one of those of stresses.
+bool is_stress_quantity(std::string_view word);
+
 }  // namespace gxrod

@@ -2,6 +2,7 @@
 
 #include "model/sections/section_at.hpp"
 #include "model/ties/ties.hpp"
+#include "watch/quantity_tables.hpp"
 
 #include <algorithm>
 
@@ -22,6 +23,25 @@ Quat section_axes(const Model& model, const RodPlace& place, int node) {
 
 }  // namespace
 
+WatchedStress::WatchedStress(std::shared_ptr<const CrossSection> shape, const HistoryRequest& request)
+    : section(std::move(shape), request.criterion), is_by_exposure(!request.criterion.empty()) {
+    if (request.section_point) point = section.find_nearest_point(*request.section_point);
+}
+
+SectionStress WatchedStress::find(const Vec6& resultants) const {
+    if (point) return section.describe(*point, resultants);
+    std::optional<LargestStress> found;
+    if (is_by_exposure) found = section.find_exposure(resultants);
+    if (!found) found = section.find_von_mises(resultants);
+    return section.describe(found->point, resultants);
+}
+
+double WatchedStress::find_exposure(const Vec6& resultants) const {
+    if (point) return section.describe(*point, resultants).exposure;
+    const std::optional<LargestStress> found = section.find_exposure(resultants);
+    return found ? found->value : 0.0;
+}
+
 Subject::Subject(const Model& its_model, const std::vector<HistoryRequest>& requests, std::size_t index)
     : model(&its_model),
       target(requests[index].target),
@@ -39,8 +59,10 @@ Subject::Subject(const Model& its_model, const std::vector<HistoryRequest>& requ
         start_axes = section_axes(*model, std::get<WatchedPoint>(target).place, node);
     if (node >= 0) start = model->nodes[static_cast<std::size_t>(node)].position;
     if (const auto* point = std::get_if<WatchedPoint>(&target)) {
-        if (auto shape = find_shape(*model, point->place))
-            stresses.emplace(std::move(shape), requests[index].section_point, requests[index].criterion);
+        const bool has_stress = std::ranges::any_of(
+            requests[index].quantities, [](const std::string& word) { return is_stress_quantity(word); });
+        if (auto shape = has_stress ? find_shape(*model, point->place) : nullptr)
+            stress.emplace(std::move(shape), requests[index]);
     }
     if (relative_node >= 0) relative_start = model->nodes[static_cast<std::size_t>(relative_node)].position;
 }

@@ -18,6 +18,17 @@ struct SeenPoint {
     Vec3 material_spin() const { return axes().conjugate() * motion.omega; }
 };
 
+// Stresses of a section that a history has: at a point, or where they are worst.
+struct WatchedStress {
+    SectionStresses section;
+    std::optional<int> point = {};  // of the section
+    bool is_by_exposure = false;    // which is the worst, else by the von Mises stress
+
+    WatchedStress(std::shared_ptr<const CrossSection> shape, const HistoryRequest& request);
+    SectionStress find(const Vec6& resultants) const;
+    double find_exposure(const Vec6& resultants) const;
+};
+
 // The thing of a history with what its quantities need of the model, which must outlive it.
 struct Subject {
     // Takes the thing of requests[index].
@@ -31,9 +42,9 @@ struct Subject {
     std::optional<Vec3> about;
     Vec3 start = Vec3::Zero();  // place of a node at t = 0
     Quat start_axes = Quat::Identity();
-    std::size_t point_row = 0;                     // index in Snapshot::points
-    std::size_t contact_row = 0;                   // index in Snapshot::watched_contacts
-    std::optional<SectionStresses> stresses = {};  // of a point of a rod whose section has a shape on cells
+    std::size_t point_row = 0;                 // index in Snapshot::points
+    std::size_t contact_row = 0;               // index in Snapshot::watched_contacts
+    std::optional<WatchedStress> stress = {};  // of a point of a rod whose section has a shape on cells
 };
 
 // The thing of a history at a step: where its quantities find their values.
@@ -44,7 +55,8 @@ struct Sight {
     SeenPoint point() const;
     Vec3 centre_of_mass() const;
     const PointValues& section() const { return now.points[of.point_row]; }
-    SectionStress stress() const { return of.stresses->find(section_resultants()); }
+    SectionStress stress() const { return of.stress->find(section_resultants()); }
+    double exposure() const { return of.stress->find_exposure(section_resultants()); }
     const PointSurroundings& around() const;  // of a point or a body
     Vec3 reaction_force() const;
     Vec3 reaction_moment() const;

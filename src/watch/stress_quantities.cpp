@@ -1,5 +1,9 @@
+#include <algorithm>
+
+#include "cross_section/cross_section.hpp"
 #include "model/sections/section_at.hpp"
 #include "watch/quantity_tables.hpp"
+#include "watch/sight.hpp"
 
 namespace gxrod {
 namespace {
@@ -13,6 +17,16 @@ std::string lacks_stress(const Watched& target, const Model& model) {
     return "";
 }
 
+std::string lacks_exposure(const Watched& target, const Model& model) {
+    std::string reason = lacks_stress(target, model);
+    if (!reason.empty()) return reason;
+    const auto has_strength = [](const ElasticMaterial& one) { return one.yield_stress || one.strength; };
+    const Section& section = section_at(model, std::get<WatchedPoint>(target).place);
+    return std::ranges::any_of(section.shape->materials, has_strength)
+               ? ""
+               : "no material of the section has yield_stress or strength";
+}
+
 // clang-format off
 constexpr Quantity stress_lines[]{
     Quantity("stress", "stress (xx, yy, zz, yz, xz, xy)", "force/length²", Axes::material,
@@ -22,7 +36,7 @@ constexpr Quantity stress_lines[]{
     Quantity("principal_stress", "principal stresses, the largest first", "force/length²", Axes::none,
              [](const Sight& see) { return see.stress().principal; }).with_strain_order().unless(lacks_stress),
     Quantity("exposure", "exposure: 1/(factor on all resultants at which the material fails)", "1", Axes::none,
-             [](const Sight& see) { return see.stress().exposure; }).with_strain_order().unless(lacks_stress),
+             [](const Sight& see) { return see.exposure(); }).with_strain_order().unless(lacks_exposure),
     Quantity("stress_place", "where in the section (y, z) the stress is", "length", Axes::material,
              [](const Sight& see) { return see.stress().at; }).unless(lacks_stress)};
 // clang-format on
@@ -30,5 +44,9 @@ constexpr Quantity stress_lines[]{
 }  // namespace
 
 constinit const QuantityTable quantities_of_stresses{stress_lines, SnapshotPart::section, "points"};
+
+bool is_stress_quantity(std::string_view word) {
+    return std::ranges::find(stress_lines, word, &Quantity::word) != std::end(stress_lines);
+}
 
 }  // namespace gxrod

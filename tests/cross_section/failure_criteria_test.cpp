@@ -84,7 +84,7 @@ TEST_CASE("Uniaxial strengths are reached at exposure one", "[cross_section]") {
     for (const auto& [component, strength, word] : cases) {
         const Vec6 stress = strength * Vec6::Unit(component);
         CAPTURE(component, strength);
-        const FailureMode governing = find("max_stress", stress).governing();
+        const FailureMode governing = find("max-stress", stress).governing();
         CHECK(governing.exposure() == Approx(1.0).epsilon(1e-14));
         CHECK(governing.word == word);
         CHECK(find("tsai-wu", stress).governing().exposure() == Approx(1.0).epsilon(1e-14));
@@ -137,11 +137,11 @@ TEST_CASE("A criterion is chosen by what the material has", "[cross_section]") {
     CHECK(choose_failure_criterion(hashin, make_ply()) == hashin);
     CHECK(choose_failure_criterion(hashin, steel) == nullptr);
     steel.yield_stress = 235.0;
-    CHECK(choose_failure_criterion(hashin, steel)->word == "von_mises");
+    CHECK(choose_failure_criterion(hashin, steel)->word == "von-mises");
     CHECK(choose_failure_criterion(nullptr, make_ply()) == nullptr);
     CHECK(find_failure_criterion("puck") == nullptr);
     const FailureModes modes =
-        find_failure_criterion("von_mises")->find_modes(stress_of(0, 0, 0, 0, 47, 0), steel);
+        find_failure_criterion("von-mises")->find_modes(stress_of(0, 0, 0, 0, 47, 0), steel);
     CHECK(modes.governing().exposure() == Approx(std::sqrt(3.0) * 0.2));
 }
 

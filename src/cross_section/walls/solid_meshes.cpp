@@ -111,12 +111,16 @@ void add_core(const QuadGrid& ring, int side, double radius, SectionMesh& mesh) 
 
 SectionMesh mesh_rectangle(double width_y, double height_z, const SolidMeshSettings& settings) {
     const double least = std::min(width_y, height_z) / settings.refinement;
+    // Each half alike, so that there are nodes on both axes, where shear stresses are largest.
     const auto places = [&](double length) {
         const LineGrading grading{.at_start = 0.15 * least,
-                                  .at_end = 0.15 * least,
+                                  .at_end = length,
                                   .growth = 0.5 / settings.refinement,
                                   .largest = 0.25 * length / settings.refinement};
-        return place_nodes(grade_line(length, grading), settings.order);
+        std::vector<double> ends = grade_line(0.5 * length, grading);
+        for (double& end : ends) end *= 0.5;
+        for (std::size_t i = ends.size() - 1; i-- > 0;) ends.push_back(1.0 - ends[i]);
+        return place_nodes(ends, settings.order);
     };
     const std::vector<double> y = places(width_y), z = places(height_z);
     const auto cells = [&](const std::vector<double>& nodes) {
@@ -153,7 +157,8 @@ SectionMesh mesh_tube(double outer_radius, double inner_radius, const SolidMeshS
 }
 
 SectionMesh mesh_circle(double radius, const SolidMeshSettings& settings) {
-    const int side = refined(5.0, settings), order = settings.order;
+    // An even number puts nodes on both axes, where bending stresses are largest.
+    const int side = 2 * refined(3.0, settings), order = settings.order;
     const QuadGrid ring{
         .order = order, .cells_along = 4 * side, .cells_across = refined(2.0, settings), .is_ring = true};
     SectionMesh mesh = make_grid_mesh(ring);

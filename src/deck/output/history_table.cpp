@@ -7,9 +7,9 @@
 #include <cctype>
 #include <set>
 
-#include "cross_section/failure_criteria.hpp"
 #include "deck/contact/build_contact_exceptions.hpp"
 #include "deck/output/history_place.hpp"
+#include "deck/output/stress_criterion.hpp"
 #include "deck/rods/rod_table.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
@@ -45,10 +45,11 @@ const TableSpec& history_table() {
             .unit("length").otherwise("the point itself")
         .key("point", &T::point, "Where in the section, [y, z] in its axes, stresses are recorded: at the nearest node "
              "of the cells.")
-            .unit("length").otherwise("where they are worst, by criterion")
-        .key("criterion", &T::criterion, "By what exposure is computed and the worst stress found: \"von-mises\" with "
-             "yield_stress, \"tsai-wu\", \"hashin\" or \"max-stress\" with strength of the material.")
-            .otherwise("von-mises")
+            .unit("length").otherwise("where they are worst")
+        .key("criterion", &T::criterion, "Which exposure is recorded, and where stresses are worst: \"von-mises\" with "
+             "yield_stress of the material; \"tsai-wu\", \"hashin\" or \"max-stress\" with its strength, of materials "
+             "without it von-mises.")
+            .otherwise("exposure by von-mises; stresses where the von Mises stress is largest")
         .key("quantities", &T::quantities, "rotation_vector and quaternion are the rotation since t = 0 of a rod's "
              "point, the attitude of a body; orientation is that of section or body axes for both. force, moment "
              "(section axes), force_spatial, moment_spatial, strain and curvature are a rod's, centre_of_mass is a "
@@ -59,9 +60,10 @@ const TableSpec& history_table() {
              "force and moment (what A exerts on B, moment about the joint, global), force_a and moment_a (in the "
              "joint's axes on A, along its axis first), drive (moment or force of its motor, or its key drive), "
              "friction and gap. A gear has drive (moment or force on its second joint) and gap. effective_tension, "
-             "stress, von_mises, principal_stress, exposure and "
-             "stress_place are a rod's, of elastic sections with a shape. effective_tension, wall_tension, water_velocity and bed_force are a rod's; wet_fraction and fluid_force are those of what "
-             "has a key fluid, forces per length of a rod and whole of a body.")
+             "wall_tension, water_velocity and bed_force are a rod's; stress (xx, yy, zz, yz, xz, xy in section axes), "
+             "von_mises, principal_stress, exposure (1/(factor on the resultants at which the material fails)) and "
+             "stress_place that of a rod whose section has a shape and no law. wet_fraction and fluid_force are those "
+             "of what has a key fluid, forces per length of a rod and whole of a body.")
             .required().words(list_quantity_words())
             .also("variables outputs record output values fields")
         .with(add_copies<T>)
@@ -132,14 +134,8 @@ void set_about(const HistoryKeys& table, HistoryRequest& request, const BuildCon
         context.add_fault(table, table.about, "goes with reaction_moment, which is not among the quantities");
 }
 
-// Whether a word is one of those of stresses.
-bool is_of_stress(const std::string& word) {
-    return std::ranges::find(quantities_of_stresses.lines, word, &Quantity::word) !=
-           quantities_of_stresses.lines.end();
-}
-
 void set_stress_keys(const HistoryKeys& table, HistoryRequest& request, const BuildContext& context) {
-    const bool has_stress = std::ranges::any_of(request.quantities, is_of_stress);
+    const bool has_stress = std::ranges::any_of(request.quantities, is_stress_quantity);
     const auto refuse = [&](const auto& key) {
         context.add_fault(
             table,
@@ -151,15 +147,7 @@ void set_stress_keys(const HistoryKeys& table, HistoryRequest& request, const Bu
     if (table.point) request.section_point = Eigen::Vector2d((*table.point)[0], (*table.point)[1]);
     if (!table.criterion) return;
     request.criterion = *table.criterion;
-    if (find_failure_criterion(request.criterion) != nullptr) return;
-    std::vector<std::string> known;
-    for (const FailureCriterion& criterion : failure_criteria()) known.emplace_back(criterion.word);
-    context.add_fault(table,
-                      table.criterion,
-                      fmt::format("expected one of {}, found \"{}\"{}",
-                                  plain_list(known),
-                                  request.criterion,
-                                  did_you_mean(request.criterion, known)));
+    check_criterion(table, table.criterion, context);
 }
 
 // A rod, or a body that touches, as ContactTouch has them.
@@ -287,13 +275,6 @@ HistoryRequest build_history(const HistoryKeys& table, const Watched& target, co
 }
 
 }  // namespace
-
-bool asks_for_stresses(const CheckedTable& deck) {
-    for (const HistoryKeys& table : tables_of<HistoryKeys>(deck, history_table())) {
-        if (std::ranges::any_of(table.quantities.words, is_of_stress, &CheckedWord::word)) return true;
-    }
-    return false;
-}
 
 std::vector<HistoryRequest> build_histories(const BuildContext& context) {
     std::vector<HistoryRequest> histories;

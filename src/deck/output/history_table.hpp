@@ -32,9 +32,6 @@ struct HistoryKeys : TableHead {
     Copies copies;
 };
 
-// Returns whether a history of the deck has stresses, so that all sections need cells.
-bool asks_for_stresses(const CheckedTable& deck);
-
 // Builds the histories. Call it after build_supports.
 std::vector<HistoryRequest> build_histories(const BuildContext& context);
 

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "deck/output/stress_criterion.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/table/table.hpp"
+#include "model/sections/section_at.hpp"
+#include "model/sections/section_law.hpp"
 #include "model/settings/frame_interval.hpp"
 
 namespace gxrod {
@@ -18,6 +21,7 @@ struct OutputTable : TableHead {
     std::optional<std::vector<double>> times;
     std::optional<double> history_interval;
     Compression compression = OutputSettings{}.compression;
+    std::optional<std::string> stresses;
 };
 
 }  // namespace
@@ -43,11 +47,18 @@ const TableSpec& output_table() {
             .unit("time").above(0).also("sample_interval sampling_interval sampling history_step")
         .key("compression", &T::compression, "Of frames, without loss. deflate halves them and takes some time of "
              "writing; for models of a thousand nodes and more.")
+        .key("stresses", &T::stresses, "Stresses of all rods whose sections have shapes and no law are recorded: "
+             "the largest of all steps at both ends and the middle of each element, with place and time, in /envelopes, "
+             "those of frames, and /sections. The word is the criterion of exposure, 1/(factor on the resultants at "
+             "which the material fails): \"von-mises\" with yield_stress of the material; \"tsai-wu\", \"hashin\" or "
+             "\"max-stress\" with its strength, of materials without it von-mises.")
+            .also("stress envelope envelopes criterion utilisation utilization")
         .at_most_one_of({"every", "interval", "times"})
         .shown_by(
             "[output]\n"
             "every = 10\n"
-            "compression = \"deflate\"\n");
+            "compression = \"deflate\"\n"
+            "stresses = \"von-mises\"\n");
     // clang-format on
     return table;
 }
@@ -119,8 +130,35 @@ void refuse_times(const OutputTable& table, const BuildContext& context) {
     if (table.history_interval) context.add_fault(table, table.history_interval, message);
 }
 
+// "beam (its section has a law, …), mast", of rods whose stresses are not recorded.
+std::string list_without_stress(const Model& model) {
+    std::string list;
+    for (std::size_t r = 0; r < model.rods.size(); ++r) {
+        const RodPlace start{.rod = static_cast<int>(r)};
+        if (find_shape(model, start)) continue;
+        const Section& section = section_at(model, start);
+        const std::string reason = section.law
+                                       ? fmt::format("its section has a law, {}", section.law->describe())
+                                       : "its section has numbers and no shape";
+        list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", model.rods[r].name, reason);
+    }
+    return list;
+}
+
+void set_stresses(const OutputTable& table, const BuildContext& context, OutputSettings& output) {
+    if (!table.stresses) return;
+    check_criterion(table, table.stresses, context);
+    output.stresses = *table.stresses;
+    const std::string without = list_without_stress(context.model);
+    if (list_shapes(context.model).empty())
+        context.add_fault(table, table.stresses, "no rod has stresses: " + without);
+    else if (!without.empty())
+        context.notes.push_back("output.stresses: not those of " + without);
+}
+
 void set_output(const OutputTable& table, const BuildContext& context, OutputSettings& output) {
     output.compression = table.compression;
+    set_stresses(table, context, output);
     if (!have_time(context.stages)) return refuse_times(table, context);
     check_interval(table, table.interval, context);
     check_interval(table, table.history_interval, context);
@@ -137,6 +175,11 @@ void set_frame_intervals(BuildContext& context) {
     for (const OutputTable& table : tables_of<OutputTable>(context.deck, output_table())) every = table.every;
     for (StagePlan& stage : context.stages)
         stage.frame_interval = every ? *every : choose_frame_interval(stage.analysis);
+}
+
+bool records_stresses(const CheckedTable& deck) {
+    return std::ranges::any_of(tables_of<OutputTable>(deck, output_table()),
+                               [](const OutputTable& table) { return table.stresses.has_value(); });
 }
 
 OutputSettings build_output(const BuildContext& context) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "cross_section/moved_section.hpp"
-#include "deck/output/history_table.hpp"
+#include "deck/output/stress_criterion.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/top_level.hpp"
 #include "deck/sections/build_sections.hpp"

@@ -31,6 +31,10 @@ void write_attribute(hid_t object,
     check_hdf5(H5Awrite(attribute.id(), type.id(), value), "writing an attribute");
 }
 
+Hdf5Handle array_space(std::span<const hsize_t> size) {
+    return {H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose, "dataspace"};
+}
+
 // Without times of modification, so that equal runs give equal files.
 Hdf5Handle creation_properties() {
     Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "dataset properties");
@@ -149,15 +153,50 @@ void write_dataset(const Hdf5Handle& group,
                    const DatasetLabel& label,
                    std::span<const hsize_t> size,
                    std::span<const double> values) {
-    const Hdf5Handle space(
-        H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose, "dataspace");
-    write_dataset(group, label, H5T_IEEE_F64LE, space, values.data());
+    write_dataset(group, label, H5T_IEEE_F64LE, array_space(size), values.data());
+}
+
+void write_dataset(const Hdf5Handle& group,
+                   const DatasetLabel& label,
+                   std::span<const hsize_t> size,
+                   std::span<const std::int64_t> values) {
+    write_dataset(group, label, H5T_STD_I64LE, array_space(size), values.data());
+}
+
+void write_compressed(const Hdf5Handle& group,
+                      const DatasetLabel& label,
+                      hsize_t columns,
+                      std::span<const float> values) {
+    const std::array<hsize_t, 2> size{values.size() / columns, columns};
+    const std::array<hsize_t, 2> chunk{std::clamp<hsize_t>(size[0], 1, 1024), columns};
+    const Hdf5Handle space = array_space(size);
+    const Hdf5Handle properties = creation_properties();
+    check_hdf5(H5Pset_chunk(properties.id(), 2, chunk.data()), "chunks");
+    check_hdf5(H5Pset_shuffle(properties.id()), "compression");
+    check_hdf5(H5Pset_deflate(properties.id(), 1), "compression");
+    const Hdf5Handle dataset(H5Dcreate2(group.id(),
+                                        label.name.c_str(),
+                                        H5T_IEEE_F32LE,
+                                        space.id(),
+                                        H5P_DEFAULT,
+                                        properties.id(),
+                                        H5P_DEFAULT),
+                             H5Dclose,
+                             "creating a dataset");
+    write_label(dataset.id(), label);
+    check_hdf5(H5Dwrite(dataset.id(), H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+               "writing a dataset");
+}
+
+Hdf5Handle create_dataset(const Hdf5Handle& group,
+                          const DatasetLabel& label,
+                          hid_t type,
+                          std::span<const hsize_t> size) {
+    return create_dataset(group, label, type, array_space(size));
 }
 
 Hdf5Handle create_dataset(const Hdf5Handle& group, const DatasetLabel& label, hsize_t rows, hsize_t columns) {
-    const std::array<hsize_t, 2> size{rows, columns};
-    const Hdf5Handle space(H5Screate_simple(2, size.data(), nullptr), H5Sclose, "dataspace");
-    return create_dataset(group, label, H5T_IEEE_F64LE, space);
+    return create_dataset(group, label, H5T_IEEE_F64LE, std::array{rows, columns});
 }
 
 std::vector<std::string> list_members(hid_t group) {

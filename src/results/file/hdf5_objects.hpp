@@ -77,6 +77,21 @@ void write_dataset(const Hdf5Handle& group,
                    const DatasetLabel& label,
                    std::span<const hsize_t> size,
                    std::span<const double> values);
+// Writes an array of integers of this size in each direction.
+void write_dataset(const Hdf5Handle& group,
+                   const DatasetLabel& label,
+                   std::span<const hsize_t> size,
+                   std::span<const std::int64_t> values);
+// Writes rows of numbers of single precision, compressed.
+void write_compressed(const Hdf5Handle& group,
+                      const DatasetLabel& label,
+                      hsize_t columns,
+                      std::span<const float> values);
+// Creates a dataset of this type and size in each direction, not yet written.
+Hdf5Handle create_dataset(const Hdf5Handle& group,
+                          const DatasetLabel& label,
+                          hid_t type,
+                          std::span<const hsize_t> size);
 // Creates a dataset of doubles, not yet written.
 Hdf5Handle create_dataset(const Hdf5Handle& group, const DatasetLabel& label, hsize_t rows, hsize_t columns);
 

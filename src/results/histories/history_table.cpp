@@ -20,6 +20,12 @@ std::string describe_about(const HistoryRequest& request) {
     return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", point[0], point[1], point[2]);
 }
 
+// "[0.05, 0.1]" in the section, or "" for where stresses are worst.
+std::string describe_point(const HistoryRequest& request) {
+    if (!request.section_point) return "";
+    return fmt::format("[{:.17g}, {:.17g}]", request.section_point->x(), request.section_point->y());
+}
+
 // The attribute `frame` of datasets.
 std::string frame_of(Axes axes, const std::string& relative_to) {
     switch (axes) {
@@ -65,15 +71,19 @@ RowShape shape_of(const Hdf5Handle& group, const std::string& name) {
 void label_group(const Hdf5Handle& group, const HistoryRequest& request) {
     const bool is_new = H5Aexists(group.id(), "at") <= 0;
     const std::string about = describe_about(request);
+    const std::string point = describe_point(request);
     if (is_new) {
         write_attribute(group.id(), "at", request.at);
         if (!request.relative_to.empty()) write_attribute(group.id(), "relative_to", request.relative_to);
         if (!about.empty()) write_attribute(group.id(), "about", about);
         if (!request.with.empty()) write_attribute(group.id(), "with", request.with);
+        if (!point.empty()) write_attribute(group.id(), "point", point);
+        if (!request.criterion.empty()) write_attribute(group.id(), "criterion", request.criterion);
         return;
     }
     if (read_label(group, "at") == request.at && read_label(group, "relative_to") == request.relative_to &&
-        read_label(group, "about") == about && read_label(group, "with") == request.with) {
+        read_label(group, "about") == about && read_label(group, "with") == request.with &&
+        read_label(group, "point") == point && read_label(group, "criterion") == request.criterion) {
         return;
     }
     throw std::runtime_error("its history " + request.name +

@@ -46,6 +46,14 @@ const DatasetLabel contact_gap_label{
     "none",
     "length"};
 
+const std::array<DatasetLabel, 2> stress_labels{{
+    {"von_mises",
+     "largest von Mises stress at the element's middle; NaN without one",
+     "none",
+     "force/length²"},
+    {"exposure", "largest exposure at the element's middle; NaN without one", "none", "1"},
+}};
+
 constexpr RowShape number_in_row{1, true};  // [S,1]
 
 // One frame a chunk if compressed; else about that, within limits: small chunks cost time, large ones space
@@ -74,8 +82,10 @@ std::span<const double> numbers(const Vec3& vector) { return {vector.data(), 3};
 FrameTable::FrameTable(const Hdf5Handle& root,
                        const Model& model,
                        const OutputSettings& output,
-                       hsize_t frames)
+                       hsize_t frames,
+                       const StressWatch* stresses)
     : model_(&model),
+      stresses_(stresses),
       mesh_(make_frame_mesh(model)),
       is_compressed_(output.compression == Compression::deflate),
       frames_(static_cast<std::int64_t>(frames)),
@@ -149,9 +159,34 @@ void FrameTable::create_fields(const Hdf5Handle& root) {
     cells_.emplace_back(
         cell_data, cell_radius_label, scalar_row, cell_rows, chunks(mesh_.cell_count(), sizeof(double)));
     link_dataset(cell_offsets_.id(), cell_data_offsets, cell_radius_label.name);
+    if (stresses_ != nullptr) create_stresses(cell_data, cell_data_offsets, cell_rows);
     write_rod_places({root, point_data, point_data_offsets, cell_data, cell_data_offsets, part_offsets_.id()},
                      *model_);
     write_link_tables(root, *model_);
+}
+
+void FrameTable::create_stresses(const Hdf5Handle& cell_data, const Hdf5Handle& offsets, hsize_t cell_rows) {
+    for (std::size_t rod = 0; rod < model_->rods.size(); ++rod) {
+        for (int element = 0; element < model_->rods[rod].element_count(); ++element)
+            shapes_.push_back(
+                stresses_->shape_at({.rod = static_cast<int>(rod), .element = element, .xi = 0.0}));
+    }
+    shapes_.resize(mesh_.cell_count(), -1);
+    for (const DatasetLabel& label : stress_labels) {
+        cells_.emplace_back(cell_data,
+                            label,
+                            scalar_row,
+                            cell_rows,
+                            frame_chunks(mesh_.cell_count(), sizeof(double), is_compressed_));
+        link_dataset(cell_offsets_.id(), offsets, label.name);
+    }
+    if (has_link(cell_data, "section")) return;
+    const std::vector<std::int64_t> numbers(shapes_.begin(), shapes_.end());
+    write_dataset(
+        cell_data,
+        {"section", "number in /sections at the element's middle; -1 without stresses", "none", "1"},
+        std::span<const std::int64_t>(numbers));
+    link_dataset(part_offsets_.id(), offsets, "section");
 }
 
 void FrameTable::append(const Snapshot& snapshot) {
@@ -199,6 +234,11 @@ void FrameTable::append_cells(const Snapshot& snapshot) {
         cells_[2].append(numbers(section.strain));
         cells_[3].append(numbers(section.curvature));
         cells_[4].append(mesh_.cell_radius[i]);
+        if (stresses_ != nullptr) {
+            const StressWatch::Largest largest = stresses_->find_largest(shapes_[i], section);
+            cells_[5].append(largest.von_mises);
+            cells_[6].append(largest.exposure);
+        }
         flush_if_much(cells_);
     }
 }

@@ -5,6 +5,7 @@
 #include "results/file/append_dataset.hpp"
 #include "results/tables/frame_mesh.hpp"
 #include "state/records/step_record.hpp"
+#include "watch/stress_watch.hpp"
 
 namespace gxrod {
 
@@ -16,7 +17,12 @@ class FrameTable {
     // Appends after the first `frames` frames; flush_count() updates their number once the times on disk are
     // cut. `model` must outlive the table. Throws std::runtime_error if existing frames have another number
     // of points.
-    FrameTable(const Hdf5Handle& root, const Model& model, const OutputSettings& output, hsize_t frames);
+    // `stresses`, which must outlive it too, is nullptr where the output has none.
+    FrameTable(const Hdf5Handle& root,
+               const Model& model,
+               const OutputSettings& output,
+               hsize_t frames,
+               const StressWatch* stresses = nullptr);
 
     void append(const Snapshot& snapshot);
     // Writes the frames. Then call flush_count(), and when that is on disk flush_times(); only then readers
@@ -34,11 +40,14 @@ class FrameTable {
     void create_fields(const Hdf5Handle& root);
     void append_points(const Snapshot& snapshot);
     void append_cells(const Snapshot& snapshot);
+    void create_stresses(const Hdf5Handle& cell_data, const Hdf5Handle& offsets, hsize_t cell_rows);
     void flush_if_much(std::vector<AppendDataset<double>>& fields) const;
     template <class Action>
     void for_each_of_rows(Action&& action);
 
     const Model* model_;
+    const StressWatch* stresses_;
+    std::vector<int> shapes_;  // of each cell, by number, with stresses
     FrameMesh mesh_;
     bool is_compressed_;
     std::int64_t frames_;  // appended
@@ -48,8 +57,9 @@ class FrameTable {
     AppendDataset<std::int64_t> part_offsets_, part_counts_, point_offsets_, cell_offsets_, topology_offsets_;
     std::vector<AppendDataset<double>> points_;  // Points, PointData in the order of point_labels, radius;
                                                  // with contact its force, the last
-    std::vector<AppendDataset<double>> cells_;   // CellData in the order of cell_labels, radius
-    Hdf5Handle frame_count_;                     // Steps@NSteps
+    std::vector<AppendDataset<double>>
+        cells_;               // CellData in the order of cell_labels, radius, with stresses those
+    Hdf5Handle frame_count_;  // Steps@NSteps
 };
 
 }  // namespace gxrod
