@@ -190,6 +190,8 @@ void ResultsFile::attempt(std::size_t bytes, Action&& action) {
     is_sound_ = true;
 }
 
+const StressTable* ResultsFile::stresses() const { return tables_ ? tables_->stresses() : nullptr; }
+
 void ResultsFile::begin_stage(const StagePlace& stage) {
     attempt(hdf5_reserve, [&] { tables_->begin_stage(stage); });
 }

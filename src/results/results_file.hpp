@@ -23,6 +23,7 @@ namespace gxrod {
 
 class OrderedFile;
 class ResultsTables;
+class StressTable;
 
 enum class RunStatus { running, complete, failed, interrupted };
 // Returns the word for files and summaries, for example "running".
@@ -79,6 +80,8 @@ class ResultsFile {
     void note_interpolant(const std::string& words);
     // Adds a frame to /VTKHDF.
     void write_frame(const Snapshot& snapshot);
+    // Returns the table of the largest stresses so far; nullptr unless the output has them.
+    const StressTable* stresses() const;
     // Returns whether no call has failed so far. After a failure, only the destructor may be called.
     bool is_sound() const { return is_sound_; }
     // Returns whether a flush is due: five times a second, or when much is buffered.

@@ -14,7 +14,9 @@
 #include "model/evaluation_error.hpp"
 #include "model/settings/analysis_traits.hpp"
 #include "model/settings/frame_interval.hpp"
+#include "results/tables/stress_table.hpp"
 #include "watch/history_watch.hpp"
+#include "watch/stress_words.hpp"
 
 namespace gxrod {
 
@@ -405,6 +407,11 @@ void SteppedRun::close() {
     summary.place = describe_place();
     leave_path();
     for (const std::string& warning : signals_.list_warnings()) books_.add_warning(warning);
+    if (const StressTable* stresses = file_ ? file_->stresses() : nullptr) {
+        StressWords words = describe_stresses(problem().model, stresses->watch(), stresses->envelope());
+        summary.findings.insert(summary.findings.end(), words.findings.begin(), words.findings.end());
+        for (std::string& warning : words.warnings) books_.add_warning(std::move(warning));
+    }
     books_.close(*stages_, stage_count());
     if (file_) {
         const PhaseTimer timer(output_seconds_);
