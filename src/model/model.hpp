@@ -52,6 +52,10 @@ struct Section {
     double radius = 0.0;                    // radius for contact; 0: not known
     // What the stiffness was computed from, cut into cells in the section's axes, for stresses; else nullptr.
     std::shared_ptr<const CrossSection> shape{};
+    // Between two sections along a rod: the shape of the one that is farther, and its part of all values, up
+    // to one half.
+    std::shared_ptr<const CrossSection> other_shape{};
+    double other_part = 0.0;
 };
 
 enum class ElementKind {

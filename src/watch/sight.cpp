@@ -61,8 +61,7 @@ Subject::Subject(const Model& its_model, const std::vector<HistoryRequest>& requ
     if (const auto* point = std::get_if<WatchedPoint>(&target)) {
         const bool has_stress = std::ranges::any_of(
             requests[index].quantities, [](const std::string& word) { return is_stress_quantity(word); });
-        if (auto shape = has_stress ? find_shape(*model, point->place) : nullptr)
-            stress.emplace(std::move(shape), requests[index]);
+        if (has_stress) stress.emplace(section_at(*model, point->place).shape, requests[index]);
     }
     if (relative_node >= 0) relative_start = model->nodes[static_cast<std::size_t>(relative_node)].position;
 }

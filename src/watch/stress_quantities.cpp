@@ -14,6 +14,9 @@ std::string lacks_stress(const Watched& target, const Model& model) {
     if (section.law)
         return "the section has a law, " + section.law->describe() + ", of which stresses do not follow";
     if (!section.shape) return "the section has no shape, only its numbers";
+    if (section.other_shape) return "the section is mixed of two there; stresses are known at the stations";
+    if (model.rods[static_cast<std::size_t>(place.rod)].has_varying_sections() && !is_at_node(model, place))
+        return "where a section varies, stresses are known at nodes";
     return "";
 }
 

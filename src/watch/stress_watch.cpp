@@ -12,14 +12,26 @@ Vec6 join(const Vec3& force, const Vec3& moment) {
     return resultants;
 }
 
-void keep_larger(const SectionStresses& stresses,
-                 const std::optional<LargestStress>& found,
+using Search = std::optional<LargestStress> (SectionStresses::*)(const Vec6&, double) const;
+
+void keep_larger(const StressWatch& watch,
+                 Search search,
+                 const ShapeShares& shapes,
                  const Vec6& resultants,
                  double time,
                  WorstStress& worst) {
+    const SectionStresses& first = watch.stresses_of(shapes.front().first);
+    const std::optional<LargestStress> found =
+        (first.*search)(resultants, shapes.size() == 1 ? worst.value : 0.0);
     if (!found) return;
-    const StressPoint& point = stresses.section()->stresses.points[static_cast<std::size_t>(found->point)];
-    worst = {found->value, time, point.at, point.layer, resultants};
+    double value = shapes.front().second * found->value;
+    for (std::size_t i = 1; i < shapes.size(); ++i) {
+        const auto other = (watch.stresses_of(shapes[i].first).*search)(resultants, 0.0);
+        value += other ? shapes[i].second * other->value : 0.0;
+    }
+    if (value <= worst.value) return;
+    const StressPoint& point = first.section()->stresses.points[static_cast<std::size_t>(found->point)];
+    worst = {value, time, point.at, point.layer, resultants};
 }
 
 }  // namespace
@@ -28,9 +40,8 @@ std::vector<RodPlace> list_stress_places(const Model& model) {
     std::vector<RodPlace> places;
     for (std::size_t r = 0; r < model.rods.size(); ++r) {
         for (int element = 0; element < model.rods[r].element_count(); ++element) {
-            for (const double xi : {-1.0, 0.0, 1.0}) {
-                const RodPlace place{.rod = static_cast<int>(r), .element = element, .xi = xi};
-                if (find_shape(model, place)) places.push_back(place);
+            for (const RodPlace& place : list_stress_places(model, static_cast<int>(r), element)) {
+                if (!find_shapes(model, place).empty()) places.push_back(place);
             }
         }
     }
@@ -42,24 +53,35 @@ StressWatch::StressWatch(const Model& model, const std::string& criterion)
     for (const ListedShape& one : listed_) stresses_.emplace_back(one.shape, criterion);
 }
 
-int StressWatch::shape_at(const RodPlace& place) const {
-    const std::shared_ptr<const CrossSection> shape = find_shape(*model_, place);
-    const auto found = std::ranges::find(listed_, shape, &ListedShape::shape);
-    return !shape || found == listed_.end() ? -1 : static_cast<int>(found - listed_.begin());
+ShapeShares StressWatch::shapes_at(const RodPlace& place) const {
+    ShapeShares shares;
+    for (const ShapePart& one : find_shapes(*model_, place)) {
+        const auto found = std::ranges::find(listed_, one.shape, &ListedShape::shape);
+        shares.emplace_back(static_cast<int>(found - listed_.begin()), one.part);
+    }
+    return shares;
 }
 
-StressWatch::Largest StressWatch::find_largest(int shape, const SectionValues& middle) const {
+StressWatch::Largest StressWatch::find_largest(const ShapeShares& shapes, const SectionValues& middle) const {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    if (shape < 0) return {nan, nan};
+    if (shapes.empty()) return {nan, nan};
     const Vec6 resultants = join(middle.force, middle.moment);
-    const auto value = [](const std::optional<LargestStress>& found) { return found ? found->value : nan; };
-    const SectionStresses& stresses = stresses_of(shape);
-    return {value(stresses.find_von_mises(resultants)), value(stresses.find_exposure(resultants))};
+    Largest largest;
+    for (const auto& [shape, part] : shapes) {
+        const auto value = [&](const std::optional<LargestStress>& found) {
+            return found ? part * found->value : nan;
+        };
+        const SectionStresses& stresses = stresses_of(shape);
+        largest.von_mises += value(stresses.find_von_mises(resultants));
+        largest.exposure += value(stresses.find_exposure(resultants));
+    }
+    return largest;
 }
 
 StressEnvelope::StressEnvelope(const Model& model, const StressWatch& watch, std::size_t first_point)
     : watch_(&watch), first_point_(first_point) {
-    for (const RodPlace& place : list_stress_places(model)) places_.push_back({place, watch.shape_at(place)});
+    for (const RodPlace& place : list_stress_places(model))
+        places_.push_back({place, watch.shapes_at(place)});
     von_mises_.resize(places_.size());
     exposure_.resize(places_.size());
 }
@@ -68,17 +90,11 @@ void StressEnvelope::add(const Snapshot& snapshot) {
     for (std::size_t i = 0; i < places_.size(); ++i) {
         const PointValues& point = snapshot.points[first_point_ + i];
         const Vec6 resultants = join(point.force, point.moment);
-        const SectionStresses& stresses = watch_->stresses_of(places_[i].shape);
-        keep_larger(stresses,
-                    stresses.find_von_mises(resultants, von_mises_[i].value),
-                    resultants,
-                    snapshot.time,
-                    von_mises_[i]);
-        keep_larger(stresses,
-                    stresses.find_exposure(resultants, exposure_[i].value),
-                    resultants,
-                    snapshot.time,
-                    exposure_[i]);
+        const ShapeShares& shapes = places_[i].shapes;
+        keep_larger(
+            *watch_, &SectionStresses::find_von_mises, shapes, resultants, snapshot.time, von_mises_[i]);
+        keep_larger(
+            *watch_, &SectionStresses::find_exposure, shapes, resultants, snapshot.time, exposure_[i]);
     }
 }
 

@@ -9,9 +9,12 @@
 
 namespace gxrod {
 
-// Lists the places at which stresses of all rods are compared over time: both ends and the middle of each
-// element whose section has a shape on cells there and no law.
+// Lists the stress places of all elements whose sections have shapes on cells there and no law.
 std::vector<RodPlace> list_stress_places(const Model& model);
+
+// The shapes at a place, by their numbers in StressWatch::shapes, with their parts of all values; that with
+// the largest part first.
+using ShapeShares = std::vector<std::pair<int, double>>;
 
 // Computes stresses of all rods.
 class StressWatch {
@@ -25,11 +28,11 @@ class StressWatch {
     StressWatch(const Model& model, const std::string& criterion);
 
     const std::vector<ListedShape>& shapes() const { return listed_; }
-    // Returns the number in shapes() of the shape at a place; −1 without one.
-    int shape_at(const RodPlace& place) const;
+    // Finds the shapes at a place; empty without one, and where a law acts.
+    ShapeShares shapes_at(const RodPlace& place) const;
     const SectionStresses& stresses_of(int shape) const { return stresses_[static_cast<std::size_t>(shape)]; }
-    // Computes the largest values at the middle of an element; NaN without a shape.
-    Largest find_largest(int shape, const SectionValues& middle) const;
+    // Computes the largest values at the middle of an element; NaN without a shape, or a strength.
+    Largest find_largest(const ShapeShares& shapes, const SectionValues& middle) const;
 
   private:
     const Model* model_;
@@ -51,7 +54,7 @@ class StressEnvelope {
   public:
     struct Place {
         RodPlace at;
-        int shape = 0;  // number in StressWatch::shapes
+        ShapeShares shapes;
     };
 
     // Takes the snapshots' points from this one on. `watch` must outlive the envelope.

@@ -135,7 +135,7 @@ std::string list_without_stress(const Model& model) {
     std::string list;
     for (std::size_t r = 0; r < model.rods.size(); ++r) {
         const RodPlace start{.rod = static_cast<int>(r)};
-        if (find_shape(model, start)) continue;
+        if (!find_shapes(model, start).empty()) continue;
         const Section& section = section_at(model, start);
         const std::string reason = section.law
                                        ? fmt::format("its section has a law, {}", section.law->describe())

@@ -13,6 +13,7 @@ struct SectionPlace {
     double s = 0.0;  // arc length
     std::string rod = {};
     double first = 0.0, last = 0.0;  // arc lengths between which the rod has the section
+    bool is_node = false;            // of an element, where stresses may be asked for
 };
 
 // Adds the sections to the model, with their values at the start of a rod.

@@ -120,7 +120,12 @@ std::shared_ptr<const SectionLaw> law_of(const Section& section) {
 // (1 − t) a + t b.
 Section mix(const Section& a, const Section& b, double t) {
     Section section = nameless(a);
-    section.shape = t < 0.5 ? a.shape : b.shape;
+    if (a.shape != b.shape) {
+        const bool has_both = a.shape && b.shape;
+        section.shape = has_both ? (t < 0.5 ? a.shape : b.shape) : nullptr;
+        section.other_part = has_both ? std::min(t, 1.0 - t) : 0.0;
+        if (section.other_part > 0.0) section.other_shape = t < 0.5 ? b.shape : a.shape;
+    }
     section.stiffness = (1.0 - t) * a.stiffness + t * b.stiffness;
     section.mass = (1.0 - t) * a.mass + t * b.mass;
     section.expansion = (1.0 - t) * a.expansion + t * b.expansion;
@@ -136,7 +141,7 @@ class SectionsAlong {
     SectionsAlong(const std::vector<Station>& stations, const Rod& rod, const BuildContext& context)
         : stations_(stations), rod_(rod), context_(context) {}
 
-    Section at(double fraction, double inside) const {
+    Section at(double fraction, double inside, bool is_node = false) const {
         std::size_t i = 1;
         while (i + 1 < stations_.size() && is_behind(i, fraction, inside)) ++i;
         const Station& a = stations_[i - 1];
@@ -144,7 +149,8 @@ class SectionsAlong {
         const double length = b.fraction - a.fraction;
         const double t = length > 0.0 ? std::clamp((fraction - a.fraction) / length, 0.0, 1.0) : 0.0;
         if (a.of_file != nullptr) return mix(*a.of_file, *b.of_file, t);
-        const SectionPlace place = place_between(a, b, fraction);
+        SectionPlace place = place_between(a, b, fraction);
+        place.is_node = is_node;
         if (a.section == b.section) return nameless(section(a, place));
         return mix(section(a, place), section(b, place), t);
     }
@@ -252,11 +258,11 @@ void set_sections(const std::vector<Station>& stations,
     for (std::size_t e = 0; e + 1 < element_fractions.size(); ++e) {
         const double first = element_fractions[e];
         const double length = element_fractions[e + 1] - first;
-        const auto find = [&](double point) {
-            return profile.at(first + point * length, first + 0.5 * length);
+        const auto find = [&](double point, bool is_node = false) {
+            return profile.at(first + point * length, first + 0.5 * length, is_node);
         };
         for (const double point : force_points) rod.varying.at_forces.push_back(find(point));
-        for (const double point : nodes) rod.varying.at_nodes.push_back(find(point));
+        for (const double point : nodes) rod.varying.at_nodes.push_back(find(point, true));
         for (const auto& [xi, weight] : mass_points) {
             rod.varying.at_masses.push_back(find(0.5 * (1.0 + xi)));
             const Section& here = rod.varying.at_masses.back();

@@ -401,7 +401,8 @@ void set_from_shape(const SectionTable& table,
     const double GA = moduli.G * shape->area;
     section.stiffness = diagonal({moduli.E * shape->area, factors.y * GA, factors.z * GA},
                                  {moduli.G * shape->torsion_constant, moduli.E * Iy, moduli.E * Iz});
-    if (asks_for_stresses(context.deck)) section.shape = cut_plain_shape(table, at, context);
+    if ((at.rod.empty() || at.is_node) && asks_for_stresses(context.deck))
+        section.shape = cut_plain_shape(table, at, context);
     if (!material.density) return;
     const double density = number_of(material, *material.density, at, context);
     section.mass = diagonal(Vec3::Constant(density * shape->area), density * Vec3(Iy + Iz, Iy, Iz));

@@ -2,47 +2,116 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <unordered_set>
 
 namespace gxrod {
+namespace {
+
+// The arc lengths of an element's nodes.
+std::span<const double> nodes_of(const Rod& rod, int element) {
+    const auto count = static_cast<std::size_t>(rod.order) + 1;
+    return std::span(rod.arc_length).subspan(static_cast<std::size_t>(element) * count, count);
+}
+
+const Rod& rod_at(const Model& model, const RodPlace& place) {
+    return model.rods[static_cast<std::size_t>(place.rod)];
+}
+
+// The index of the nearest node in its element.
+std::size_t nearest_node(const Model& model, const RodPlace& place) {
+    const std::span<const double> nodes = nodes_of(rod_at(model, place), place.element);
+    const double s = arc_length_at(model, place);
+    const auto distance = [&](double node) { return std::abs(node - s); };
+    return static_cast<std::size_t>(std::ranges::min_element(nodes, {}, distance) - nodes.begin());
+}
+
+const Section& section_of_node(const Rod& rod, int element, std::size_t node) {
+    return rod.varying.at_nodes[static_cast<std::size_t>(element * (rod.order + 1)) + node];
+}
+
+void add_parts(const Section& section, double part, std::vector<ShapePart>& parts) {
+    if (section.law || !section.shape) return;
+    const auto add = [&](const std::shared_ptr<const CrossSection>& shape, double share) {
+        if (!shape || share == 0.0) return;
+        const auto known = std::ranges::find(parts, shape, &ShapePart::shape);
+        if (known != parts.end())
+            known->part += share;
+        else
+            parts.push_back({shape, share});
+    };
+    add(section.shape, part * (1.0 - section.other_part));
+    add(section.other_shape, part * section.other_part);
+}
+
+}  // namespace
 
 const Section& section_at(const Model& model, const RodPlace& place) {
-    const Rod& rod = model.rods[static_cast<std::size_t>(place.rod)];
+    const Rod& rod = rod_at(model, place);
     if (!rod.has_varying_sections()) return model.sections[static_cast<std::size_t>(rod.section)];
-    const int first = place.element * (rod.order + 1);
-    const auto nearest = static_cast<int>(std::lround(0.5 * (1.0 + place.xi) * rod.order));
-    return rod.varying.at_nodes[static_cast<std::size_t>(first + nearest)];
+    return section_of_node(rod, place.element, nearest_node(model, place));
 }
 
 double arc_length_at(const Model& model, const RodPlace& place) {
-    const Rod& rod = model.rods[static_cast<std::size_t>(place.rod)];
-    const auto first = static_cast<std::size_t>(place.element * (rod.order + 1));
-    const double start = rod.arc_length[first];
-    const double end = rod.arc_length[first + static_cast<std::size_t>(rod.order)];
-    return start + 0.5 * (1.0 + place.xi) * (end - start);
+    const std::span<const double> nodes = nodes_of(rod_at(model, place), place.element);
+    return nodes.front() + 0.5 * (1.0 + place.xi) * (nodes.back() - nodes.front());
 }
 
-std::shared_ptr<const CrossSection> find_shape(const Model& model, const RodPlace& place) {
-    const Section& section = section_at(model, place);
-    return section.law ? nullptr : section.shape;
+bool is_at_node(const Model& model, const RodPlace& place) {
+    const std::span<const double> nodes = nodes_of(rod_at(model, place), place.element);
+    const double off = std::abs(nodes[nearest_node(model, place)] - arc_length_at(model, place));
+    return off <= 1e-9 * (nodes.back() - nodes.front());
+}
+
+std::vector<RodPlace> list_stress_places(const Model& model, int rod, int element) {
+    std::vector<RodPlace> places;
+    const auto add = [&](double xi) { places.push_back({.rod = rod, .element = element, .xi = xi}); };
+    const Rod& of = model.rods[static_cast<std::size_t>(rod)];
+    if (!of.has_varying_sections()) {
+        for (const double xi : {-1.0, 0.0, 1.0}) add(xi);
+        return places;
+    }
+    const std::span<const double> nodes = nodes_of(of, element);
+    for (const double s : nodes) add(2.0 * (s - nodes.front()) / (nodes.back() - nodes.front()) - 1.0);
+    return places;
+}
+
+std::vector<ShapePart> find_shapes(const Model& model, const RodPlace& place) {
+    std::vector<ShapePart> parts;
+    const Rod& rod = rod_at(model, place);
+    if (!rod.has_varying_sections() || is_at_node(model, place)) {
+        add_parts(section_at(model, place), 1.0, parts);
+    } else {
+        const std::span<const double> nodes = nodes_of(rod, place.element);
+        const double s = arc_length_at(model, place);
+        const auto next = static_cast<std::size_t>(std::ranges::upper_bound(nodes, s) - nodes.begin());
+        const double t = (s - nodes[next - 1]) / (nodes[next] - nodes[next - 1]);
+        add_parts(section_of_node(rod, place.element, next - 1), 1.0 - t, parts);
+        add_parts(section_of_node(rod, place.element, next), t, parts);
+    }
+    double whole = 0.0;
+    for (const ShapePart& one : parts) whole += one.part;
+    if (whole < 1.0 - 1e-9) return {};  // a section next to it has no stresses
+    std::ranges::stable_sort(parts, std::greater{}, &ShapePart::part);
+    return parts;
 }
 
 std::vector<ListedShape> list_shapes(const Model& model) {
     std::vector<ListedShape> listed;
     std::unordered_set<const CrossSection*> known;
-    for (std::size_t r = 0; r < model.rods.size(); ++r) {
-        const Rod& rod = model.rods[r];
+    for (int r = 0; r < static_cast<int>(model.rods.size()); ++r) {
+        const Rod& rod = model.rods[static_cast<std::size_t>(r)];
         const std::string& name = model.sections[static_cast<std::size_t>(rod.section)].name;
         const bool varies = rod.has_varying_sections();
         for (int element = 0; element < (varies ? rod.element_count() : 1); ++element) {
-            for (const double xi : {-1.0, 0.0, 1.0}) {
-                const RodPlace place{.rod = static_cast<int>(r), .element = element, .xi = xi};
-                std::shared_ptr<const CrossSection> shape = find_shape(model, place);
-                if (!shape || !known.insert(shape.get()).second) continue;
-                const double s = arc_length_at(model, place);
-                listed.push_back({std::move(shape),
-                                  varies ? fmt::format("{} on {}, s = {:.6g}", name, rod.name, s) : name});
+            for (const RodPlace& place : list_stress_places(model, r, element)) {
+                for (ShapePart& one : find_shapes(model, place)) {
+                    if (!known.insert(one.shape.get()).second) continue;
+                    const double s = arc_length_at(model, place);
+                    listed.push_back(
+                        {std::move(one.shape), varies ? fmt::format("{}, s = {:.6g}", name, s) : name});
+                }
             }
         }
     }

@@ -169,9 +169,9 @@ void FrameTable::create_stresses(const Hdf5Handle& cell_data, const Hdf5Handle& 
     for (std::size_t rod = 0; rod < model_->rods.size(); ++rod) {
         for (int element = 0; element < model_->rods[rod].element_count(); ++element)
             shapes_.push_back(
-                stresses_->shape_at({.rod = static_cast<int>(rod), .element = element, .xi = 0.0}));
+                stresses_->shapes_at({.rod = static_cast<int>(rod), .element = element, .xi = 0.0}));
     }
-    shapes_.resize(mesh_.cell_count(), -1);
+    shapes_.resize(mesh_.cell_count());
     for (const DatasetLabel& label : stress_labels) {
         cells_.emplace_back(cell_data,
                             label,
@@ -181,7 +181,8 @@ void FrameTable::create_stresses(const Hdf5Handle& cell_data, const Hdf5Handle& 
         link_dataset(cell_offsets_.id(), offsets, label.name);
     }
     if (has_link(cell_data, "section")) return;
-    const std::vector<std::int64_t> numbers(shapes_.begin(), shapes_.end());
+    std::vector<std::int64_t> numbers;
+    for (const ShapeShares& shapes : shapes_) numbers.push_back(shapes.empty() ? -1 : shapes.front().first);
     write_dataset(
         cell_data,
         {"section", "number in /sections at the element's middle; -1 without stresses", "none", "1"},

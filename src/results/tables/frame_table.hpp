@@ -47,7 +47,7 @@ class FrameTable {
 
     const Model* model_;
     const StressWatch* stresses_;
-    std::vector<int> shapes_;  // of each cell, by number, with stresses
+    std::vector<ShapeShares> shapes_;  // of each cell, with stresses
     FrameMesh mesh_;
     bool is_compressed_;
     std::int64_t frames_;  // appended

@@ -70,14 +70,17 @@ void StressTable::write_places(const Model& model) const {
     for (const StressEnvelope::Place& place : envelope_.places()) {
         rods.push_back(place.at.rod);
         elements.push_back(place.at.element);
-        sections.push_back(place.shape);
+        sections.push_back(place.shapes.front().first);
         arc_lengths.push_back(arc_length_at(model, place.at));
     }
     using Integers = std::span<const std::int64_t>;
     write_dataset(group_, {"rod", "number of the rod in /rods, from 0", "none", "1"}, Integers(rods));
     write_dataset(
         group_, {"element", "number of the element in its rod, from 0", "none", "1"}, Integers(elements));
-    write_dataset(group_, {"section", "number of the section in /sections", "none", "1"}, Integers(sections));
+    write_dataset(
+        group_,
+        {"section", "number of the section in /sections; between two stations the nearer one", "none", "1"},
+        Integers(sections));
     write_dataset(group_,
                   {"arc_length", "from the start of the rod, where it is free of stress", "none", "length"},
                   std::span<const double>(arc_lengths));
@@ -146,7 +149,7 @@ void StressTable::flush() {
     write(envelope_.von_mises(), von_mises_);
     std::vector<WorstStress> exposure = envelope_.exposure();
     for (std::size_t i = 0; i < exposure.size(); ++i) {
-        if (!watch_->stresses_of(envelope_.places()[i].shape).has_strength())
+        if (!watch_->stresses_of(envelope_.places()[i].shapes.front().first).has_strength())
             exposure[i].value = std::numeric_limits<double>::quiet_NaN();
     }
     write(exposure, exposure_);

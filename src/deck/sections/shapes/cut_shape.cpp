@@ -9,6 +9,7 @@
 #include "cross_section/moved_section.hpp"
 #include "cross_section/section_error.hpp"
 #include "cross_section/walls/solid_meshes.hpp"
+#include "deck/output/stress_criterion.hpp"
 #include "deck/places/build_context.hpp"
 #include "deck/sections/shapes/profile_outline.hpp"
 #include "deck/sections/shapes/wall_shape.hpp"
@@ -269,9 +270,11 @@ CutSection compute_cut_section(const SectionTable& section,
     }
     const SectionStations stations = compute_stations(section, at, context);
     if (!stations.is_complete()) return {};
+    // Stresses need the shape of the place itself.
+    const bool is_exact = at.is_node && asks_for_stresses(context.deck);
     return {stations.interpolate(at.s, stiffness_of_shape),
             stations.interpolate(at.s, mass_of_shape),
-            stations.sections[stations.nearest(at.s)]};
+            is_exact ? compute_at(section, at, context) : stations.sections[stations.nearest(at.s)]};
 }
 
 std::shared_ptr<const CrossSection> cut_plain_shape(const SectionTable& section,
