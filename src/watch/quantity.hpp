@@ -29,9 +29,10 @@ inline HistoryRow make_row(const Quat& quaternion) {
 enum class Axes {
     none,  // a single number
     global,
-    observer,  // global, or those of the point that the history is relative to
-    material,  // of the section or body
-    joint,     // those that the joint's side A carries
+    observer,   // global, or those of the point that the history is relative to
+    material,   // of the section or body
+    principal,  // those of the stress itself
+    joint,      // those that the joint's side A carries
     bushing
 };
 

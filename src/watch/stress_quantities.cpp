@@ -36,7 +36,7 @@ constexpr Quantity stress_lines[]{
              [](const Sight& see) { return see.stress().stress; }).with_strain_order().unless(lacks_stress),
     Quantity("von_mises", "von Mises stress", "force/length²", Axes::none,
              [](const Sight& see) { return see.stress().von_mises; }).with_strain_order().unless(lacks_stress),
-    Quantity("principal_stress", "principal stresses, the largest first", "force/length²", Axes::none,
+    Quantity("principal_stress", "principal stresses, the largest first", "force/length²", Axes::principal,
              [](const Sight& see) { return see.stress().principal; }).with_strain_order().unless(lacks_stress),
     Quantity("exposure", "exposure: 1/(factor on all resultants at which the material fails)", "1", Axes::none,
              [](const Sight& see) { return see.exposure(); }).with_strain_order().unless(lacks_exposure),

@@ -91,6 +91,33 @@ class Groups(unittest.TestCase):
         self.assert_apart("using namespace std::literals;\nint f();", "int g();")
         self.assert_together("using namespace gxrod;\nint f();", "using namespace gxrod;\nint g();")
 
+    def test_kept_groups_change_only_where_they_must(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+
+            def sort_into_groups(**texts):
+                for stem, text in texts.items():
+                    (folder / f"{stem}.cpp").write_text(text, encoding="utf-8")
+                paths = [folder / f"{stem}.cpp" for stem in texts]
+                run = subprocess.run([ROOT / "cmake" / "join-sources", "--keep", folder / "groups", *paths],
+                                     capture_output=True, text=True, check=True)
+                groups = {}
+                for line in run.stdout.splitlines():
+                    number, path = line.split(" ", 1)
+                    groups.setdefault(number, []).append(pathlib.Path(path).stem)
+                return list(groups.values())
+
+            many = {f"s{i:02}": "" for i in range(30)}
+            first = sort_into_groups(**many)
+            # A source that sorts first comes last, into a group with room.
+            self.assertEqual(sort_into_groups(a="", **many), [first[0], [*first[1], "a"]])
+            # One that goes leaves the others where they are; one that no longer can stay goes elsewhere.
+            del many["s03"]
+            many["s05"] = hide("int own() { return 1; }")
+            many["s06"] = "int g() { return own(); }"
+            self.assertEqual(sort_into_groups(**many),
+                             [[stem for stem in first[0] if stem not in ("s03", "s06")], [*first[1], "s06"]])
+
     def test_groups_have_an_end(self):
         sizes = [len(names) for names in group(**{f"s{i}": "" for i in range(30)})]
         self.assertEqual(sizes, [16, 14])

@@ -165,6 +165,24 @@ def plies(deck, draw):
         layup={"skin": {"plies": [["ply", 0.005, draw.uniform(0.2, 0.6)], ["ply", 0.005, -0.3]]}})
 
 
+def with_stresses(deck, shape, point):
+    cut(deck, shape)
+    deck["output"] = {"stresses": "von-mises"}
+    deck["history"] += [{"name": "root", "at": "beam.start", "quantities": ["von_mises"]},
+                        {"name": "edge", "at": "beam@0.5", "point": point, "quantities": ["stress", "principal_stress"]}]
+
+
+@feature("taper")
+def stresses(deck, draw):
+    height = draw.uniform(0.09, 0.11)
+    with_stresses(deck, {"rectangle": {"width_y": 0.08, "height_z": height}}, [0.04, height / 2])
+
+
+@feature("taper")
+def tapered_stresses(deck, draw):
+    with_stresses(deck, {"rectangle": {"width_y": 0.08, "height_z": "0.11 - 0.03*s"}}, [0.04, 0.0475])
+
+
 @feature("law")
 def trapeze(deck, draw):
     section(deck)["trapeze"] = True

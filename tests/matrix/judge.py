@@ -106,10 +106,15 @@ def require_close(one, other, tolerance, what):
 
 
 def end_values(file):
-    """Displacements and rotations at the end of a run."""
+    """Displacements and rotations at the end of a run, and stresses, which are some thousands."""
     with h5py.File(file) as results:
-        tip, middle = results["histories/tip"], results["histories/middle"]
-        return np.concatenate([tip["displacement"][-1], tip["rotation_vector"][-1], middle["displacement"][-1]])
+        histories = results["histories"]
+        rows = [histories["tip/displacement"], histories["tip/rotation_vector"], histories["middle/displacement"]]
+        values = np.concatenate([row[-1] for row in rows])
+        if "edge" in histories:
+            stresses = (histories["edge/stress"][-1], histories["edge/principal_stress"][-1], histories["root/von_mises"][-1:])
+            values = np.concatenate([values, np.concatenate(stresses) / 1e4])
+        return values
 
 
 class Judge:

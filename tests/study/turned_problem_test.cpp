@@ -225,6 +225,22 @@ elements = 4
 [[support]]
 at = "riser.end"
 move = { z = "0.1*t" }
+[material.steel]
+E = 2e9
+nu = 0.3
+density = 1500
+yield_stress = 1e6
+[layup.sheet]
+plies = [["steel", 0.01, 0]]
+[section.box]
+shape = { walls = { corners = [[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]], closed = true, layup = "sheet" } }
+[rod.boom]
+section = "box"
+line = { from = [0, 9, 5], to = [1, 9.5, 5.2] }
+elements = 2
+[[support]]
+at = "boom.start"
+fix = "all"
 [body.float]
 mass = 20
 inertia = [1, 1, 1]
@@ -274,6 +290,10 @@ newton = { tolerance = 1e-12 }
 name = "riser"
 at = "riser@0.4"
 quantities = ["effective_tension", "wall_tension", "water_velocity", "wet_fraction", "fluid_force", "bed_force"]
+[[history]]
+name = "boom"
+at = "boom.start"
+quantities = ["stress", "von_mises", "principal_stress", "exposure", "stress_place"]
 [[history]]
 name = "float"
 at = "float"

@@ -37,6 +37,8 @@ std::string frame_of(Axes axes, const std::string& relative_to) {
             return relative_to.empty() ? "spatial" : "axes of " + relative_to;
         case Axes::material:
             return "material";
+        case Axes::principal:
+            return "principal";
         case Axes::joint:
             return "joint axes of A";
         case Axes::bushing:

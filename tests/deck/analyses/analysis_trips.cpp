@@ -115,6 +115,11 @@ std::vector<RoundTrip> sweep_trips() {
 }
 
 std::vector<RoundTrip> analysis_trips() {
+    const std::string shaped =
+        replaced(static_rod_deck,
+                 "stiffness = { EA = 1e4, GAy = 2e4, GAz = 3e4, GJ = 500, EIy = 600, EIz = 700 }\n"
+                 "inertia = { rhoA = 1.0, rhoJ = 20, rhoIy = 10, rhoIz = 11 }\n",
+                 "shape = { circle = { radius = 0.02 } }\nmaterial = { E = 2e11, nu = 0.3 }\n");
     return {
         {"analysis.kind",
          static_rod_deck,
@@ -195,6 +200,18 @@ std::vector<RoundTrip> analysis_trips() {
         {"output.compression",
          body_deck + "[output]\ncompression = \"deflate\"",
          [](const Problem& p) { return p.output.compression == Compression::deflate; }},
+        {"output.stresses",
+         shaped + "[output]\nstresses = \"hashin\"",
+         [](const Problem& p) { return p.output.stresses == "hashin"; }},
+        {"history.point",
+         shaped + "[[history]]\nname = \"n\"\nat = \"r.end\"\npoint = [0.01, -0.02]\nquantities = \"stress\"",
+         [](const Problem& p) {
+             return p.output.histories[0].section_point == Eigen::Vector2d(0.01, -0.02);
+         }},
+        {"history.criterion",
+         shaped +
+             "[[history]]\nname = \"n\"\nat = \"r.end\"\ncriterion = \"tsai-wu\"\nquantities = \"stress\"",
+         [](const Problem& p) { return p.output.histories[0].criterion == "tsai-wu"; }},
         {"history.name",
          with_history("name = \"tip-1\""),
          [](const Problem& p) { return p.output.histories[0].name == "tip-1"; }},

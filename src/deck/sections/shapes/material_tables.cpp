@@ -47,10 +47,10 @@ const TableSpec& elastic_material_table() {
             .unit("1").also("poisson poisson_ratio poissons_ratio poissons v nu12")
         .key("density", &T::density, "Mass per volume.")
             .unit("mass/length³").at_least(0).also("rho mass_density specific_mass")
-        .key("yield_stress", &T::yield_stress, "A limit that von Mises' stress is compared with.")
+        .key("yield_stress", &T::yield_stress, "A limit that von Mises' stress is compared with: exposure.")
             .unit(stress_unit).above(0).also("yield yield_strength sigma_y fy")
         .key("strength", &T::strength, strength_table(), "Limits of a ply, for the criteria of Tsai and Wu, of Hashin and of "
-             "the largest stress. No result compares stresses with them yet.")
+             "the largest stress, by which exposure is recorded.")
             .also("strengths limits failure")
         .key("expansion", &T::expansion, "Strain by heat, or by axis. It acts on nothing yet: heat acts "
              "in a run by `expansion` of the section.")
