@@ -15,7 +15,7 @@ namespace {
 
 // A vector, a quaternion or a single number, as the rows of results have them.
 struct Values {
-    std::array<double, 4> numbers{};
+    HistoryRow numbers{};
     int width = 1;
 };
 
@@ -45,6 +45,7 @@ double take_component(const Values& values, std::optional<Component> component) 
 
 std::string explain_component(const Collection& collection, int width) {
     const std::optional<Component>& component = collection.component;
+    if (width == 6 || width == 2) return "has several numbers, of which columns take none";
     if (width == 1) return component ? "is a single number, without components" : "";
     const char* words = width == 3 ? "\"x\", \"y\", \"z\" or \"magnitude\"" : "\"w\", \"x\", \"y\" or \"z\"";
     const char* kind = width == 3 ? "a vector" : "a quaternion";

@@ -50,6 +50,7 @@
 #include "deck/ties/ties.hpp"
 #include "machine/file_error.hpp"
 #include "machine/machine_memory.hpp"
+#include "mesh/sections/held_meshes.hpp"
 #include "model/settings/scheme_card.hpp"
 
 namespace gxrod {
@@ -262,6 +263,9 @@ Problem build_overridden(const DeckNode& tree,
                          const std::vector<std::string>& overrides,
                          const DeckRecord* before,
                          FaultList& faults) {
+    // Differences between models are to be those of their numbers, not of cells.
+    std::optional<HeldMeshes> held;
+    if (source.is_varied) held.emplace();
     std::vector<MeshRecord> tables;
     const CheckedTable deck = check_with_tables(tree, source.tables, tables, faults);
     faults.throw_if_any();

@@ -90,6 +90,8 @@ double NaturalScales::of(Size size) const {
             return by_length(by_length(energy));
         case Size::moment:
             return energy;
+        case Size::stress:
+            return by_length(by_length(by_length(energy)));
         case Size::curvature:
             return by_length(1.0);
         case Size::strain:

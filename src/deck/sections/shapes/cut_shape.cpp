@@ -13,6 +13,7 @@
 #include "deck/places/build_context.hpp"
 #include "deck/sections/shapes/profile_outline.hpp"
 #include "deck/sections/shapes/wall_shape.hpp"
+#include "mesh/sections/held_meshes.hpp"
 #include "machine/digest.hpp"
 #include "mesh/line_mesh.hpp"
 #include "mesh/sections/section_mesher.hpp"
@@ -29,14 +30,16 @@ class SectionStore {
   public:
     std::shared_ptr<const CrossSection> find(const CutShape& shape) {
         const std::scoped_lock lock(mutex_);
-        if (const auto known = sections_.find(shape.digest); known != sections_.end()) return known->second;
+        // On cells of another shape that were moved, a section is another one, slightly.
+        const std::string digest = (HeldMeshes::are_on() ? "held " : "") + shape.digest;
+        if (const auto known = sections_.find(digest); known != sections_.end()) return known->second;
         auto computed = compute_cross_section(shape.source, shape.cut(), shape.materials);
         if (shape.is_at_shear_centre) {
             const SectionCentres centres(computed->properties.stiffness, Mat6::Zero());
             computed = move_cross_section(computed, -centres.shear_centre(), 0.0);
         }
         if (sections_.size() >= most_sections) sections_.clear();
-        return sections_[shape.digest] = std::move(computed);
+        return sections_[digest] = std::move(computed);
     }
 
   private:
