@@ -14,6 +14,7 @@ from .frames import STILL, Frames, Rod, find_rod, read_rod_table
 from .records import History, Named, Record, SampledHistory, attributes_of
 from .source import Source, plain
 from .stages import Stage, read_stages
+from .stresses import Envelope, ResultSection, SectionStress, read_envelope, read_sections, read_stress
 from .tables import Table, parts_of_deck, read_table, table_of_deck
 from .tabular import import_xarray
 
@@ -217,6 +218,27 @@ class Results(Shown):
         """The rod of this name: `r.rod("arm").moment(frame=-1)` [e,3], at the middles of its elements from start to end."""
         return find_rod(self._source, name)
 
+    # Stresses, of decks with `stresses` in [output].
+
+    @property
+    def sections(self) -> Named[ResultSection]:
+        """Sections on cells with the operators of their stresses: `r.sections["post"].points` [p,2]. Empty without `stresses` in the deck's [output]."""
+        return read_sections(self._source)
+
+    def stress(self, rod: str, s: float, t: float | None = None) -> SectionStress:
+        """Stresses at all points of the section of a rod: `r.stress("beam", s=0.3, t=2.0).von_mises` [p], `.worst`.
+
+        s: arc length, from the start of the rod. t: time, in statics a load factor; the nearest frame is taken, by default the last. Force and
+        moment are linear between the middles of the elements on both sides of s, before the first and behind the last middle
+        they go on along the line through the nearest two; so they are smeared where a point load acts or rods meet between two middles. The section is that of
+        the element in which s is. UnknownNameError without stresses there, ValueError if s is not on the rod.
+        """
+        return read_stress(self._source, rod, s, t)
+
+    def envelope(self, rod: str) -> Envelope:
+        """The largest stresses of all steps along a rod: `r.envelope("beam").von_mises.value` [n] at `.arc_length` [n], `.worst("exposure")`."""
+        return read_envelope(self._source, rod)
+
     # What joins things.
 
     @property
@@ -287,7 +309,7 @@ class Results(Shown):
     def plot(self, what: str = "shapes", **options: Any) -> matplotlib.figure.Figure:
         """A matplotlib Figure, as gxrod-plot draws it: see `gxrod.plot.draw`.
 
-        what: "shapes", "histories", "ledger", "found" (modes, buckling, answers) or "all".
+        what: "shapes", "histories", "ledger", "found" (modes, buckling, answers), "stress", "section" or "all".
         """
         from ..plot import draw
 

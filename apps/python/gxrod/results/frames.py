@@ -14,7 +14,7 @@ from .records import Quantity
 from .source import Source, plain, read_column
 
 NODES, ELEMENTS = "VTKHDF/PointData", "VTKHDF/CellData"
-STILL = ("rod", "element", "arc_length")  # have one row a node or element for all frames
+STILL = ("rod", "element", "arc_length", "section")  # have one row a node or element for all frames
 
 
 class Fields(Shown):
@@ -286,7 +286,7 @@ class Rod(Shown):
         chosen = frames.nearest(time) if time is not None else frames[frame]
         if name in frames:
             return chosen[name][..., self.nodes, :] if len(frames.describe(name).shape) > 1 else chosen[name][..., self.nodes]
-        return chosen.elements[name][..., self.cells, :]
+        return chosen.elements[name][..., self.cells, :] if len(frames.elements.describe(name).shape) > 1 else chosen.elements[name][..., self.cells]
 
     def __getattr__(self, name: str) -> Callable[..., Array]:
         if name.startswith("_"):

@@ -193,20 +193,31 @@ class SampledHistory(History):
         return "time", self._source.unit("time")
 
 
-AXES = {"component": "xyz", "quaternion": "wxyz"}
+# Names of components, by what xarray calls their dimension.
+AXES = {"component": tuple("xyz"), "quaternion": tuple("wxyz"), "stress_component": ("xx", "yy", "zz", "yz", "xz", "xy"),
+        "principal": tuple("123"), "section_axis": tuple("yz")}
+DIMENSIONS = {2: "section_axis", 4: "quaternion", 6: "stress_component"}
 
 
 def split_components(name, values):
     """{name: column} of numbers, {name_x: …} of vectors and quaternions."""
     if values.ndim == 1:
         return {name: values}
-    letters = "wxyz" if values.shape[1] == 4 else "xyz"
-    return {f"{name}_{letter}": values[:, i] for i, letter in enumerate(letters)}
+    return {f"{name}_{label}": values[:, i] for i, label in enumerate(component_labels(name, values.shape[1]))}
+
+
+def component_dimension(name, width):
+    return "principal" if name == "principal_stress" else DIMENSIONS.get(width, "component")
+
+
+def component_labels(name, width):
+    """x y z of vectors, w x y z of quaternions, xx to xy of stresses, 1 2 3 of principal ones, y z of places in a section."""
+    return AXES[component_dimension(name, width)]
 
 
 def variable_of(values, along, quantity):
     """Dimensions, values and attributes of an array of xarray."""
-    dims = (along,) if values.ndim == 1 else (along, "quaternion" if values.shape[1] == 4 else "component")
+    dims = (along,) if values.ndim == 1 else (along, component_dimension(quantity.name, values.shape[1]))
     return dims, np.asarray(values), attributes_of(quantity)
 
 

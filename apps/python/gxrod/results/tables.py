@@ -41,7 +41,7 @@ class Table(Shown):
         """A pandas.DataFrame; vectors have a column for each component, as axis_a_x."""
         columns: dict[str, Any] = {}
         for name, values in self._columns.items():
-            columns.update(split_components(name, values) if values.ndim == 2 and values.shape[1] in (3, 4) else {name: list(values)})
+            columns.update(split_components(name, values) if values.ndim == 2 and values.shape[1] in (2, 3, 4) else {name: list(values)})
         return import_pandas().DataFrame(columns)
 
     def __getitem__(self, name: str) -> NDArray[Any]:
