@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..results.records import component_labels
 from .errors import UsageError
 from .results import choose_histories, listing
 
@@ -54,7 +55,7 @@ def components(start, series, component):
         if component:
             raise UsageError(f"{series.name!r} is one number, without a component {component!r}")
         return [Column(name, values[:, 0], series.dimension, series.unit)]
-    letters = "wxyz" if values.shape[1] == 4 else "xyz"
+    letters = component_labels(series.name, values.shape[1])
     columns = {letter: Column(f"{name} {letter}", values[:, i], series.dimension, series.unit) for i, letter in enumerate(letters)}
     if component == MAGNITUDE:
         return [Column(f"{name}, {MAGNITUDE}", np.linalg.norm(values, axis=1), series.dimension, series.unit)]

@@ -2,10 +2,12 @@
 
 import numpy as np
 
-from .style import AXIS_COLOURS, BLACK, draw_curves
+from ..results.records import component_labels
+from .style import AXIS_COLOURS, BLACK, ORANGE, PURPLE, draw_curves
 
 COLUMNS = 3
 JOINT_AXES = "joint axes of A"
+EXTRA_COLOURS = (ORANGE, PURPLE)  # of stresses, which have six components
 
 
 def history_panels(histories):
@@ -35,8 +37,9 @@ def draw_series(axes, times, history, series):
     values = series.values.reshape(len(series.values), -1)
     if series.name == "rotation_vector":
         times, values = break_at_jumps(times, values)
-    names = "wxyz" if values.shape[1] == 4 else ("axis", "across 1", "across 2") if series.frame == JOINT_AXES else "xyz"
-    colours = [BLACK, *AXIS_COLOURS.values()] if values.shape[1] == 4 else AXIS_COLOURS.values()
+    width = values.shape[1]
+    names = ("axis", "across 1", "across 2") if series.frame == JOINT_AXES else component_labels(series.name, width) if width > 1 else ()
+    colours = [*([BLACK] if width in (4, 6) else []), *AXIS_COLOURS.values(), *EXTRA_COLOURS]
     curves = {name: (column, colour) for name, column, colour in zip(names, values.T, colours)}
     if values.shape[1] == 1:
         curves = {words(series.name): (values[:, 0], BLACK)}

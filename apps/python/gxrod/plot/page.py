@@ -12,6 +12,8 @@ from .path import section_height as path_section_height
 from .response import HEIGHT, draw_response
 from .results import choose_histories
 from .shapes import choose_frames, draw_shapes, fitting_size, prepare_shapes
+from .stresses import HEIGHT as STRESS_HEIGHT
+from .stresses import SECTION_HEIGHT, choose_section, draw_envelopes, draw_section, read_envelopes
 from .style import BLACK, new_figure
 from .sweep import HEIGHT as SWEEP_HEIGHT
 from .sweep import draw_sweep
@@ -39,6 +41,8 @@ def draw_page(results, request):
     if request.what == "ledger":
         section = (panel_count(results) * PANEL_HEIGHT, lambda figure: draw_ledger(figure, results))
         return draw_sections(results, request, [section], NARROW_WIDTH)
+    if request.what in ("stress", "section"):
+        return draw_sections(results, request, [stress_section(results, request)], NARROW_WIDTH)
     found = [found_section(results, request, each) for each in results.found()] if request.what in ("all", "found") else []
     if request.what in ("all", "found"):
         found += [response_section(each) for each in results.responses()]
@@ -61,6 +65,14 @@ def draw_page(results, request):
 
 def found_section(results, request, found):
     return section_height(found), lambda figure: draw_found(figure, results, found, request.view)
+
+
+def stress_section(results, request):
+    if request.what == "section":
+        place = choose_section(results, request)
+        return SECTION_HEIGHT, lambda figure: draw_section(figure, results, place)
+    envelopes = read_envelopes(results, request)
+    return STRESS_HEIGHT, lambda figure: draw_envelopes(figure, results, envelopes, request.measure.replace("-", "_"))
 
 
 def response_section(response):
