@@ -6,6 +6,7 @@
 #include "results/export/along_export.hpp"
 #include "results/export/contacts_export.hpp"
 #include "results/export/csv_export.hpp"
+#include "results/export/envelope_export.hpp"
 #include "results/export/series_export.hpp"
 #include "results/file/guarded_reading.hpp"
 #include "say.hpp"
@@ -20,6 +21,7 @@ struct ExportArguments {
     std::string csv;
     std::string series;
     std::string along;
+    std::string envelopes;
     std::string folder = ".";
     std::optional<double> time;
     bool contacts = false;
@@ -39,8 +41,10 @@ std::string export_along_rod(const ExportArguments& arguments, Existing existing
 }
 
 int export_results(const ExportArguments& arguments) {
-    if (arguments.csv.empty() && arguments.series.empty() && arguments.along.empty()) {
-        throw CLI::ValidationError("export", "give --csv DIR, --series DIR, --along ROD, or several of them");
+    if (arguments.csv.empty() && arguments.series.empty() && arguments.along.empty() &&
+        arguments.envelopes.empty()) {
+        throw CLI::ValidationError(
+            "export", "give --csv DIR, --series DIR, --along ROD, --envelopes DIR, or several of them");
     }
     const GuardedReading reading(arguments.results);
     if (!reading.doubt().empty()) say(stderr, "warning: {}: {}\n", arguments.results, reading.doubt());
@@ -61,6 +65,11 @@ int export_results(const ExportArguments& arguments) {
     }
     if (arguments.contacts) {
         write([&] { return export_contacts(arguments.results, arguments.series, existing).string() + "\n"; });
+    }
+    if (!arguments.envelopes.empty()) {
+        write([&] {
+            return export_envelopes(arguments.results, arguments.envelopes, existing).string() + "\n";
+        });
     }
     if (!arguments.along.empty()) write([&] { return export_along_rod(arguments, existing); });
     return exit_done;
@@ -87,6 +96,11 @@ void add_export_verb(CLI::App& program, int& exit_code) {
             "Also contacts.vtkhdf in the folder of --series: what touches in each frame, as points with "
             "their forces, for ParaView 5.12 or later")
         ->needs(series);
+    verb->add_option(
+        "--envelopes",
+        arguments->envelopes,
+        "Folder for envelopes.csv: the largest stresses of all steps along the rods, of runs with "
+        "stresses in [output]");
     CLI::Option* along = verb->add_option(
         "--along",
         arguments->along,

@@ -8,6 +8,7 @@ import unittest
 
 import h5py
 import numpy as np
+from gxrod_stress import FRAME
 from program import GXROD, SOURCE, SPINNING_BODY, ProgramTest, limit_file_size
 
 
@@ -49,6 +50,13 @@ end_time = 0.2
 time_step = 0.01
 [output]
 every = 5
+"""
+
+
+STRESS_HISTORY = """[[history]]
+name = "foot"
+at = "left.start"
+quantities = ["stress", "von_mises", "principal_stress", "exposure", "stress_place"]
 """
 
 
@@ -248,6 +256,49 @@ steps = 2
         self.assertIn("two.vtkhdf: does not say where its rods are: an earlier version of gxrod wrote it",
                       self.gxrod("export", "two.vtkhdf", "--along", "arc", code=4).stderr)
 
+    def run_with_stresses(self):
+        self.write("frame.toml", FRAME + STRESS_HISTORY)
+        self.gxrod("run", "frame.toml", "--quiet")
+
+    def test_envelopes_are_those_of_the_file(self):
+        self.run_with_stresses()
+        self.assertEqual(self.gxrod("export", "frame.vtkhdf", "--envelopes", "tables").stdout, "tables/envelopes.csv\n")
+        with open(self.folder / "tables/envelopes.csv", newline="") as file:
+            names, *rows = csv.reader(file)
+        table = dict(zip(names, zip(*rows)))
+        with h5py.File(self.folder / "frame.vtkhdf") as file:
+            envelopes = file["envelopes"]
+            rods, sections = file["rods/name"].asstr()[()], file["sections/name"].asstr()[()]
+            self.assertEqual(list(table["rod"]), list(rods[envelopes["rod"][()]]))
+            self.assertEqual(list(table["section"]), ["" if number < 0 else sections[number] for number in envelopes["section"][()]])
+            expected = {"element": envelopes["element"], "arc_length": envelopes["arc_length"]}
+            for measure in ("von_mises", "exposure"):
+                group = envelopes[measure]
+                expected |= {measure: group["value"], f"{measure}_time": group["time"], f"{measure}_layer": group["layer"],
+                             f"{measure}_y": group["point"][:, 0], f"{measure}_z": group["point"][:, 1]}
+                expected |= {f"{measure}_{name}": group["resultants"][:, i] for i, name in enumerate(("N", "Vy", "Vz", "T", "My", "Mz"))}
+            self.assertEqual(set(expected) | {"rod", "section"}, set(names))
+            for name, values in expected.items():
+                np.testing.assert_array_equal(np.array(table[name], dtype=float), values[()], name)
+        done = self.gxrod("export", "frame.vtkhdf", "--envelopes", "tables", code=4)
+        self.assertIn("envelopes.csv: exists already (--force overwrites it)", done.stderr)
+        done = self.gxrod("export", "body.vtkhdf", "--envelopes", "tables", "--force", code=4)
+        self.assertIn('body.vtkhdf: has no stresses (run it with stresses = "von-mises" in [output])', done.stderr)
+
+    def test_stresses_along_a_rod_and_of_histories_have_columns(self):
+        self.run_with_stresses()
+        self.gxrod("export", "frame.vtkhdf", "--along", "beam", "--csv", "tables")
+        table = read_columns(self.folder / "along_beam_elements.csv")
+        history = read_columns(self.folder / "tables/history_foot.csv")
+        with h5py.File(self.folder / "frame.vtkhdf") as file:
+            cells = file["VTKHDF/CellData"]
+            last = slice(-len(cells["rod"]), None)
+            for name in ("von_mises", "exposure"):
+                np.testing.assert_array_equal(table[name], cells[name][last][table["cell"].astype(int)])
+            for name, labels in (("stress", ("xx", "yy", "zz", "yz", "xz", "xy")), ("principal_stress", "123"), ("stress_place", "yz")):
+                columns = np.array([history[f"{name}_{label}"] for label in labels]).T
+                np.testing.assert_array_equal(columns, file[f"histories/foot/{name}"][()])
+
     def test_a_full_disk_is_reported(self):
         for form, file in (("--csv", "ledger.csv"), ("--series", "body_0000.hdf")):
             done = self.gxrod("export", "body.vtkhdf", form, "full", code=4, preexec_fn=limit_file_size(5000))
@@ -276,7 +327,7 @@ steps = 2
             done = self.gxrod("export", "body.vtkhdf", option, folder.name, code=4)
             self.assertIn(f"{folder.name}/{name}: cannot be written (No such file or directory)", done.stderr)
         done = self.gxrod("export", "body.vtkhdf", code=2)
-        self.assertIn("give --csv DIR, --series DIR, --along ROD, or several of them", done.stderr)
+        self.assertIn("give --csv DIR, --series DIR, --along ROD, --envelopes DIR, or several of them", done.stderr)
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "report/blocks/data_blocks.hpp"
+#include "results/component_labels.hpp"
 #include "results/tables/stage_table.hpp"
 
 namespace gxrod {
@@ -54,9 +55,11 @@ StepChart::Source find_source(const Hdf5Reader& file, const std::string& dataset
     const std::size_t width = file.width(dataset);
     if (width == 3 && file.text_attribute(dataset, "frame") == "joint axes of A")
         return {dataset, {"axis", "across 1", "across 2", "magnitude"}, width};
-    if (width == 3) return {dataset, {"x", "y", "z", "magnitude"}, width};
-    if (width == 4) return {dataset, {"w", "x", "y", "z"}, width};
-    return {dataset, std::vector<std::string>(width, label), width};
+    if (width == 1) return {dataset, {label}, width};
+    const std::string name = dataset.substr(dataset.rfind('/') + 1);
+    std::vector<std::string> labels = list_component_labels(name, width);
+    if (labels[0] == "x") labels.emplace_back("magnitude");
+    return {dataset, labels, width};
 }
 
 StepChart make_chart(const Hdf5Reader& file,

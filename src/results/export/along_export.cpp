@@ -62,6 +62,10 @@ class AlongTables {
           cells_(static_cast<hsize_t>(file.count("/VTKHDF/NumberOfCells"))),
           point_fields_(list_vectors(file, "/VTKHDF/PointData")),
           cell_fields_(list_vectors(file, "/VTKHDF/CellData")) {
+        for (const char* name : {"von_mises", "exposure"}) {
+            const std::string path = std::string("/VTKHDF/CellData/") + name;
+            if (file.has(path)) cell_numbers_.push_back({name, path});
+        }
         point_fields_.insert(point_fields_.begin(), {"position", "/VTKHDF/Points"});
         choose_frames(results, request);
     }
@@ -94,10 +98,13 @@ class AlongTables {
         const std::vector<Field> interpolated{{"position", "/VTKHDF/Points"},
                                               {"displacement", "/VTKHDF/PointData/displacement"}};
         out << time_name() << ",arc_length,element,cell" << headings(interpolated) << headings(cell_fields_)
-            << '\n';
+            << number_headings() << '\n';
         for (const hsize_t frame : frames_) {
             const std::vector<Vectors> at_nodes = read(interpolated, frame, points_);
             const std::vector<Vectors> fields = read(cell_fields_, frame, cells_);
+            std::vector<std::vector<double>> numbers;
+            for (const Field& field : cell_numbers_)
+                numbers.push_back(file_.rows(field.path, frame * cells_, cells_, 1));
             TextBuffer text;
             for (std::size_t number = 0; number < line_.elements.size(); ++number) {
                 const RodLine::Element& element = line_.elements[number];
@@ -107,6 +114,7 @@ class AlongTables {
                     for (std::size_t i = 0; i < vector_width; ++i)
                         append_number(text, field.at(element.cell, i));
                 }
+                for (const std::vector<double>& field : numbers) append_number(text, field.at(element.cell));
                 text.push_back('\n');
             }
             out.write(text.data(), static_cast<std::streamsize>(text.size()));
@@ -175,6 +183,12 @@ class AlongTables {
         return text;
     }
 
+    std::string number_headings() const {
+        std::string text;
+        for (const Field& field : cell_numbers_) text += "," + field.name;
+        return text;
+    }
+
     std::vector<Vectors> read(const std::vector<Field>& fields, hsize_t frame, hsize_t rows) const {
         std::vector<Vectors> read;
         for (const Field& field : fields) read.emplace_back(file_, field, frame, rows);
@@ -200,6 +214,7 @@ class AlongTables {
     RodLine line_;
     hsize_t points_ = 0, cells_ = 0;
     std::vector<Field> point_fields_, cell_fields_;
+    std::vector<Field> cell_numbers_;  // stresses, if the file has them
     std::vector<double> times_;
     std::vector<hsize_t> frames_;
 };

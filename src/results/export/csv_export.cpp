@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "machine/file_error.hpp"
+#include "results/component_labels.hpp"
 #include "results/export/item_csv.hpp"
 #include "results/export/shape_csv.hpp"
 #include "results/file/results_access.hpp"
@@ -28,13 +29,9 @@ struct CsvColumn {
 
     std::string heading() const {
         if (width == 1) return name;
-        const std::string letters = width == 4 ? "wxyz" : "xyz";
         std::string text;
-        for (std::size_t i = 0; i < width; ++i) {
-            if (i > 0) text += ',';
-            text +=
-                i < letters.size() ? fmt::format("{}_{}", name, letters[i]) : fmt::format("{}_{}", name, i);
-        }
+        for (const std::string& label : list_component_labels(name, width))
+            text += fmt::format("{}{}_{}", text.empty() ? "" : ",", name, label);
         return text;
     }
 };
