@@ -56,7 +56,10 @@ std::vector<std::string> list_left_out(const ReportPlan& plan,
     }
     std::vector<std::string> missing;
     add_missing(all.node_data, plan.node_data, missing);
-    if (!plan.cells.empty()) add_missing(all.cell_data, plan.cell_data, missing);
+    if (!plan.cells.empty()) {
+        add_missing(all.cell_data, plan.cell_data, missing);
+        add_missing(content.cell_scalars, plan.cell_scalars, missing);
+    }
     if (!missing.empty())
         sentences.push_back(fmt::format("Left out altogether: {}.", fmt::join(missing, ", ")));
     return sentences;

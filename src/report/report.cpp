@@ -11,7 +11,9 @@
 #include "machine/file_error.hpp"
 #include "report/blocks/contact_blocks.hpp"
 #include "report/blocks/data_blocks.hpp"
+#include "report/blocks/envelope_blocks.hpp"
 #include "report/blocks/frame_blocks.hpp"
+#include "report/blocks/section_blocks.hpp"
 #include "report/blocks/step_blocks.hpp"
 #include "report/findings/findings.hpp"
 #include "report/page_file.hpp"
@@ -58,9 +60,15 @@ class Page {
             draws_meshes_ = mesh_bytes_ <= options.most_bytes / 4;
         }
         content_.is_static = story_.is_static;
+        content_.has_sections = file.has("/sections/name");
+        for (const char* name : {"von_mises", "exposure"}) {
+            if (file.has(std::string("/VTKHDF/CellData/") + name)) content_.cell_scalars.emplace_back(name);
+        }
         const std::size_t room = options.most_bytes - std::min(options.most_bytes, shell_.size());
         findings_.emplace(file, options.results, charts_, content_, room);
         content_.shape_vectors = findings_->count_shape_vectors();
+        sections_.emplace(file, room / 5);
+        envelopes_.emplace(file, room / 10);
         warnings_ = list_warnings(file, story_, content_.steps);
         if (!doubt.empty()) warnings_.push_back("This file is in doubt: " + doubt + ".");
     }
@@ -71,6 +79,8 @@ class Page {
         write_description(out, describe());
         write_frame_blocks(file_, plan_, content_, story_.arrows, out);
         write_contacts(out);
+        sections_->write(out);
+        envelopes_->write(out);
         write_step_blocks(file_, charts_, plan_.steps, content_.steps, out);
         findings_->write(plan_, out);
         out << shell_.after;
@@ -93,8 +103,9 @@ class Page {
         // Sentences on what is left out come later.
         constexpr std::size_t sentences = 2000;
         const std::size_t fixed = shell_bytes + write_script_json(describe()).size() + sentences +
-                                  most_blocks * block_frame_bytes + findings_->count_bytes() +
-                                  (draws_meshes_ ? mesh_bytes_ : 0);
+                                  (most_blocks + content_.cell_scalars.size()) * block_frame_bytes +
+                                  findings_->count_bytes() + sections_->count_bytes() +
+                                  envelopes_->count_bytes() + (draws_meshes_ ? mesh_bytes_ : 0);
         try {
             if (fixed >= options_.most_bytes) throw std::length_error("no room for data");
             plan_ = plan_report(content_, options_.most_bytes - fixed);
@@ -117,13 +128,17 @@ class Page {
         json["node_data"] = plan_.node_data;
         json["cell_data"] = plan_.cell_data;
         json["charts"] = describe_charts(charts_);
+        if (!plan_.cell_scalars.empty()) json["cell_scalars"] = plan_.cell_scalars;
         findings_->describe(json);
+        sections_->describe(json);
+        envelopes_->describe(json);
         return json;
     }
 
     std::vector<std::string> left_out() const {
         std::vector<std::string> sentences = plan_.left_out;
-        for (const std::vector<std::string>& others : {findings_->left_out(), story_.left_out})
+        for (const std::vector<std::string>& others :
+             {findings_->left_out(), sections_->left_out(), envelopes_->left_out(), story_.left_out})
             sentences.insert(sentences.end(), others.begin(), others.end());
         if (!contacts_.left_out().empty()) sentences.push_back(contacts_.left_out());
         if (!draws_meshes_)
@@ -150,6 +165,8 @@ class Page {
     bool draws_meshes_ = true;
     ReportContent content_;
     std::optional<Findings> findings_;
+    std::optional<SectionBlocks> sections_;
+    std::optional<EnvelopeBlocks> envelopes_;
     ReportPlan plan_;
 };
 

@@ -53,7 +53,7 @@ std::size_t still_bytes(const ReportPlan& plan, const ReportContent& content) {
            base64_length(entries * sizeof(std::int32_t)) +
            base64_length((plan.cells.size() + 1) * sizeof(std::int32_t)) +
            base64_length(entries * 4 * sizeof(float)) + base64_length(entries * 2 * sizeof(float)) +
-           base64_length(plan.cells.size() * sizeof(std::int32_t)) +
+           (content.has_sections ? 2 : 1) * base64_length(plan.cells.size() * sizeof(std::int32_t)) +
            base64_length(plan.cells.size() * sizeof(float)) + base64_length(entries * sizeof(float));
 }
 
@@ -61,6 +61,7 @@ double frame_bytes(const ReportPlan& plan, const ReportContent& content) {
     const std::size_t bytes =
         vector_bytes * (plan.node_data.size() * plan.nodes.size() +
                         plan.cell_data.size() * plan.cells.size() + 2 * content.arrows) +
+        sizeof(float) * plan.cell_scalars.size() * plan.cells.size() +
         7 * sizeof(float) * (content.touches + content.moved_obstacles) +
         (content.touches > 0 ? sizeof(std::int32_t) : 0) + sizeof(double);
     return static_cast<double>(bytes) * 4.0 / 3.0;
@@ -94,6 +95,7 @@ class Planner {
         const ListedQuantities quantities = quantities_at(level, content_.is_static);
         plan_.node_data = quantities.node_data;
         plan_.cell_data = cells.empty() ? std::vector<std::string>{} : quantities.cell_data;
+        plan_.cell_scalars = plan_.cell_data.empty() ? std::vector<std::string>{} : content_.cell_scalars;
     }
 
     void choose_steps() {
@@ -109,7 +111,8 @@ class Planner {
 
     // Frames for which there is room next to the steps and what does not move.
     std::size_t frames_that_fit() const {
-        constexpr double blocks = 19.0;
+        const double blocks =
+            19.0 + static_cast<double>(content_.cell_scalars.size() + (content_.has_sections ? 1 : 0));
         const double room = bytes_ - static_cast<double>(step_bytes(plan_, content_)) -
                             static_cast<double>(still_bytes(plan_, content_)) - blocks * block_bytes;
         return room < 0.0 ? 0 : static_cast<std::size_t>(room / frame_bytes(plan_, content_));
@@ -174,6 +177,7 @@ std::size_t count_bytes(const ReportPlan& plan, const ReportContent& content) {
     bytes += base64_length(frames * 7 * sizeof(float) * content.moved_obstacles);
     bytes += plan.node_data.size() * base64_length(frames * plan.nodes.size() * vector_bytes);
     bytes += plan.cell_data.size() * base64_length(frames * plan.cells.size() * vector_bytes);
+    bytes += plan.cell_scalars.size() * base64_length(frames * plan.cells.size() * sizeof(float));
     return bytes;
 }
 

@@ -19,6 +19,9 @@ struct ReportContent {
     std::size_t arrows = 0;   // arrows of loads
     std::size_t touches = 0;  // contacts of rods, most of them in a frame
     std::size_t moved_obstacles = 0;
+    // Stresses of elements, a number each: datasets of /VTKHDF/CellData that the file has.
+    std::vector<std::string> cell_scalars;
+    bool has_sections = false;  // numbers of the sections of elements
     // Vectors of three numbers, for each node, of the shapes that stages have found.
     std::size_t shape_vectors = 0;
     bool is_static = false;  // no velocities
@@ -29,9 +32,10 @@ struct ReportPlan {
     std::size_t frame_stride = 1;  // every so many frames, and the last one
     StepThinning steps{0, 1};
     std::vector<DrawnCell> cells;
-    std::vector<int> nodes;              // nodes that are kept, in the order of the file
-    std::vector<std::string> node_data;  // datasets of /VTKHDF/PointData
-    std::vector<std::string> cell_data;  // datasets of /VTKHDF/CellData
+    std::vector<int> nodes;                 // nodes that are kept, in the order of the file
+    std::vector<std::string> node_data;     // datasets of /VTKHDF/PointData
+    std::vector<std::string> cell_data;     // vectors among the datasets of /VTKHDF/CellData
+    std::vector<std::string> cell_scalars;  // numbers among them
     // Sentences on what was left out.
     std::vector<std::string> left_out;
 

@@ -157,3 +157,19 @@ TEST_CASE("Marked nodes stay, statics have no velocities, and too little room is
     CHECK(plan.node_data == std::vector<std::string>{"displacement", "rotation_vector"});
     CHECK_THROWS_AS(plan_report(content, 500), std::length_error);
 }
+
+TEST_CASE("Stresses of elements are counted, and go with the section forces", "[report]") {
+    const FrameTopology topology = make_line(1000);
+    ReportContent content = make_content(topology, 101, 101);
+    const ReportPlan without = plan_report(content, 19 * megabyte);
+    content.cell_scalars = {"von_mises", "exposure"};
+    content.has_sections = true;
+    const ReportPlan with = plan_report(content, 19 * megabyte);
+    CHECK(with.cell_scalars == content.cell_scalars);
+    const std::size_t more = 2 * base64_length(101 * 1000 * sizeof(float)) + base64_length(1000 * 4);
+    CHECK(count_bytes(with, content) == count_bytes(without, make_content(topology, 101, 101)) + more);
+    const std::size_t least = count_bytes(with, content) / 60;
+    const ReportPlan small = plan_report(content, least);
+    CHECK(count_bytes(small, content) <= least);
+    if (small.cell_data.empty()) CHECK(small.cell_scalars.empty());
+}

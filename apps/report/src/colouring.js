@@ -1,6 +1,6 @@
 import { find, make } from "./elements.js";
-import { formatNumber, inWords } from "./format.js";
-import { componentsOf, dimensionOf } from "./quantities.js";
+import { formatNumber } from "./format.js";
+import { componentsOf, dimensionOf, titleOf } from "./quantities.js";
 import { unitOf } from "./units.js";
 
 // The menus that choose what colours the rods, and the legend.
@@ -8,7 +8,7 @@ export function bindColouring(data, picture, units) {
   const quantity = find("quantity");
   const component = find("component");
   quantity.append(make("option", { value: "" }, "plain"));
-  for (const name of Object.keys(data.quantities)) quantity.append(make("option", { value: name }, inWords(name)));
+  for (const name of Object.keys(data.quantities)) quantity.append(make("option", { value: name }, titleOf(name)));
   const hasRods = picture.hasColours;
   find("colouring").hidden = !hasRods;
   quantity.value = hasRods && data.quantities.moment ? "moment" : "";
@@ -19,7 +19,7 @@ export function bindColouring(data, picture, units) {
       make("option", { value: "3" }, "magnitude"),
       ...names.map((name, i) => make("option", { value: String(i) }, name)),
     );
-    component.hidden = quantity.value === "";
+    component.hidden = quantity.value === "" || (data.quantities[quantity.value].isScalar ?? false);
   };
   const apply = () => showLegend(picture.colourBy(quantity.value, Number(component.value || 3)), data.quantities[quantity.value]?.of === "cell", unitOf(dimensionOf(quantity.value), units));
   quantity.addEventListener("change", () => {

@@ -31,7 +31,7 @@ function readSteps(charts) {
 
 // { info, times, reference, connectivity, offsets, axes, radii, cellRods, middles, arcLengths, arrows,
 //   contacts, contactOffsets, obstacles,
-//   quantities: {name: {of, values}}, stepTimes }: vectors are three numbers each, frame after frame; `of` is "node" or "cell".
+//   quantities: {name: {of, values, isScalar}}, stepTimes }: vectors are three numbers each, frame after frame; `of` is "node" or "cell".
 // contacts has seven numbers of what touches: point, force, and 1 where it slides plus 2 between rods; contactOffsets is where
 // each frame starts in it. obstacles has displacement and quaternion of those that move, frame after frame.
 // Axes, radii and arcLengths are those of the entries of connectivity.
@@ -40,6 +40,7 @@ export function readData() {
   const quantities = {};
   for (const name of info.node_data) quantities[name] = { of: "node", values: decode(name, Float32Array) };
   for (const name of info.cell_data) quantities[name] = { of: "cell", values: decode(name, Float32Array) };
+  for (const name of info.cell_scalars ?? []) quantities[name] = { of: "cell", values: decode(name, Float32Array), isScalar: true };
   return {
     info,
     quantities,

@@ -14,8 +14,11 @@ import { Swinging } from "./findings/swinging.js";
 import { findMostMoved, Motion } from "./motion.js";
 import { Names } from "./scene/names.js";
 import { Picture } from "./scene/picture.js";
+import { RodPicking } from "./scene/rod_picking.js";
 import { bindPlayer } from "./player.js";
 import { showAbout, showFailure, showHeader, showModel } from "./story.js";
+import { readStresses } from "./stresses/stress_data.js";
+import { addStressTab } from "./stresses/stress_tab.js";
 import { bindTabs } from "./tabs.js";
 import { isWet, listTensions } from "./charts/tensions.js";
 import { TouchDown } from "./charts/touch_down.js";
@@ -25,6 +28,7 @@ import { readUnits } from "./units.js";
 const data = readData();
 const { info } = data;
 const found = readFindings(info);
+const stresses = readStresses(info);
 const parts = listParts(found);
 // Whether it found something without a step.
 const isStill = data.stepTimes.length === 1 && found.modes.length + found.responses.length > 0;
@@ -47,24 +51,37 @@ function makePicture() {
   }
 }
 
+// A click on a rod chooses the place whose section is shown, which the picture marks meanwhile.
+function bindPlace(place) {
+  let isSeen = false;
+  new RodPicking(picture, find("canvas"), (rod, s) => place.choose(rod, s));
+  place.listen(() => picture.markPlace(place, isSeen));
+  new IntersectionObserver(([entry]) => {
+    isSeen = entry.isIntersecting;
+    picture.markPlace(place, isSeen);
+  }).observe(find("stress"));
+}
+
 showHeader(info);
 showDeck(info);
 showModel(data, units);
 const picture = makePicture();
 const swinging = picture && [...found.modes, ...found.paths].some(({ shapes }) => shapes) ? new Swinging(picture, clock) : null;
 const foundCharts = addFoundTabs(found, { clock, swinging, units, timeName });
+const stressTab = stresses && addStressTab(data, stresses, clock, units);
 bindTabs(find("tabs"));
 bindPlayer(clock, timeName, { swinging, describe: (time) => describeTime(found, parts, time) });
 const tensions = Along.isPossible(data) ? listTensions(data) : null;
 const ranges = tensions && new Along(data, clock, units, { title: "Ranges of tension and bending", quantities: tensions, first: "effective_tension", hasRod: (rod) => isWet(data, rod), hasMean: !info.is_static });
 const along = Along.isPossible(data) ? new Along(data, clock, units) : null;
 const touchDown = TouchDown.isPossible(data) ? new TouchDown(data, clock, units) : null;
-const charts = [...showCharts(data, clock, { timeName, units, along: [ranges, along, touchDown?.rods.length ? touchDown : null], parts, onPaths: listPathStretches(found), isStill }), ...[ranges, along, touchDown].filter(Boolean), ...foundCharts];
+const charts = [...showCharts(data, clock, { timeName, units, along: [ranges, along, touchDown?.rods.length ? touchDown : null], parts, onPaths: listPathStretches(found), isStill }), ...[ranges, along, touchDown].filter(Boolean), ...foundCharts, ...(stressTab?.charts ?? [])];
 showAbout(data, picture);
 if (picture) {
   bindColouring(data, picture, units);
   bindDisplay(data, picture, clock);
   new Names(picture, find("canvas"));
+  if (stressTab) bindPlace(stressTab.place);
   showFailure(info);
   const legend = document.querySelector(".overlay.top");
   picture.stage.covered = () => (find("colouring").hidden && !swinging?.chosen ? 0 : legend.offsetTop + legend.offsetHeight);

@@ -43,8 +43,8 @@ export class Motion {
     const count = out.length;
     const following = Math.min(this.frame + 1, this.frames - 1);
     for (let i = 0; i < count; i++) {
-      const a = componentOf(quantity.values, 3 * (count * this.frame + i), component);
-      const b = componentOf(quantity.values, 3 * (count * following + i), component);
+      const a = valueOf(quantity, count * this.frame + i, component);
+      const b = valueOf(quantity, count * following + i, component);
       out[i] = mix(a, b, this.part);
     }
   }
@@ -69,6 +69,9 @@ function mix(a, b, part) {
   return part === 0 ? a : a + part * (b - a);
 }
 
+// Of a row of a quantity, whose rows are vectors or numbers.
+const valueOf = ({ values, isScalar }, row, component) => (isScalar ? values[row] : componentOf(values, 3 * row, component));
+
 export function componentOf(values, at, component) {
   if (component < 3) return values[at + component];
   return Math.hypot(values[at], values[at + 1], values[at + 2]);
@@ -78,8 +81,9 @@ export function componentOf(values, at, component) {
 export function rangeOf(quantity, component) {
   let least = Infinity;
   let largest = -Infinity;
-  for (let at = 0; at < quantity.values.length; at += 3) {
-    const value = componentOf(quantity.values, at, component);
+  const rows = quantity.values.length / (quantity.isScalar ? 1 : 3);
+  for (let row = 0; row < rows; row++) {
+    const value = valueOf(quantity, row, component);
     if (value < least) least = value;
     if (value > largest) largest = value;
   }

@@ -22,9 +22,12 @@ const dimensions = {
   wall_tension: "force",
   bending_moment: "force·length",
   bending_curvature: "angle/length",
+  von_mises: "force/length²",
 };
+const names = { von_mises: "von Mises stress" };
 
 export const componentsOf = (quantity) => componentNames[quantity] ?? ["x", "y", "z"];
 export const dimensionOf = (quantity) => dimensions[quantity] ?? "";
+export const titleOf = (quantity) => names[quantity] ?? inWords(quantity);
 // Of a history. "force_a" of a joint is a force, whose axes charts name beside it.
-export const nameQuantity = (quantity) => inWords(quantity.replace(/^(force|moment)_a$/, "$1"));
+export const nameQuantity = (quantity) => titleOf(quantity.replace(/^(force|moment)_a$/, "$1"));

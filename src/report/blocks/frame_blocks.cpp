@@ -13,11 +13,12 @@ namespace gxrod {
 namespace {
 
 // Those rows of a frame that are chosen.
-std::vector<float> choose(std::span<const double> frame, const std::vector<int>& chosen) {
+std::vector<float> choose(std::span<const double> frame, const std::vector<int>& chosen, std::size_t width) {
     std::vector<float> values;
-    values.reserve(3 * chosen.size());
+    values.reserve(width * chosen.size());
     for (const int row : chosen) {
-        for (int i = 0; i < 3; ++i) values.push_back(static_cast<float>(frame[3 * row + i]));
+        for (std::size_t i = 0; i < width; ++i)
+            values.push_back(static_cast<float>(frame[width * static_cast<std::size_t>(row) + i]));
     }
     return values;
 }
@@ -73,6 +74,19 @@ void write_places(const ReportPlan& plan, std::ostream& out) {
     write_block(out, "cell-rods", rods);
     write_block(out, "middles", middles);
     write_block(out, "arc-lengths", arc_lengths);
+}
+
+// Of each cell the number of its section in /sections, −1 without stresses.
+void write_cell_sections(const Hdf5Reader& file,
+                         const ReportPlan& plan,
+                         const ReportContent& content,
+                         std::ostream& out) {
+    const auto rows = static_cast<hsize_t>(content.topology->cells);
+    const std::vector<double> all = file.rows("/VTKHDF/CellData/section", 0, rows, 1);
+    std::vector<std::int32_t> sections;
+    for (const DrawnCell& cell : plan.cells)
+        sections.push_back(static_cast<std::int32_t>(all.at(static_cast<std::size_t>(cell.source))));
+    write_block(out, "cell-sections", sections);
 }
 
 Vec6 value_of(const LoadArrow& arrow, const Vec3& rotation, double time) {
@@ -137,25 +151,26 @@ void write_frame_blocks(const Hdf5Reader& file,
     write_block(out, "reference", read_reference(file, plan, content));
     write_topology(plan, content, out);
     write_places(plan, out);
+    if (content.has_sections) write_cell_sections(file, plan, content, out);
 
     const auto write_quantity =
-        [&](const std::string& folder, const std::string& name, int rows, const std::vector<int>& chosen) {
-            write_block(out, name, [&](Base64Writer& base64) {
-                FrameVectors vectors(file, folder + name, static_cast<std::size_t>(rows), content.frames);
+        [&](const std::string& name, int rows, const std::vector<int>& chosen, std::size_t width) {
+            write_block(out, name.substr(name.rfind('/') + 1), [&](Base64Writer& base64) {
+                FrameVectors vectors(file, name, static_cast<std::size_t>(rows), content.frames, width);
                 for (const std::size_t frame : frames) {
-                    const std::vector<float> values = choose(vectors.read(frame), chosen);
+                    const std::vector<float> values = choose(vectors.read(frame), chosen, width);
                     base64.write(std::span<const float>(values));
                 }
             });
         };
     std::vector<int> sources;
     for (const DrawnCell& cell : plan.cells) sources.push_back(cell.source);
-    for (const std::string& name : plan.node_data) {
-        write_quantity("/VTKHDF/PointData/", name, content.topology->nodes, plan.nodes);
-    }
-    for (const std::string& name : plan.cell_data) {
-        write_quantity("/VTKHDF/CellData/", name, content.topology->cells, sources);
-    }
+    for (const std::string& name : plan.node_data)
+        write_quantity("/VTKHDF/PointData/" + name, content.topology->nodes, plan.nodes, 3);
+    for (const std::string& name : plan.cell_data)
+        write_quantity("/VTKHDF/CellData/" + name, content.topology->cells, sources, 3);
+    for (const std::string& name : plan.cell_scalars)
+        write_quantity("/VTKHDF/CellData/" + name, content.topology->cells, sources, 1);
     write_arrows(file, frames, find_load_times(file, times), content, arrows, out);
 }
 

@@ -1,9 +1,9 @@
 import uPlot from "uplot";
 import { make } from "../elements.js";
-import { formatNumber, inWords, timeSymbol } from "../format.js";
+import { formatNumber, timeSymbol } from "../format.js";
 import { componentOf } from "../motion.js";
 import { axesOptions, rangeAround, widen } from "./plot_axes.js";
-import { componentsOf, dimensionOf } from "../quantities.js";
+import { componentsOf, dimensionOf, titleOf } from "../quantities.js";
 import { readTheme } from "../theme.js";
 import { unitOf } from "../units.js";
 
@@ -41,7 +41,7 @@ export class Along {
     this.rods = data.info.rods.map((name, rod) => ({ name, rod })).filter(({ rod }) => data.cellRods.includes(rod) && hasRod(rod));
     this.frames = hasMean ? listTimedFrames(data) : [...data.times.keys()];
     this.rod = make("select", { "aria-label": "Rod" }, ...this.rods.map(({ name, rod }) => make("option", { value: String(rod) }, name)));
-    this.quantity = make("select", { "aria-label": "Quantity" }, ...Object.keys(quantities).map((name) => make("option", { value: name }, inWords(name))));
+    this.quantity = make("select", { "aria-label": "Quantity" }, ...Object.keys(quantities).map((name) => make("option", { value: name }, titleOf(name))));
     this.component = make("select", { "aria-label": "Component" });
     this.unit = make("small", {});
     this.now = make("span", { className: "value" });
@@ -134,7 +134,7 @@ export class Along {
         this.mean[i] += value / this.frames.length;
         if (value < this.least[i]) this.least[i] = value;
         if (value > this.largest[i]) this.largest[i] = value;
-        magnitude = Math.max(magnitude, this.valueAt(frame, row, 3));
+        if (this.valueAt(frame, row, 3) > magnitude) magnitude = this.valueAt(frame, row, 3);
       });
     }
     this.leastHeight = roundOff * magnitude;
@@ -156,7 +156,8 @@ export class Along {
   }
 
   columns(s) {
-    return [s, this.largest, this.least, this.present(), ...(this.hasMean ? [this.mean] : [])];
+    const columns = [this.largest, this.least, this.present(), ...(this.hasMean ? [this.mean] : [])];
+    return [s, ...columns.map((column) => column.map((value) => (Number.isFinite(value) ? value : null)))];
   }
 
   options() {

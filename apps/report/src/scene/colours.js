@@ -56,6 +56,11 @@ export class ColourScale {
     return cssColour(linear);
   }
 
+  // All steps from least to largest as bytes of red, green, blue.
+  bytes() {
+    return Uint8ClampedArray.from(this.map, (linear) => 255 * toSrgb(linear));
+  }
+
   // For a bar that shows the scale.
   gradient() {
     const stops = [];
@@ -65,6 +70,9 @@ export class ColourScale {
 }
 
 function cssColour(linear) {
-  const srgb = Array.from(linear, (x) => (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055));
-  return `rgb(${srgb.map((x) => Math.round(255 * x)).join(" ")})`;
+  return `rgb(${Array.from(linear, (x) => Math.round(255 * toSrgb(x))).join(" ")})`;
+}
+
+function toSrgb(x) {
+  return x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055;
 }

@@ -9,6 +9,7 @@ import { makeGrid } from "./grid.js";
 import { Joints } from "./joints.js";
 import { rangeOf } from "../motion.js";
 import { Obstacles } from "./obstacles.js";
+import { PlaceMark } from "./place_mark.js";
 import { Springs } from "./springs.js";
 import { FailMarks, Loads, Supports } from "./symbols.js";
 import { Stage } from "./stage.js";
@@ -35,6 +36,7 @@ export class Picture {
       obstacles: new Obstacles(data, motion, this.size),
       contacts: new Contacts(data, motion, this.size),
       surroundings: new Surroundings(data, motion, this.size),
+      ...(data.info.sections ? { place: new PlaceMark(data, motion, { size: this.size, rods: solid.rods }) } : {}),
     };
     const { rods, bodies, ...marks } = this.parts;
     this.reference = makeReference(data);
@@ -69,6 +71,15 @@ export class Picture {
     const scale = this.isInState ? null : this.scale;
     if (scale) this.motion.sample(this.quantity, this.component, this.values);
     this.parts.rods.paint(scale, this.quantity?.of, this.values);
+    this.stage.draw();
+  }
+
+  // Marks a place along a rod, or none.
+  markPlace(place, isVisible) {
+    const mark = this.parts.place;
+    if (!mark) return;
+    if (isVisible) mark.choose(place.rod, place.s);
+    mark.group.visible = isVisible && mark.ends !== null;
     this.stage.draw();
   }
 
@@ -162,6 +173,7 @@ export class Picture {
     this.parts.bodies.setColours(theme);
     this.parts.joints.setColours(theme);
     this.parts.obstacles.setColours(theme);
+    this.parts.place?.material.color.set(theme.bad);
     this.colourLines();
     this.paint();
   }

@@ -176,7 +176,7 @@ export class Tubes {
     const rgb = [this.plain.r, this.plain.g, this.plain.b];
     const ringColours = new Float32Array(3 * rings.length);
     rings.forEach((ring, i) => {
-      if (scale) scale.write(of === "cell" ? values[ring.cell] : this.valueAt(ring, values), rgb, 0);
+      if (scale) this.colour(scale, of === "cell" ? values[ring.cell] : this.valueAt(ring, values), rgb);
       ringColours.set(rgb, 3 * i);
       for (let k = 0; k <= sides; k++) colour.array.set(rgb, 3 * (i * (sides + 1) + k));
     });
@@ -185,6 +185,12 @@ export class Tubes {
       for (let k = 0; k < sides + 2; k++) colour.array.set(ringColours.subarray(3 * ring, 3 * ring + 3), 3 * (first + k));
     });
     colour.needsUpdate = true;
+  }
+
+  // Plain where there is no number: rods without stresses.
+  colour(scale, value, rgb) {
+    if (Number.isFinite(value)) scale.write(value, rgb, 0);
+    else [rgb[0], rgb[1], rgb[2]] = [this.plain.r, this.plain.g, this.plain.b];
   }
 
   valueAt(ring, values) {
