@@ -286,6 +286,11 @@ class Errors(PlotTest):
         write_sample(killed, killed_at=0)
         self.assert_fails(4, killed, says=["no complete step"])
 
+    def test_stresses_that_are_not_there(self):
+        for what in ("stress", "section"):
+            self.assert_fails(4, self.sample, "--what", what, says=["has no stresses", "[output]"])
+        self.assert_fails(2, self.sample, self.sample, "--what", "stress", says=["stresses need one file"])
+
     def test_unknown_histories(self):
         self.assert_fails(2, self.sample, "--history", "tap", says=["'tap'", "tip, top"])
         self.assert_fails(2, self.sample, "--history", "tip/force",

@@ -15,7 +15,7 @@ class Examples(unittest.TestCase):
     def test_examples(self):
         guide = GUIDE.read_text(encoding="utf-8")
         examples = re.findall(r"^```python\n(.*?)^```", guide, re.MULTILINE | re.DOTALL)
-        self.assertEqual(len(examples), 4)
+        self.assertEqual(len(examples), 5)
         with tempfile.TemporaryDirectory() as folder:
             environment = dict(os.environ, GXROD_PLOT_SAMPLE=f"{folder}/flyer.vtkhdf", MPLBACKEND="Agg", PYTHONDONTWRITEBYTECODE="1",
                                PYTHONPATH=str(GUIDE.parents[2] / "apps" / "python"))
@@ -32,6 +32,7 @@ class Examples(unittest.TestCase):
             self.assertEqual(lines[0], "along spring")
             self.assertEqual(len(lines), 1 + 60)
             self.assertTrue((Path(folder) / "tip.png").exists())
+            self.assertEqual(outputs[4], "")  # it has no stresses
 
 
 if __name__ == "__main__":

@@ -42,6 +42,8 @@ def draw_page(results, request):
         section = (panel_count(results) * PANEL_HEIGHT, lambda figure: draw_ledger(figure, results))
         return draw_sections(results, request, [section], NARROW_WIDTH)
     if request.what in ("stress", "section"):
+        if not results.results.sections:
+            raise FileFault(f"{file}: has no stresses; stresses = \"von-mises\" in [output] of the deck writes them")
         return draw_sections(results, request, [stress_section(results, request)], NARROW_WIDTH)
     found = [found_section(results, request, each) for each in results.found()] if request.what in ("all", "found") else []
     if request.what in ("all", "found"):

@@ -7,6 +7,7 @@ from matplotlib.tri import Triangulation
 
 from ..errors import Error
 from .errors import UsageError
+from .shapes import choose_frames
 from .style import BLACK, BLUE, BROWN, GREEN, GREY, ORANGE, PURPLE, RED
 
 HEIGHT, SECTION_HEIGHT = 4.2, 6.4
@@ -60,8 +61,7 @@ def draw_envelopes(figure, results, envelopes, measure):
     for number, envelope in reversed(list(enumerate(envelopes))):
         has_colour = number < len(COLOURS)
         values = getattr(envelope, measure).value
-        order = np.argsort(envelope.arc_length, kind="stable")
-        axes.plot(envelope.arc_length[order], values[order], color=COLOURS[number] if has_colour else GREY,
+        axes.plot(envelope.arc_length, values, color=COLOURS[number] if has_colour else GREY,
                   linewidth=1.5 if has_colour else 0.6, alpha=1.0 if has_colour else 0.6, label=envelope.rod if has_colour else None)
     mark_worst(axes, results, envelopes[0], measure)
     if measure == "exposure":
@@ -101,7 +101,7 @@ def choose_section(results, request):
     if len(request.rod or []) != 1:
         raise UsageError("--at needs one --rod")
     [name] = choose_rods(results, request.rod)
-    time = request.times[0] if request.times else None
+    time = results.frame_times[choose_frames(results, request.times, 1)[0]] if request.times else None
     stress = read(results, lambda: opened.stress(name, request.at, time))
     return SectionPlace(stress.section, stress.resultants, f"{name}, s = {stress.s:.4g}, {clock} = {stress.time:.4g}")
 

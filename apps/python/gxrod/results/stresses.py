@@ -117,9 +117,9 @@ class SectionStress(Shown):
 class Envelope(Shown):
     """The largest stresses of all steps along a rod: `r.envelope("beam").von_mises.value` [n].
 
-    `arc_length`, `element` [n]: places, the start, middle and end of each element. `section` [n]: row of the file's sections, −1 without
-    stresses (values are NaN). `criterion`: of exposure. `von_mises`, `exposure`: tables with `value`, `time` [n], `point` [n,2] (y, z),
-    `layer` [n] and `resultants` [n,6] (N, Vy, Vz, T, My, Mz).
+    `arc_length`, `element` [n]: places, the start, middle and end of each element whose section has a shape and no law. `section` [n]: row
+    of the file's sections. `criterion`: of exposure. `von_mises`, `exposure`: tables with `value` (of exposure NaN without a strength), `time`
+    [n], `point` [n,2] (y, z), `layer` [n] and `resultants` [n,6] (N, Vy, Vz, T, My, Mz).
     """
 
     von_mises: Table
@@ -128,17 +128,17 @@ class Envelope(Shown):
     def __init__(self, source: Source, rod: str, row: int) -> None:
         def read(file):
             group = file["envelopes"]
-            rows = np.flatnonzero(group["rod"][()] == row)
-            places = {name: group[name][()][rows] for name in ("element", "arc_length", "section")}
-            tables = {name: {key: data[()][rows] for key, data in group[name].items()} for name in MEASURES if name in group}
+            places = {name: group[name][()] for name in ("rod", "element", "arc_length", "section")}
+            tables = {name: {key: data[()] for key, data in group[name].items()} for name in MEASURES if name in group}
             return plain(group.attrs["criterion"]), places, tables
 
         self.rod = rod
-        self.criterion, places, tables = source.once(("envelope", row), read)
-        self.element, self.arc_length, self.section = places["element"], places["arc_length"], places["section"]
+        self.criterion, places, tables = source.once("envelopes", read)
+        rows = places["rod"] == row
+        self.element, self.arc_length, self.section = (places[name][rows] for name in ("element", "arc_length", "section"))
         self.measures = list(tables)
         for name, columns in tables.items():
-            setattr(self, name, Table(f"{name} of {rod}", columns))
+            setattr(self, name, Table(f"{name} of {rod}", {key: values[rows] for key, values in columns.items()}))
 
     def worst(self, measure: str = "von_mises") -> dict:
         """The place of the largest value: its `arc_length`, `element`, `value`, `time`, `point`, `layer` and `resultants`. measure: "von_mises" or "exposure"."""
