@@ -82,6 +82,9 @@ GmshLibrary load_gmsh(std::span<const char* const> names) {
     find_function(library, "gmshModelMeshGetNodesForPhysicalGroup", gmsh.get_group_nodes);
     find_function(library, "gmshModelMeshGetNodes", gmsh.get_nodes);
     find_function(library, "gmshModelMeshGetElements", gmsh.get_elements);
+    find_function(library, "gmshViewGetTags", gmsh.get_views);
+    find_function(library, "gmshViewGetModelData", gmsh.get_view_data);
+    find_function(library, "gmshOptionGetString", gmsh.get_text);
     find_function(library, "gmshModelAdd", gmsh.add_model);
     find_function(library, "gmshModelGeoAddPoint", gmsh.add_point);
     find_function(library, "gmshModelGeoAddLine", gmsh.add_line);

@@ -57,6 +57,21 @@ struct GmshLibrary {
                          int dimension,
                          int entity,
                          int* error);
+    // Gets the numbers of views, which are data on a mesh, in the order of their indices.
+    void (*get_views)(int** views, std::size_t* count, int* error);
+    // Gets the data of a view at a step: of what, elements or nodes, and the values of each.
+    void (*get_view_data)(int view,
+                          int step,
+                          char** of_what,
+                          std::size_t** numbers,
+                          std::size_t* count,
+                          double*** values,
+                          std::size_t** value_counts,
+                          std::size_t* value_array_count,
+                          double* time,
+                          int* components,
+                          int* error);
+    void (*get_text)(const char* option, char** value, int* error);
     // The geometry of Gmsh's own kernel; −1 for numbers that Gmsh chooses. They return the number.
     void (*add_model)(const char* name, int* error);
     int (*add_point)(double x, double y, double z, double size, int number, int* error);

@@ -187,11 +187,51 @@ std::vector<GmshElements> GmshSession::elements_of_entity(int dimension, int ent
     check(error, "its elements cannot be read");
     std::vector<GmshElements> elements;
     for (std::size_t i = 0; i < types.count; ++i) {
-        elements.push_back({types.data[i], {nodes.data[i], nodes.data[i] + node_counts.data[i]}});
+        elements.push_back({types.data[i],
+                            {nodes.data[i], nodes.data[i] + node_counts.data[i]},
+                            {numbers.data[i], numbers.data[i] + number_counts.data[i]}});
         gmsh_.release(numbers.data[i]);
         gmsh_.release(nodes.data[i]);
     }
     return elements;
+}
+
+std::vector<GmshSession::ElementData> GmshSession::element_data() const {
+    int error = 0;
+    GmshArray<int> views(gmsh_);
+    gmsh_.get_views(&views.data, &views.count, &error);
+    check(error, "its data cannot be read");
+    std::vector<ElementData> all;
+    for (std::size_t view = 0; view < views.count; ++view) {
+        GmshArray<char> name(gmsh_), of_what(gmsh_);
+        GmshArray<std::size_t> numbers(gmsh_), counts(gmsh_);
+        GmshArray<double*> values(gmsh_);
+        double time = 0.0;
+        int components = 0;
+        gmsh_.get_text(fmt::format("View[{}].Name", view).c_str(), &name.data, &error);
+        if (error == 0)
+            gmsh_.get_view_data(views.data[view],
+                                0,
+                                &of_what.data,
+                                &numbers.data,
+                                &numbers.count,
+                                &values.data,
+                                &counts.data,
+                                &values.count,
+                                &time,
+                                &components,
+                                &error);
+        check(error, "its data cannot be read");
+        ElementData data{name.data == nullptr ? "" : name.data, {}, {}};
+        for (std::size_t i = 0; i < values.count; ++i) {
+            data.numbers.push_back(numbers.data[i]);
+            data.values.emplace_back(values.data[i], values.data[i] + counts.data[i]);
+            gmsh_.release(values.data[i]);
+        }
+        const bool is_of_elements = std::string_view(of_what.data).starts_with("Element");
+        if (is_of_elements && components == 1) all.push_back(std::move(data));
+    }
+    return all;
 }
 
 }  // namespace gxrod

@@ -32,6 +32,7 @@ class GmshArray {
 struct GmshElements {
     int type = 0;
     std::vector<std::size_t> nodes;
+    std::vector<std::size_t> numbers;
 };
 
 // A model in Gmsh's memory. Gmsh has one memory per process, so only one session can live at a time; its end
@@ -63,12 +64,20 @@ class GmshSession {
         std::vector<std::size_t> numbers;
         std::vector<Vec3> positions;
     };
+    // Values of elements, one or one for each node.
+    struct ElementData {
+        std::string name;
+        std::vector<std::size_t> numbers;  // of the elements
+        std::vector<std::vector<double>> values;
+    };
     std::vector<Group> groups() const;
     Nodes nodes() const;
     std::vector<std::size_t> nodes_of(const Group& group) const;
     std::vector<GmshElements> elements_of(const Group& group) const;
     // Returns the elements of an entity, or, with −1, all elements of this dimension.
     std::vector<GmshElements> elements_of_entity(int dimension, int entity) const;
+    // Returns the data on elements that a file has beside its mesh; those of several components are left out.
+    std::vector<ElementData> element_data() const;
 
   private:
     // Throws if there is an error or Gmsh has reported one.

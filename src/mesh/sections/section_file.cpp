@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "mesh/sections/element_walls.hpp"
 #include "mesh/sections/surface_cells.hpp"
 #include "mesh/sections/wall_directions.hpp"
 
@@ -60,14 +61,22 @@ class WallPainter {
     WallPainter(const SurfaceMesh& mesh, const std::vector<PlanePoint>& file_nodes)
         : mesh_(mesh), file_nodes_(file_nodes) {}
 
-    void paint(const std::variant<double, int>& wall,
+    // The cell is that of a surface of the file.
+    void paint(const SectionGroup& layer,
+               std::size_t surface,
                const std::vector<PlanePoint>& nodes,
                SectionCell& cell) {
-        if (const double* angle = std::get_if<double>(&wall)) {
-            if (*angle != 0.0) cell.walls.assign(cell.nodes.size(), {std::cos(*angle), std::sin(*angle)});
-            return;
+        if (const double* angle = std::get_if<double>(&layer.wall)) {
+            if (*angle != 0.0) paint_by_angle(*angle, cell);
+        } else if (const auto* angles = std::get_if<WallAngles>(&layer.wall)) {
+            paint_by_data(mesh_, surface, mesh_.data[static_cast<std::size_t>(angles->data)], cell);
+        } else {
+            paint_along(std::get<int>(layer.wall), nodes, cell);
         }
-        const int group = std::get<int>(wall);
+    }
+
+  private:
+    void paint_along(int group, const std::vector<PlanePoint>& nodes, SectionCell& cell) {
         const auto found = directions_.try_emplace(group, mesh_, group, file_nodes_).first;
         auto& known = known_[group];
         for (const int node : cell.nodes) {
@@ -77,7 +86,6 @@ class WallPainter {
         }
     }
 
-  private:
     const SurfaceMesh& mesh_;
     const std::vector<PlanePoint>& file_nodes_;
     std::map<int, WallDirections> directions_;
@@ -97,13 +105,14 @@ SectionMesh make_section_mesh(const SurfaceMesh& mesh,
         section.layers.push_back({group.name, group.material, group.fibre_angle});
     SurfaceCells cells(section);
     WallPainter painter(mesh, file_nodes);
-    for (const SurfaceElement& element : mesh.surfaces) {
+    for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) {
+        const SurfaceElement& element = mesh.surfaces[i];
         const auto found = std::ranges::find_if(groups, [&](const SectionGroup& group) {
             return group.group == -1 || group.group == element.group;
         });
         if (found == groups.end()) continue;
         section.cells.push_back(cells.make(element, static_cast<int>(found - groups.begin())));
-        painter.paint(found->wall, section.nodes, section.cells.back());
+        painter.paint(*found, i, section.nodes, section.cells.back());
     }
     drop_unused_nodes(section);
     return section;

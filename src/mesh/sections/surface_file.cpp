@@ -40,6 +40,7 @@ std::vector<SurfaceElement> split_elements(const std::vector<GmshElements>& all,
         const std::size_t count = count_element_nodes(some.type);
         for (std::size_t first = 0; first + count <= some.nodes.size(); first += count) {
             elements.push_back({.type = some.type, .group = group});
+            elements.back().number = some.numbers[first / count];
             for (std::size_t i = 0; i < count; ++i)
                 elements.back().nodes.push_back(numbers.at(some.nodes[first + i]));
         }
@@ -83,6 +84,19 @@ class SurfaceCollector {
     std::map<std::vector<int>, std::size_t> known_;
 };
 
+// Finds the values of each surface.
+SurfaceData spread_data(GmshSession::ElementData&& given, const std::vector<SurfaceElement>& surfaces) {
+    std::unordered_map<std::size_t, std::size_t> places;
+    for (std::size_t i = 0; i < given.numbers.size(); ++i) places[given.numbers[i]] = i;
+    SurfaceData data{std::move(given.name), {}};
+    for (const SurfaceElement& surface : surfaces) {
+        const auto found = places.find(surface.number);
+        data.values.push_back(found == places.end() ? std::vector<double>{}
+                                                    : std::move(given.values[found->second]));
+    }
+    return data;
+}
+
 SurfaceMesh read_surfaces_with_gmsh(const GmshLibrary& gmsh, const std::filesystem::path& file) {
     GmshSession session(gmsh);
     session.open(file);
@@ -106,6 +120,8 @@ SurfaceMesh read_surfaces_with_gmsh(const GmshLibrary& gmsh, const std::filesyst
     }
     for (SurfaceElement& element : split_elements(session.elements_of_entity(2, -1), -1, numbers))
         surfaces.add(std::move(element));
+    for (GmshSession::ElementData& data : session.element_data())
+        mesh.data.push_back(spread_data(std::move(data), mesh.surfaces));
     return mesh;
 }
 
@@ -121,9 +137,18 @@ class SurfaceWriter {
         for (const SurfaceElement& element : elements) {
             add(element.type);
             add(element.group);
+            add(element.number);
             add(element.nodes.size());
             for (const int node : element.nodes) add(node);
         }
+    }
+    void add(const std::string& text) {
+        add(text.size());
+        bytes += text;
+    }
+    void add(const std::vector<double>& values) {
+        add(values.size());
+        for (const double value : values) add(value);
     }
 
     std::string bytes;
@@ -150,10 +175,17 @@ class SurfaceReader {
         for (SurfaceElement& element : elements) {
             element.type = get<int>();
             element.group = get<int>();
+            element.number = get<std::size_t>();
             element.nodes.resize(get<std::size_t>());
             for (int& node : element.nodes) node = get<int>();
         }
         return elements;
+    }
+    std::string text() { return std::string(take(get<std::size_t>())); }
+    std::vector<double> values() {
+        std::vector<double> values(get<std::size_t>());
+        for (double& value : values) value = get<double>();
+        return values;
     }
 
   private:
@@ -170,11 +202,15 @@ std::string write_surface_bytes(const SurfaceMesh& mesh) {
     for (const SurfaceGroup& group : mesh.groups) {
         writer.add(group.dimension);
         writer.add(group.number);
-        writer.add(group.name.size());
-        writer.bytes += group.name;
+        writer.add(group.name);
     }
     writer.add(mesh.surfaces);
     writer.add(mesh.curves);
+    writer.add(mesh.data.size());
+    for (const SurfaceData& data : mesh.data) {
+        writer.add(data.name);
+        for (const std::vector<double>& values : data.values) writer.add(values);
+    }
     return std::move(writer.bytes);
 }
 
@@ -189,10 +225,15 @@ SurfaceMesh read_surface_bytes(std::string_view bytes) {
     for (SurfaceGroup& group : mesh.groups) {
         group.dimension = reader.get<int>();
         group.number = reader.get<int>();
-        group.name = std::string(reader.take(reader.get<std::size_t>()));
+        group.name = reader.text();
     }
     mesh.surfaces = reader.elements();
     mesh.curves = reader.elements();
+    mesh.data.resize(reader.get<std::size_t>());
+    for (SurfaceData& data : mesh.data) {
+        data.name = reader.text();
+        for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) data.values.push_back(reader.values());
+    }
     return mesh;
 }
 

@@ -22,6 +22,14 @@ struct SurfaceElement {
     int type = 0;    // as the MSH format numbers types
     int group = -1;  // an index in SurfaceMesh::groups; −1: in none
     std::vector<int> nodes = {};
+    std::size_t number = 0;  // in the file
+};
+
+// Numbers on surfaces ($ElementData, $ElementNodeData of a file): one for each surface, or one for each of
+// its nodes.
+struct SurfaceData {
+    std::string name;
+    std::vector<std::vector<double>> values;  // of SurfaceMesh::surfaces; empty where the file has none
 };
 
 struct SurfaceMesh {
@@ -29,6 +37,7 @@ struct SurfaceMesh {
     std::vector<SurfaceGroup> groups;
     std::vector<SurfaceElement> surfaces;  // each once
     std::vector<SurfaceElement> curves;    // of groups; once for each
+    std::vector<SurfaceData> data = {};
 };
 
 // Reads a file through libgmsh: .msh of any version. Throws MeshError, also if a surface is in two groups.

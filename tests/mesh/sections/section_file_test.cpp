@@ -144,6 +144,41 @@ TEST_CASE("Cells of order 1 are raised to share the nodes of their sides", "[mes
     CHECK(make_section_mesh(surfaces, 1.0, {{.group = 0, .name = "left"}}).nodes.size() == 16);
 }
 
+TEST_CASE("Data of a file turn the walls of each surface, or at each of its nodes", "[mesh]") {
+    const auto read = [](const std::string& data) {
+        std::string text =
+            fmt::format(fmt::runtime(two_squares), "0", "2\n11 3 2 1 1 1 2 5 4\n12 3 2 2 2 2 3 6 5");
+        const ScratchFile file("a.msh", text + data);
+        return read_surface_mesh(file.path());
+    };
+    const std::string header = "1\n\"turn\"\n1\n0\n3\n0\n1\n2\n";
+    const SurfaceMesh once = read("$ElementData\n" + header + "11 0.5\n12 -1.25\n$EndElementData\n");
+    REQUIRE(once.data.size() == 1);
+    CHECK(once.data[0].name == "turn");
+    const SectionMesh mesh = make_section_mesh(once, 1.0, {{.name = "all", .wall = WallAngles{0}}});
+    const auto turned = [](double angle) { return PlanePoint(std::cos(angle), std::sin(angle)); };
+    REQUIRE(mesh.cells.size() == 2);
+    for (const PlanePoint& wall : mesh.cells[0].walls) CHECK((wall - turned(0.5)).norm() < 1e-15);
+    for (const PlanePoint& wall : mesh.cells[1].walls) CHECK((wall - turned(-1.25)).norm() < 1e-15);
+
+    // 3 and 3.4 − 2π are 0.4 apart. The second square has its own angles at the nodes that both have.
+    const SurfaceMesh by_node =
+        read("$ElementNodeData\n" + header +
+             "11 4 3 -2.883185307179586 -2.883185307179586 3\n12 4 0 0 0.2 0.2\n$EndElementNodeData\n");
+    const SectionMesh bent = make_section_mesh(by_node, 1.0, {{.name = "all", .wall = WallAngles{0}}});
+    for (const SectionCell& cell : bent.cells) {
+        REQUIRE(cell.walls.size() == 16);
+        for (std::size_t i = 0; i < 16; ++i) {
+            const PlanePoint& at = bent.nodes[static_cast<std::size_t>(cell.nodes[i])];
+            const bool is_left = &cell == &bent.cells[0];
+            CHECK((cell.walls[i] - turned(is_left ? 3.0 + 0.4 * at.x() : 0.2 * at.y())).norm() < 1e-14);
+        }
+    }
+    const SurfaceMesh holed = read("$ElementData\n1\n\"turn\"\n1\n0\n3\n0\n1\n1\n11 0.5\n$EndElementData\n");
+    CHECK_THROWS_WITH(make_section_mesh(holed, 1.0, {{.name = "all", .wall = WallAngles{0}}}),
+                      "the data \"turn\" have no angle of the surface at (1, 0, 0)");
+}
+
 TEST_CASE("Files that are not sections are refused", "[mesh]") {
     CHECK(fault_of("0", "1\n1 3 2 1 1 1 2 5 4").empty());
     CHECK(fault_of("0", "2\n1 3 2 1 1 1 2 5 4\n2 3 2 2 2 2 5 4 1") ==

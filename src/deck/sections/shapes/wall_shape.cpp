@@ -101,9 +101,24 @@ class GroupReader {
                     explain_missing_group(file_, 1, *table.along));
             layer.wall = curves;
         }
+        if (table.directions) layer.wall = WallAngles{find_data(table)};
         is_complete_ = is_complete_ && material;
         layer.material = material.value_or(0);
         groups_.push_back(std::move(layer));
+    }
+
+    // Returns the index of element data; −1 with a fault.
+    int find_data(const MeshGroupTable& table) {
+        const auto found = std::ranges::find(file_.data, *table.directions, &SurfaceData::name);
+        if (found != file_.data.end()) return static_cast<int>(found - file_.data.begin());
+        std::vector<std::string> known;
+        for (const SurfaceData& data : file_.data) known.push_back(data.name);
+        add(table.place_of(&table.directions),
+            table.path_of(&table.directions),
+            fmt::format("no data \"{}\" of elements, one number each, in the file; {}",
+                        *table.directions,
+                        known.empty() ? "it has none" : "it has " + plain_list(known)));
+        return -1;
     }
 
     void check_all_have_materials() {

@@ -20,7 +20,10 @@ const TableSpec& mesh_group_table() {
             .also("curve tangent")
         .key("direction", &T::direction, "The angle of t from y towards z.")
             .unit("angle").otherwise("0: t is y").also("beta plane_angle")
-        .at_most_one_of({"along", "direction"});
+        .key("directions", &T::directions, "Data of the file on its elements, $ElementData or $ElementNodeData, with the angle of t "
+             "of each element, or at each of its nodes, in radians.")
+            .also("element_data plane_angles")
+        .at_most_one_of({"along", "direction", "directions"});
     // clang-format on
     return table;
 }

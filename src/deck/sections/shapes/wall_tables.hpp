@@ -33,6 +33,7 @@ struct MeshGroupTable : TableHead {
     std::optional<double> angle;
     std::optional<std::string> along;
     std::optional<double> direction;
+    std::optional<std::string> directions;
 };
 
 struct MeshShapeTable : TableHead {
