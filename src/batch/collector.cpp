@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "batch/component_row.hpp"
 #include "check/findings/found_values.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "model/settings/analysis_traits.hpp"
@@ -13,45 +14,9 @@
 namespace gxrod {
 namespace {
 
-// A vector, a quaternion or a single number, as the rows of results have them.
-struct Values {
-    HistoryRow numbers{};
-    int width = 1;
-};
-
-Values values_of(const LedgerColumn& column, const LedgerRow& row) {
+ComponentRow values_of(const LedgerColumn& column, const LedgerRow& row) {
     const std::array<double, 3> numbers = numbers_of(column, row);
     return {{numbers[0], numbers[1], numbers[2]}, column.width()};
-}
-
-// A vector is x y z, a quaternion w x y z.
-double take_component(const Values& values, std::optional<Component> component) {
-    const std::size_t offset = values.width == 4 ? 1 : 0;
-    if (!component) return values.numbers[0];
-    switch (*component) {
-        case Component::x:
-            return values.numbers[offset];
-        case Component::y:
-            return values.numbers[offset + 1];
-        case Component::z:
-            return values.numbers[offset + 2];
-        case Component::w:
-            return values.numbers[0];
-        case Component::magnitude:
-            break;
-    }
-    return std::hypot(values.numbers[0], values.numbers[1], values.numbers[2]);
-}
-
-std::string explain_component(const Collection& collection, int width) {
-    const std::optional<Component>& component = collection.component;
-    if (width == 6 || width == 2) return "has several numbers, of which columns take none";
-    if (width == 1) return component ? "is a single number, without components" : "";
-    const char* words = width == 3 ? "\"x\", \"y\", \"z\" or \"magnitude\"" : "\"w\", \"x\", \"y\" or \"z\"";
-    const char* kind = width == 3 ? "a vector" : "a quaternion";
-    const Component foreign = width == 3 ? Component::w : Component::magnitude;
-    if (component && *component != foreign) return "";
-    return fmt::format("is {}; expected component {}", kind, words);
 }
 
 const HistoryRequest* find_history(const Problem& problem, const std::string& name) {
@@ -114,7 +79,8 @@ void check_history(const Collection& collection, const Problem& problem, FaultLi
                                       word,
                                       plain_list(quantities)));
     }
-    const std::string wrong = explain_component(collection, quantity_of(history->target, word).columns);
+    const std::string wrong =
+        explain_component(collection.component, quantity_of(history->target, word).columns);
     if (!wrong.empty()) faults.add(collection.place, collection.path() + ".component", word + " " + wrong);
 }
 
@@ -131,7 +97,7 @@ void check_collections(const std::vector<Collection>& collections,
         if (!collection.history.empty()) {
             check_history(collection, problem, faults);
         } else {
-            const std::string wrong = explain_component(collection, collection.ledger->width());
+            const std::string wrong = explain_component(collection.component, collection.ledger->width());
             if (!wrong.empty()) {
                 faults.add(collection.place,
                            collection.path() + ".component",
@@ -139,12 +105,32 @@ void check_collections(const std::vector<Collection>& collections,
             }
         }
         const double end = find_axis_end(problem.stages);
-        if (!collection.at || *collection.at <= end) continue;
-        faults.add(collection.place,
-                   collection.path() + ".at",
-                   fmt::format("{} is after the end, {}", *collection.at, end));
+        const auto check_time = [&](double time, const char* key) {
+            if (time <= end) return;
+            faults.add(
+                collection.place, collection.path() + key, fmt::format("{} is after the end, {}", time, end));
+        };
+        if (collection.at) check_time(*collection.at, ".at");
+        if (const auto& fatigue = collection.fatigue)
+            check_time(fatigue->from, fatigue->curve ? ".damage.from" : ".range.from");
     }
 }
+
+namespace {
+
+// "damage of ", as the description of a column begins.
+std::string describe_count(const FatigueCount& count) {
+    const std::string from = count.from > 0.0 ? fmt::format(" from t = {} on", count.from) : "";
+    if (!count.curve)
+        return fmt::format("equivalent range{}, slope {}, {} cycles, of ", from, count.slope, count.cycles);
+    const SNCurve::Line& line = count.curve->lines.front();
+    const std::string curve =
+        count.category ? fmt::format("detail category {}", *count.category)
+                       : fmt::format("slope {}, {} cycles at {}", line.slope, line.cycles, line.at);
+    return fmt::format("damage{}, {}, of ", from, curve);
+}
+
+}  // namespace
 
 std::string describe(const Collection& collection) {
     constexpr std::array words{"least", "largest", "mean", "rms of", "final", "largest absolute"};
@@ -155,6 +141,7 @@ std::string describe(const Collection& collection) {
     }
     std::string text =
         collection.at ? "" : fmt::format("{} ", words[static_cast<std::size_t>(collection.take)]);
+    if (collection.fatigue) text = describe_count(*collection.fatigue);
     if (collection.component) text += word_of(component_choices, *collection.component) + " of ";
     if (collection.history.empty()) {
         text += std::string(collection.ledger->name);
@@ -210,6 +197,20 @@ double TakenNumber::value() const {
     return last_;
 }
 
+void TakenFatigue::add(double time, double value) {
+    if (time < count_->from) return;
+    has_step_ = true;
+    cycles_.add(value);
+}
+
+double TakenFatigue::value() const {
+    if (!has_step_ || !cycles_.is_finite()) return std::numeric_limits<double>::quiet_NaN();
+    const std::vector<RangeCycle> cycles = cycles_.cycles();
+    if (!count_->curve) return compute_equivalent_range(cycles, count_->slope, count_->cycles);
+    const double damage = compute_damage(cycles, *count_->curve, count_->ultimate);
+    return std::isfinite(damage) ? damage : std::numeric_limits<double>::quiet_NaN();
+}
+
 Collector::Collector(const std::vector<Collection>& collections, const Problem& problem) {
     const auto& histories = problem.output.histories;
     for (const Collection& collection : collections) {
@@ -220,7 +221,8 @@ Collector::Collector(const std::vector<Collection>& collections, const Problem& 
             watch.emplace(problem.model, histories, index);
             quantity = &quantity_of(history->target, collection.quantity);
         }
-        columns_.push_back({collection, std::move(watch), quantity, {collection.take, collection.at}});
+        columns_.push_back({collection, std::move(watch), quantity, {collection.take, collection.at}, {}});
+        if (collection.fatigue) columns_.back().fatigue.emplace(*collection.fatigue);
     }
 }
 
@@ -228,10 +230,13 @@ void Collector::add(const Snapshot& snapshot, const LedgerRow& ledger) {
     for (Column& column : columns_) {
         const Collection& collection = column.collection;
         if (!collection.stage.empty()) continue;
-        const Values values =
-            column.watch ? Values{column.watch->compute(*column.quantity, snapshot), column.quantity->columns}
-                         : values_of(*collection.ledger, ledger);
-        column.number.add(snapshot.time, take_component(values, collection.component));
+        const ComponentRow values =
+            column.watch
+                ? ComponentRow{column.watch->compute(*column.quantity, snapshot), column.quantity->columns}
+                : values_of(*collection.ledger, ledger);
+        const double value = take_component(values, collection.component);
+        if (column.fatigue) column.fatigue->add(snapshot.time, value);
+        column.number.add(snapshot.time, value);
     }
 }
 
@@ -254,7 +259,9 @@ std::vector<double> Collector::values() const {
     std::vector<double> values;
     for (const Column& column : columns_) {
         const std::optional<double>& reference = column.collection.reference;
-        const double value = column.collection.stage.empty() ? column.number.value() : column.found;
+        const double value = column.fatigue                    ? column.fatigue->value()
+                             : column.collection.stage.empty() ? column.number.value()
+                                                               : column.found;
         values.push_back(reference ? std::abs(value - *reference) : value);
     }
     return values;

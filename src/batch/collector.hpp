@@ -42,6 +42,22 @@ class TakenNumber {
     double at_value_ = std::numeric_limits<double>::quiet_NaN();
 };
 
+// Counts the cycles of a function of time that is known at steps.
+class TakenFatigue {
+  public:
+    explicit TakenFatigue(const FatigueCount& count) : count_(&count) {}
+
+    void add(double time, double value);
+    // Returns the damage or the equivalent range; NaN if no step was added, if a value was not finite, or if
+    // a mean reaches the ultimate stress.
+    double value() const;
+
+  private:
+    const FatigueCount* count_;
+    bool has_step_ = false;
+    RainflowCounter cycles_;
+};
+
 // Collects the numbers of a plan from a run, step by step.
 class Collector {
   public:
@@ -62,6 +78,7 @@ class Collector {
         std::optional<HistoryWatch> watch;
         const Quantity* quantity;  // of the history
         TakenNumber number;
+        std::optional<TakenFatigue> fatigue;
         double found = std::numeric_limits<double>::quiet_NaN();
     };
     std::vector<Column> columns_;

@@ -128,6 +128,25 @@ TEST_CASE("What a stage cannot find is refused", "[batch][stages]") {
         Catch::Contains("collect.a.take: is for histories and the ledger, not for what a stage finds"));
 }
 
+TEST_CASE("Cycles are counted from a time on", "[batch]") {
+    const std::vector<double> series{-2, 1, -3, 5, -1, 3, -4, 4, -2};  // ASTM E1049-85, figure 6
+    const auto count = [&](const FatigueCount& what) {
+        TakenFatigue taken(what);
+        for (std::size_t i = 0; i < series.size(); ++i) taken.add(static_cast<double>(i), series[i]);
+        return taken.value();
+    };
+    const double damage = 0.5 * 27 + 1.5 * 64 + 0.5 * 216 + 512 + 0.5 * 729;
+    CHECK(count({.curve = SNCurve{{{3.0, 1.0, 1.0}}}}) == Approx(damage).epsilon(1e-14));
+    CHECK(count({.slope = 3.0, .cycles = 10.0}) == Approx(std::cbrt(damage / 10.0)).epsilon(1e-14));
+    CHECK(count({.slope = 3.0, .cycles = 0.5, .from = 7.0}) == Approx(6.0).epsilon(1e-14));
+    CHECK(std::isnan(count({.slope = 3.0, .cycles = 0.5, .from = 9.0})));
+    CHECK(std::isnan(count({.curve = SNCurve{{{3.0, 1.0, 1.0}}}, .ultimate = 1.0})));
+    const FatigueCount range{.slope = 3.0, .cycles = 1.0};
+    TakenFatigue broken(range);
+    broken.add(0.0, std::numeric_limits<double>::quiet_NaN());
+    CHECK(std::isnan(broken.value()));
+}
+
 TEST_CASE("A run of no step, or one, collects what there is", "[batch]") {
     CHECK(std::isnan(TakenNumber(Take::mean, {}).value()));
     TakenNumber mean(Take::mean, {});

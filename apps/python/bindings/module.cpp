@@ -17,4 +17,5 @@ NB_MODULE(_core, module) {
     bind_section(module);
     bind_deck(module);
     bind_simulation(module);
+    bind_fatigue(module);
 }

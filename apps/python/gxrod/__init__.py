@@ -27,7 +27,7 @@ except ImportError:  # in the source tree, which CMake has not configured
 _HOMES = {"open_results": "results", "Results": "results", "batch": "batches", "read_batch": "batches", "map": "mapping"}
 _MODULES = ("batches", "fatigue", "gym", "importers", "mapping", "plot", "program", "results")
 # What needs the compiled part, and where it is.
-_COMPILED = {**dict.fromkeys(("Checkpoint", "Deck", "Model", "Section", "Simulation", "Step", "Summary", "schema"), "simulation"), "check_gradient": "gradients"}
+_COMPILED = {**dict.fromkeys(("Checkpoint", "Deck", "Model", "Section", "Simulation", "Step", "Summary", "schema"), "simulation"), "check_gradient": "gradients", "fatigue": "fatigue"}
 
 if _typing.TYPE_CHECKING:  # the same names, for editors and type checkers
     from . import batches as batches, fatigue as fatigue, gym as gym, importers as importers, mapping as mapping, plot as plot, program as program, results as results
@@ -38,7 +38,7 @@ if _typing.TYPE_CHECKING:  # the same names, for editors and type checkers
     from .results import Results as Results, open_results as open_results
     from .simulation import Checkpoint as Checkpoint, Simulation as Simulation, Step as Step, Summary as Summary
 
-__all__ = ["ConvergenceError", "DeckError", "Error", "EvaluationError", "Fault", "FileError", "UnknownNameError", *_HOMES, "gym", *_COMPILED]
+__all__ = ["ConvergenceError", "DeckError", "Error", "EvaluationError", "Fault", "FileError", "UnknownNameError", *_HOMES, "gym", *(name for name in _COMPILED if name not in _MODULES)]
 
 
 if not _typing.TYPE_CHECKING:
@@ -46,6 +46,8 @@ if not _typing.TYPE_CHECKING:
     def __getattr__(name):
         if name in _HOMES:
             return _keep(name, getattr(_importlib.import_module(f"{__name__}.{_HOMES[name]}"), name))
+        if name in _MODULES and name in _COMPILED:
+            return _import_compiled(name)
         if name in _MODULES:
             return _importlib.import_module(f"{__name__}.{name}")
         if name in _COMPILED:

@@ -8,13 +8,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from . import _core
 from .errors import Error
 from .typed import Array
+
+Row: TypeAlias = tuple[float, float, float]  # range, mean, count of cycles
 
 
 class Cycles(NamedTuple):
@@ -25,43 +28,21 @@ class Cycles(NamedTuple):
     count: Array
 
 
-def turning_points(values: ArrayLike) -> Array:
-    """The values at which a series turns, with its first and its last one; repeated values count once."""
+def rainflow(values: ArrayLike) -> Cycles:
+    """Counts the cycles of a series by rainflow counting (ASTM E1049-85, 5.4.4), in the order in which they end.
+
+    A range that contains the start of the series counts as half a cycle, and so does what is left at its end. Repeated values count once.
+    """
+    return Cycles(*np.array(_count(values), float).reshape(-1, 3).T)
+
+
+def _count(values: ArrayLike) -> list[Row]:
     series = np.asarray(values, float)
     if series.ndim != 1:
         raise Error(f"expected the values of one quantity over time, got an array of shape {series.shape}")
     if not np.isfinite(series).all():
         raise Error("the series has values that are not numbers; count the part before or after them")
-    if len(series) == 0:
-        return series
-    series = series[np.concatenate(([True], np.diff(series) != 0))]
-    rises = np.sign(np.diff(series))
-    return series[np.concatenate(([True], rises[1:] != rises[:-1], [True]))] if len(series) > 1 else series
-
-
-def rainflow(values: ArrayLike) -> Cycles:
-    """Counts the cycles of a series by rainflow counting (ASTM E1049-85, 5.4.4), in the order in which they end.
-
-    A range that contains the start of the series counts as half a cycle, and so does what is left at its end.
-    """
-    found: list[tuple[float, float, float]] = []
-    stack: list[float] = []
-
-    def count(a: float, b: float, number: float) -> None:
-        found.append((abs(b - a), 0.5 * (a + b), number))
-
-    for point in turning_points(values):
-        stack.append(float(point))
-        while len(stack) >= 3 and abs(stack[-1] - stack[-2]) >= abs(stack[-2] - stack[-3]):
-            if len(stack) == 3:
-                count(stack[0], stack[1], 0.5)
-                del stack[0]
-            else:
-                count(stack[-3], stack[-2], 1.0)
-                del stack[-3:-1]
-    for a, b in zip(stack, stack[1:]):
-        count(a, b, 0.5)
-    return Cycles(*(np.array(found, float).reshape(-1, 3).T))
+    return _core.rainflow(series.tolist())
 
 
 class SNCurve:
@@ -74,29 +55,25 @@ class SNCurve:
     def __init__(self, lines: Sequence[tuple[float, float, float]], limit: float = 0.0, factor: float = 1.0) -> None:
         self.lines = [tuple(float(number) for number in line) for line in lines]
         self.limit, self.factor = float(limit), float(factor)
-        if not self.lines or any(len(line) != 3 or min(line) <= 0 for line in self.lines):
+        if any(len(line) != 3 for line in self.lines):
             raise Error("expected lines (slope, cycles, at) of positive numbers")
-        bounds = [at for _, _, at in self.lines[1:]] + [self.limit]
-        if any(b < c for b, c in zip(bounds, bounds[1:])):
-            raise Error(f"expected lines for smaller and smaller ranges, down to the limit, found {bounds}")
-        self._bounds = bounds
+        if fault := self._made().find_fault():
+            raise Error(fault)
+
+    def _made(self) -> _core.SNCurve:
+        return _core.make_curve(self.lines, self.limit, self.factor)
 
     @classmethod
     def eurocode(cls, category: float, factor: float = 1.0) -> SNCurve:
         """The curve of a detail category for normal stresses (EN 1993-1-9, 7.1): the range at 2·10⁶ cycles, slope 3 to 5·10⁶, 5 to 10⁸, then no damage."""
-        constant = category * (2 / 5) ** (1 / 3)
-        return cls([(3, 2e6, category), (5, 5e6, constant)], limit=constant * (5 / 100) ** (1 / 5), factor=factor)
+        lines, limit = _core.list_eurocode_lines(category)
+        return cls(lines, limit, factor)
 
     def cycles(self, ranges: ArrayLike) -> Array:
         """The cycles that each range may be repeated; infinite at and below the limit."""
-        wanted = self.factor * np.asarray(ranges, float)
-        endured = np.full(wanted.shape, np.inf)
-        above = np.inf
-        for (slope, number, at), bound in zip(self.lines, self._bounds):
-            here = (wanted <= above) & (wanted > bound)
-            endured[here] = number * (at / wanted[here]) ** slope
-            above = bound
-        return endured
+        given = np.asarray(ranges, float)
+        curve = self._made()
+        return np.array([curve.endured_cycles(each) for each in given.ravel().tolist()]).reshape(given.shape)
 
 
 def damage(values: ArrayLike, curve: SNCurve, ultimate: float | None = None) -> float:
@@ -105,17 +82,14 @@ def damage(values: ArrayLike, curve: SNCurve, ultimate: float | None = None) -> 
     ultimate: the ultimate stress; ranges then count as those without a mean that do the same damage (Goodman): range/(1 − |mean|/ultimate) where the
     mean is tension.
     """
-    ranges, means, counts = rainflow(values)
-    if ultimate is not None:
-        tension = np.maximum(means, 0.0) / ultimate
-        if (tension >= 1).any():
-            raise Error(f"a mean of {means.max():.6g} reaches the ultimate stress {ultimate:.6g}")
-        ranges = ranges / (1 - tension)
-    return float(np.sum(counts / curve.cycles(ranges)))
+    cycles = _count(values)
+    found = _core.compute_damage(cycles, curve._made(), 0.0 if ultimate is None else ultimate)
+    if found == np.inf:
+        raise Error(f"a mean of {max(mean for _, mean, _ in cycles):.6g} reaches the ultimate stress {ultimate:.6g}")
+    return found
 
 
 def equivalent_range(values: ArrayLike, slope: float, cycles: float) -> float:
     """The range that, repeated `cycles` times, does the damage of a series: (Σ count range^slope/cycles)^(1/slope). slope: of the S–N curve, 3 to 5
     for steel, about 10 for composites; cycles: as many as seconds, for loads at 1 Hz."""
-    found = rainflow(values)
-    return float((np.sum(found.count * found.range**slope) / cycles) ** (1 / slope))
+    return _core.compute_equivalent_range(_count(values), slope, cycles)

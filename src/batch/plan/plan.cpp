@@ -8,6 +8,7 @@
 #include "batch/plan/faulty_plan.hpp"
 #include "batch/plan/plan_schema.hpp"
 #include "batch/plan/plan_tables.hpp"
+#include "batch/plan/read_fatigue.hpp"
 #include "batch/plan/read_variations.hpp"
 #include "deck/reading/validation.hpp"
 #include "deck/text/csv_reading.hpp"
@@ -48,15 +49,19 @@ std::optional<Collection> read_collection(const CollectTable& table, FaultList& 
         refuse(table.component);
         refuse(table.take);
         refuse(table.at);
+        refuse(table.damage);
+        refuse(table.range);
     }
     const auto is_read = [&](const auto& field) { return !table.gives(field) || field.has_value(); };
     const bool is_whole = is_of_stage ? table.gives(table.found)
                                       : table.gives(table.history) != table.gives(table.ledger) &&
-                                            table.gives(table.take) != table.gives(table.at);
+                                            table.gives(table.take) + table.gives(table.at) +
+                                                    table.gives(table.damage) + table.gives(table.range) ==
+                                                1;
     const bool is_right = is_whole && is_read(table.stage) && is_read(table.found) &&
                           is_read(table.history) && is_read(table.ledger) && is_read(table.component) &&
-                          is_read(table.take) && is_read(table.at) &&
-                          (!table.gives(table.history) || table.quantity.has_value());
+                          is_read(table.take) && is_read(table.at) && is_read(table.damage) &&
+                          is_read(table.range) && (!table.gives(table.history) || table.quantity.has_value());
     if (!is_right) return std::nullopt;
     Collection collection;
     collection.name = table.name;
@@ -74,6 +79,10 @@ std::optional<Collection> read_collection(const CollectTable& table, FaultList& 
     collection.component = table.component;
     collection.take = table.take.value_or(collection.take);
     collection.at = table.at;
+    if (table.damage || table.range) {
+        collection.fatigue = read_fatigue(table, faults);
+        if (!collection.fatigue) return std::nullopt;
+    }
     collection.reference = table.reference;
     return collection;
 }

@@ -10,6 +10,7 @@
 #include "batch/plan/plan_words.hpp"
 #include "deck/text/deck_tree.hpp"
 #include "model/settings/settings.hpp"
+#include "numerics/sn_curve.hpp"
 #include "results/tables/step_columns.hpp"
 
 // The plan of a batch. docs/plan.md is the reference of its text.
@@ -44,6 +45,16 @@ struct Variation {
     bool is_faulty = false;        // a fault was reported
 };
 
+// What is counted of a value's cycles: its damage, by a curve, or its equivalent range.
+struct FatigueCount {
+    std::optional<SNCurve> curve;
+    std::optional<double> category;  // of the curve, if it is one of EN 1993-1-9
+    double ultimate = 0.0;           // 0: means do not count
+    double slope = 0.0;              // of an equivalent range, with its number of cycles
+    double cycles = 0.0;
+    double from = 0.0;  // the time at which counting starts
+};
+
 // A number that is collected from each case.
 struct Collection {
     std::string name;
@@ -58,7 +69,8 @@ struct Collection {
     const LedgerColumn* ledger = nullptr;
     std::optional<Component> component;
     Take take = Take::last;
-    std::optional<double> at;  // a time, in place of `take`
+    std::optional<double> at;             // a time, in place of `take`
+    std::optional<FatigueCount> fatigue;  // in place of `take`
     std::optional<double> reference;
 
     std::string path() const { return "collect." + name; }

@@ -97,6 +97,49 @@ const TableSpec& vary_table() {
     return table;
 }
 
+const TableSpec& damage_table() {
+    using T = DamageTable;
+    // clang-format off
+    static const TableSpec table = Table<T>("collect.NAME.damage",
+            "Miner's sum of the cycles that rainflow counting finds (ASTM E1049). A curve is a detail category, or one or two lines "
+            "N = cycles (at/range)^slope.")
+        .key("detail", &T::detail, "The detail category of EN 1993-1-9: the range at 2e6 cycles, in the unit of the quantity.")
+            .above(0).also("category")
+        .key("slope", &T::slope, "Of the line for ranges above `at`.")
+            .unit("1").above(0)
+        .key("cycles", &T::cycles, "How many are endured at the range `at`.")
+            .unit("1").above(0).required().only_with("slope")
+        .key("at", &T::at, "The range that is endured for `cycles`.")
+            .above(0).required().only_with("slope")
+        .key("second_slope", &T::second_slope, "Of the line for ranges below `at`.")
+            .unit("1").above(0).otherwise("`slope`").only_with("slope")
+        .key("limit", &T::limit, "Ranges at and below it do no damage.")
+            .at_least(0).otherwise("0").only_with("slope")
+        .key("factor", &T::factor, "Times the ranges, as a partial factor.")
+            .unit("1").above(0)
+        .key("ultimate", &T::ultimate, "The ultimate stress, by which means in tension count (Goodman); without it, means do not.")
+            .above(0)
+        .key("from", &T::from, "The time at which counting starts.")
+            .unit("time").at_least(0)
+        .exactly_one_of({"detail", "slope"});
+    // clang-format on
+    return table;
+}
+
+const TableSpec& equivalent_table() {
+    using T = EquivalentTable;
+    // clang-format off
+    static const TableSpec table = Table<T>("collect.NAME.range", "")
+        .key("slope", &T::slope, "Of the line in the S-N diagram: 3 to 5 for steel, about 10 for composites.")
+            .unit("1").above(0).required()
+        .key("cycles", &T::cycles, "How many of the equal cycles do the same damage; as many as the run has seconds for one a second.")
+            .unit("1").above(0).required()
+        .key("from", &T::from, "The time at which counting starts.")
+            .unit("time").at_least(0);
+    // clang-format on
+    return table;
+}
+
 const TableSpec& collect_table() {
     using T = CollectTable;
     // clang-format off
@@ -117,20 +160,24 @@ const TableSpec& collect_table() {
         .key("number", &T::number, "Which of them, in their order.")
             .between(1, 1e6).only_with("stage")
         .key("component", &T::component,
-             "Of a vector or quaternion, which need one; `magnitude` of vectors only.")
+             "Of a vector, a quaternion, a stress or a place in a section, which need one; `magnitude` of vectors only.")
         .key("take", &T::take, "Over all accepted steps. `mean` and `rms` are those over the time, the value running "
              "straight from step to step; `max_abs` is the largest absolute value.")
         .key("at", &T::at, "The value at this time (load factor, in statics), linear between steps.")
             .unit("time").at_least(0)
+        .key("damage", &T::damage, damage_table(), "The damage of the value's cycles over the accepted steps, by an S-N curve.")
+        .key("range", &T::range, equivalent_table(), "The equivalent range of the value's cycles: of equal ones that do the same damage.")
         .key("reference", &T::reference, "If given, the column is the distance from it: the error, if it is exact.")
         .exactly_one_of({"history", "ledger", "stage"})
-        .exactly_one_of({"take", "at"}, {}, "history")
-        .exactly_one_of({"take", "at"}, {}, "ledger")
+        .exactly_one_of({"take", "at", "damage", "range"}, {}, "history")
+        .exactly_one_of({"take", "at", "damage", "range"}, {}, "ledger")
         .shown_by(
             "[collect]\n"
             "tip_peak = { history = \"tip\", quantity = \"position\", component = \"z\", take = \"max\" }\n"
             "energy = { ledger = \"energy_error\", take = \"max_abs\" }\n"
-            "first = { stage = \"tones\", found = \"frequency\", number = 1 }\n");
+            "first = { stage = \"tones\", found = \"frequency\", number = 1 }\n"
+            "life = { history = \"root\", quantity = \"von_mises\", damage = { detail = 71e6 } }\n"
+            "load = { history = \"root\", quantity = \"moment\", component = \"z\", range = { slope = 4, cycles = 600 } }\n");
     // clang-format on
     return table;
 }

@@ -30,6 +30,23 @@ struct VariationTable : TableHead {
     std::optional<std::string> column;
 };
 
+// The damage that cycles of a stress do.
+struct DamageTable : TableHead {
+    std::optional<double> detail;
+    std::optional<double> slope, cycles, at, second_slope;
+    std::optional<double> limit;
+    double factor = 1.0;
+    std::optional<double> ultimate;
+    double from = 0.0;
+};
+
+// The range of equal cycles that do the same damage.
+struct EquivalentTable : TableHead {
+    double slope = 0.0;
+    double cycles = 0.0;
+    double from = 0.0;
+};
+
 struct CollectTable : TableHead {
     std::optional<std::string> history;
     std::optional<ChosenWord> quantity, ledger;
@@ -39,6 +56,8 @@ struct CollectTable : TableHead {
     std::optional<Component> component;
     std::optional<Take> take;
     std::optional<double> at;
+    std::optional<DamageTable> damage;
+    std::optional<EquivalentTable> range;
     std::optional<double> reference;
 };
 

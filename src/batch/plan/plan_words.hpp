@@ -9,7 +9,7 @@ enum class Combination { grid, zip, latin_hypercube, table, decks };
 enum class Spacing { linear, log };
 enum class Keeping { all, failed, none };
 enum class Take { least, largest, mean, rms, last, largest_absolute };
-enum class Component { x, y, z, w, magnitude };
+enum class Component { x, y, z, w, magnitude, xx, yy, zz, yz, xz, xy };
 
 // `decks` has no word: it stands for a list of decks.
 inline constexpr std::array<Choice<Combination>, 4> combination_choices{
@@ -35,11 +35,17 @@ inline constexpr std::array<Choice<Take>, 6> take_choices{{{"min", Take::least},
                                                            {"max_abs", Take::largest_absolute}}};
 inline constexpr const auto& choices_of(Take) { return take_choices; }
 
-inline constexpr std::array<Choice<Component>, 5> component_choices{{{"x", Component::x},
-                                                                     {"y", Component::y},
-                                                                     {"z", Component::z},
-                                                                     {"w", Component::w},
-                                                                     {"magnitude", Component::magnitude}}};
+inline constexpr std::array<Choice<Component>, 11> component_choices{{{"x", Component::x},
+                                                                      {"y", Component::y},
+                                                                      {"z", Component::z},
+                                                                      {"w", Component::w},
+                                                                      {"magnitude", Component::magnitude},
+                                                                      {"xx", Component::xx},
+                                                                      {"yy", Component::yy},
+                                                                      {"zz", Component::zz},
+                                                                      {"yz", Component::yz},
+                                                                      {"xz", Component::xz},
+                                                                      {"xy", Component::xy}}};
 inline constexpr const auto& choices_of(Component) { return component_choices; }
 
 }  // namespace gxrod

@@ -1,7 +1,9 @@
 #include "batch/plan/plan.hpp"
 
+#include <cmath>
 #include <limits>
 
+#include "batch/collector.hpp"
 #include "batch/plans.hpp"
 #include "tools/catch.hpp"
 
@@ -225,13 +227,50 @@ TEST_CASE("What is collected must be there", "[batch]") {
     CHECK(faults_of_collect("a = { ledger = \"strain_energy\", at = 2 }") ==
           "plan.toml:5:5: collect.a.at: 2 is after the end, 1");
     CHECK(faults_of_collect("a = { ledger = \"strain_energy\" }") ==
-          "plan.toml:5:5: collect.a: missing; expected take or at");
+          "plan.toml:5:5: collect.a: missing; expected take or at or damage or range");
     CHECK(faults_of_collect("a = { take = \"max\" }") ==
           "plan.toml:5:5: collect.a: missing; expected history or ledger or stage");
     CHECK(faults_of_collect("a = { history = \"tip\", take = \"max\" }")
               .starts_with("plan.toml:5:5: collect.a.quantity: missing; expected one of \"position\", "));
     CHECK(faults_of_collect("steps = { ledger = \"strain_energy\", take = \"max\" }") ==
           "plan.toml:5:9: collect.steps: every table has a column of this name already; take another one");
+}
+
+TEST_CASE("Damage and equivalent ranges are read with their curves", "[batch]") {
+    const PlanFiles files(head + R"([vary]
+"parameters.EI" = [1.0]
+[collect]
+steel = { history = "tip", quantity = "position", component = "x", damage = { detail = 71, factor = 1.35 } }
+glass = { ledger = "strain_energy", damage = { slope = 10, second_slope = 12, cycles = 1e6, at = 30, limit = 5, ultimate = 90, from = 0.5 } }
+load = { ledger = "strain_energy", range = { slope = 4, cycles = 600 } }
+)");
+    const std::vector<Collection> collections = files.read().collections;
+    REQUIRE(collections.size() == 3);
+    CHECK(collections[0].fatigue->curve->endured_cycles(71.0 / 1.35) == Approx(2e6).epsilon(1e-13));
+    const FatigueCount& glass = *collections[1].fatigue;
+    CHECK(glass.curve->endured_cycles(60.0) == Approx(1e6 / 1024.0).epsilon(1e-13));
+    CHECK(glass.curve->endured_cycles(15.0) == Approx(1e6 * 4096.0).epsilon(1e-13));
+    CHECK(std::isinf(glass.curve->endured_cycles(5.0)));
+    CHECK(glass.ultimate == 90.0);
+    CHECK(glass.from == 0.5);
+    CHECK(!collections[2].fatigue->curve);
+    CHECK(describe(collections[0]) == "damage, detail category 71, of x of position of tip");
+    CHECK(describe(collections[1]) ==
+          "damage from t = 0.5 on, slope 10, 1000000 cycles at 30, of strain_energy");
+    CHECK(describe(collections[2]) == "equivalent range, slope 4, 600 cycles, of strain_energy");
+    CHECK(faults_of_collect("a = { ledger = \"strain_energy\", damage = { detail = 71, limit = 2 } }") ==
+          "plan.toml:5:51: collect.a.damage.limit: goes with slope only");
+    CHECK(
+        faults_of_collect(
+            "a = { ledger = \"strain_energy\", damage = { slope = 3, second_slope = 5, cycles = 1e6, at = 3, "
+            "limit = 4 } }") ==
+        "plan.toml:5:112: collect.a.damage.limit: expected lines for smaller and smaller ranges, down to the "
+        "limit");
+    CHECK(faults_of_collect(
+              "a = { ledger = \"strain_energy\", range = { slope = 4, cycles = 600, from = 2 } }") ==
+          "plan.toml:5:5: collect.a.range.from: 2 is after the end, 1");
+    CHECK(faults_of_collect(
+              "a = { ledger = \"strain_energy\", take = \"max\", range = { slope = 4, cycles = 1 } }") != "");
 }
 
 TEST_CASE("The columns of a table are checked", "[batch]") {
