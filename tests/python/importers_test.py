@@ -212,7 +212,8 @@ def test_other_files_are_refused(tmp_path):
     path = tmp_path / "notes.txt"
     path.write_text("Nothing of a blade.\n")
     assert re.search("notes.txt: neither a BeamDyn primary file, a windIO yaml, .*--format beamdyn | windio", fault(path))
-    assert re.search('there is no format "vabs"; give one of beamdyn, windio, hawc2, elastodyn', fault(path, format="vabs"))
+    assert re.search('there is no format "nastran"; give one of beamdyn, windio, hawc2, elastodyn', fault(path, format="nastran"))
+    assert re.search("has a section, not a blade; read it with read_section_mesh", fault(path, format="vabs"))
     assert re.search("absent.dat: cannot be read: No such file or directory", fault(tmp_path / "absent.dat"))
 
 

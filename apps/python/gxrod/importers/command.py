@@ -8,31 +8,39 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ..errors import FileError
-from .formats import FORMATS, find_format, read_blade
+from .formats import FORMATS, SECTIONS, find_format, read_blade, read_section_mesh
 from .moordyn import read_moordyn
 from .mooring_deck import write_mooring
 from .moorprops import read_moorprops, write_section
+from .section_mesh import SectionMesh
+from .section_writing import write_section_mesh
 from .text import ImportFault
+from .windio_layup import read_windio_layup
 from .writing import write_deck
 
 EPILOG = """\
 examples:
   gxrod-import NREL5MW_BeamDyn.dat -o blade.toml             the primary file of BeamDyn, which names the blade file
   gxrod-import IEA-15-240-RWT.yaml -o blade.toml             windIO
+  gxrod-import IEA-15-240-RWT.yaml --layup 0.5 -o half.toml  windIO: a section by its layers and webs, with its mesh
   gxrod-import IEA_15MW.htc --body blade1 -o blade.toml      HAWC2
   gxrod-import ElastoDyn_blade.dat --length 117 -o blade.toml
   gxrod-import lines.txt -o lines.toml                       MoorDyn
   gxrod-import MoorProps_default.yaml --line chain --diameter 0.1 -o section.toml
+  gxrod-import box.sg -o box.toml                            VABS, PreVABS, SONATA: a section with its mesh, box.msh
+  gxrod-import station_12/ -o station_12.toml                BECAS: the folder with N2D.in
 
 exit codes: 0 done, 2 usage or a fault in a file, 4 a file could not be read or written"""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     request = parse(sys.argv[1:] if arguments is None else arguments)
-    request.output = request.output or Path(request.file).stem + ".toml"
+    request.output = request.output or (Path(request.file).stem or "section") + ".toml"
     try:
         kind = request.format or find_format(request.file)
-        written = {"moordyn": import_lines, "moorpy": import_section}.get(kind, import_blade)(request)
+        if request.layup is not None and kind != "windio":
+            raise ImportFault(f"{request.file}: --layup is for windIO files, this is of the format {kind}; leave it out")
+        written = import_layup(request) if request.layup is not None else {"moordyn": import_lines, "moorpy": import_section, **dict.fromkeys(SECTIONS, import_section_mesh)}.get(kind, import_blade)(request)
     except FileError as error:
         print(f"gxrod-import: {error}", file=sys.stderr)
         return 2 if isinstance(error, ImportFault) else 4
@@ -74,11 +82,26 @@ def import_section(request: argparse.Namespace) -> list[Path]:
     return written
 
 
+def import_section_mesh(request: argparse.Namespace) -> list[Path]:
+    return put_section_mesh(read_section_mesh(request.file, request.format), request)
+
+
+def import_layup(request: argparse.Namespace) -> list[Path]:
+    return put_section_mesh(read_windio_layup(request.file, request.layup), request)
+
+
+def put_section_mesh(section: SectionMesh, request: argparse.Namespace) -> list[Path]:
+    written = write_section_mesh(section, request.output)
+    print(f"{len(section.elements)} elements of {len(section.layers)} layers, {section.extent:.6g} across ({section.source})")
+    say(section.notes, section.warnings)
+    return written
+
+
 def parse(arguments: Sequence[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="gxrod-import", description="Writes a blade, or mooring lines, of another program as a deck of gxrod.", epilog=EPILOG,
+    parser = argparse.ArgumentParser(prog="gxrod-import", description="Writes a blade, mooring lines or a section of another program as a deck of gxrod.", epilog=EPILOG,
                                      allow_abbrev=False, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("file", metavar="FILE", help="BeamDyn primary file, windIO yaml, htc or st file of HAWC2, ElastoDyn blade file, MoorDyn file, MoorPy's MoorProps")
-    parser.add_argument("-o", "--output", metavar="DECK", help="deck to write, with a CSV file of its sections beside it (FILE's name with .toml)")
+    parser.add_argument("file", metavar="FILE", help="BeamDyn primary file, windIO yaml, htc or st file of HAWC2, ElastoDyn blade file, MoorDyn file, MoorPy's MoorProps, VABS input, folder of BECAS")
+    parser.add_argument("-o", "--output", metavar="DECK", help="deck to write, with a CSV file of its sections or a mesh beside it (FILE's name with .toml)")
     parser.add_argument("--format", choices=FORMATS, help="by default what the contents of FILE show")
     parser.add_argument("--inline", action="store_true", help="sections in the deck itself, a [section.NAME] for each station")
     parser.add_argument("--blade", metavar="FILE", help="BeamDyn: blade file, in place of the one that the primary file names")
@@ -86,6 +109,7 @@ def parse(arguments: Sequence[str]) -> argparse.Namespace:
     parser.add_argument("--body", metavar="NAME", help="HAWC2: body of the htc file (the first one with a blade's name)")
     parser.add_argument("--set", nargs=2, type=int, metavar=("NUMBER", "SUBSET"), help="HAWC2: table of the st file (that of the htc file, or 1 1)")
     parser.add_argument("--length", type=length, metavar="L", help="ElastoDyn: length of the blade in m, TipRad - HubRad")
+    parser.add_argument("--layup", type=float, metavar="F", help="windIO: the section at this fraction of the span, meshed from its layers and webs, in place of the blade")
     parser.add_argument("--line", metavar="NAME", help="MoorPy: the material of its library")
     parser.add_argument("--diameter", type=length, metavar="D", help="MoorPy: nominal diameter of the line in m")
     return parser.parse_args(arguments)
