@@ -122,6 +122,24 @@ def test_derivatives_are_about_the_value_that_counts(deck, overrides, value):
     assert row["parameter"] == "load[0].moment[2]" and np.abs(row["derivative"]).max() > 1e-3 and row["distance"] < 1e-6
 
 
+# Of stresses.
+
+
+STRESSED = BEND.replace('stiffness = { EA = 1e3, GAy = 1e3, GAz = 1e3, GJ = 5, EIy = "EI", EIz = 7 }', 'SHAPE').replace(
+    "inertia = { rhoA = 0.1, rhoJ = 0.2, rhoIy = 0.1, rhoIz = 0.1 }\n", "").replace("EI = 6.0", "R = 0.05").replace(
+    'quantities = ["reaction_force", "reaction_moment"]', 'quantities = ["von_mises"]\n[[history]]\nname = "side"\nat = "r@0.3"\n'
+    'point = [0.02, 0.03]\nquantities = ["stress", "principal_stress"]')
+
+
+@pytest.mark.parametrize("shape", ['circle = { radius = "R" }', 'rectangle = { width_y = 0.08, height_z = "2*R" }'])
+def test_stresses_have_derivatives(shape):
+    material = "material = { E = 1e6, nu = 0.3, density = 10 }"
+    deck = gxrod.Deck.from_text(STRESSED.replace("SHAPE", f"shape = {{ {shape} }}\n{material}"))
+    for quantity in ("root.von_mises", "side.stress", "side.principal_stress"):
+        for row in gxrod.check_gradient(deck, ["F", "R", "L"], quantity):
+            assert np.abs(row["derivative"]).max() > 1 and row["distance"] < 2e-6, row
+
+
 # Of reactions, and of motions.
 
 
