@@ -24,7 +24,7 @@ void check_criterion(const TableHead& table,
         table,
         key,
         fmt::format(
-            "expected one of {}, found \"{}\"{}", plain_list(known), *key, did_you_mean(*key, known)));
+            "expected one of {}, found \"{}\"{}", quoted_list(known), *key, did_you_mean(*key, known)));
 }
 
 bool asks_for_stresses(const CheckedTable& deck) {

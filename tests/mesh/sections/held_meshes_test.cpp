@@ -28,7 +28,7 @@ Constants solve(double web, double fillet = 12.0) {
 TEST_CASE("On held cells, constants of a profile are smooth functions of its numbers", "[mesh]") {
     const double web = 5.61803;
     const Constants base = solve(web);
-    const auto slope = [&](double relative) {
+    const auto slope = [&](double relative) -> Vec3 {
         const HeldMeshes held;
         const Constants more = solve(web * (1.0 + relative)), less = solve(web * (1.0 - relative));
         CHECK(more.cells == base.cells);
@@ -42,7 +42,7 @@ TEST_CASE("On held cells, constants of a profile are smooth functions of its num
     // And it is that of separate meshes, far apart, but for their noise.
     const Constants thick = solve(1.04 * web), thin = solve(0.96 * web);
     CHECK(near[0] == Approx((thick.torsion - thin.torsion) / (0.08 * web)).epsilon(5e-3));
-    CHECK(near[1] == Approx((thick.bending - thin.bending) / (0.08 * web)).epsilon(1e-6));
+    CHECK(near[1] == Approx((thick.bending - thin.bending) / (0.08 * web)).epsilon(2e-5));
     CHECK(near[2] == Approx((thick.shear - thin.shear) / (0.08 * web)).epsilon(2e-3));
 }
 
