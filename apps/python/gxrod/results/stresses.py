@@ -117,7 +117,7 @@ class SectionStress(Shown):
 class Envelope(Shown):
     """The largest stresses of all steps along a rod: `r.envelope("beam").von_mises.value` [n].
 
-    `arc_length`, `element` [n]: places, the start, middle and end of each element whose section has a shape and no law. `section` [n]: row
+    `arc_length`, `element` [n]: places, the start, middle and end of each element whose section has a shape and no law, where it varies the nodes. `section` [n]: row
     of the file's sections. `criterion`: of exposure. `von_mises`, `exposure`: tables with `value` (of exposure NaN without a strength), `time`
     [n], `point` [n,2] (y, z), `layer` [n] and `resultants` [n,6] (N, Vy, Vz, T, My, Mz).
     """
