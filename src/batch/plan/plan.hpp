@@ -47,10 +47,10 @@ struct Variation {
 
 // What is counted of a value's cycles: its damage, by a curve, or its equivalent range.
 struct FatigueCount {
-    std::optional<SNCurve> curve;
-    std::optional<double> category;  // of the curve, if it is one of EN 1993-1-9
-    double ultimate = 0.0;           // 0: means do not count
-    double slope = 0.0;              // of an equivalent range, with its number of cycles
+    std::optional<SNCurve> curve = std::nullopt;
+    std::optional<double> category = std::nullopt;  // of the curve, if it is one of EN 1993-1-9
+    double ultimate = 0.0;                          // 0: means do not count
+    double slope = 0.0;                             // of an equivalent range, with its number of cycles
     double cycles = 0.0;
     double from = 0.0;  // the time at which counting starts
 };
