@@ -10,10 +10,21 @@ namespace gxrod {
 std::vector<PointValues> SystemValues::compute_point_values(const State& state,
                                                             double time,
                                                             const std::vector<RodPlace>& places) const {
-    std::vector<PointValues> values;
-    values.reserve(places.size());
-    for (const RodPlace& place : places)
-        values.push_back(place.is_asked ? compute_point_value(state, time, place) : PointValues{});
+    std::vector<PointValues> values(places.size());
+    // Forces of an element serve all of its places that follow one another.
+    for (std::size_t first = 0, next = 0; first < places.size(); first = next) {
+        const RodPlace& place = places[first];
+        for (next = first + 1; next < places.size(); ++next) {
+            const RodPlace& other = places[next];
+            if (other.rod != place.rod || other.element != place.element || other.is_asked != place.is_asked)
+                break;
+        }
+        if (place.is_asked)
+            compute_points_of_element(state,
+                                      time,
+                                      std::span(places).subspan(first, next - first),
+                                      std::span(values).subspan(first, next - first));
+    }
     return values;
 }
 
@@ -26,10 +37,13 @@ std::vector<PointSurroundings> SystemValues::compute_body_surroundings(const Sta
     return values;
 }
 
-PointValues SystemValues::compute_point_value(const State& state, double time, const RodPlace& place) const {
-    int index = place.element;
-    for (int rod = 0; rod < place.rod; ++rod) index += system_->model_->rods[rod].element_count();
-    PointValues values;
+void SystemValues::compute_points_of_element(const State& state,
+                                             double time,
+                                             std::span<const RodPlace> places,
+                                             std::span<PointValues> values) const {
+    const RodPlace& first_place = places.front();
+    int index = first_place.element;
+    for (int rod = 0; rod < first_place.rod; ++rod) index += system_->model_->rods[rod].element_count();
     for_each_block(system_->blocks_, [&](const auto& block) {
         using Block = std::remove_cvref_t<decltype(block)>;
         if constexpr (Block::has_section) {
@@ -44,18 +58,21 @@ PointValues SystemValues::compute_point_value(const State& state, double time, c
             element.add_internal_force(motions, histories, force);
             if (element.is_damped()) element.add_damping_force(motions, histories, force);
             element.add_inertial_force(motions, system_->model_->gravity(time), force);
-            for (const auto& load : system_->loads_) load->subtract_element_forces(state, time, place, force);
-            values = element.point_values(motions, histories, force, place.xi);
-            const auto shape = compute_shape_functions<Block::node_count>(place.xi);
-            values.start.setZero();
-            for (int i = 0; i < Block::node_count; ++i)
-                values.start += shape[i] * system_->model_->nodes[element.nodes[i]].position;
-            if (system_->surroundings_)
-                values.surroundings = system_->surroundings_->compute_point_value(
-                    state, time, place, find_shape_functions(Block::node_count - 1)(place.xi));
+            for (const auto& load : system_->loads_)
+                load->subtract_element_forces(state, time, first_place, force);
+            for (std::size_t k = 0; k < places.size(); ++k) {
+                const RodPlace& place = places[k];
+                values[k] = element.point_values(motions, histories, force, place.xi);
+                const auto shape = compute_shape_functions<Block::node_count>(place.xi);
+                values[k].start.setZero();
+                for (int i = 0; i < Block::node_count; ++i)
+                    values[k].start += shape[i] * system_->model_->nodes[element.nodes[i]].position;
+                if (system_->surroundings_)
+                    values[k].surroundings = system_->surroundings_->compute_point_value(
+                        state, time, place, find_shape_functions(Block::node_count - 1)(place.xi));
+            }
         }
     });
-    return values;
 }
 
 std::vector<Vec6> SystemValues::compute_strain_work(const State& state,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "assembly/system.hpp"
@@ -40,7 +41,11 @@ class SystemValues {
     }
 
   private:
-    PointValues compute_point_value(const State& state, double time, const RodPlace& place) const;
+    // Computes values of places of one element.
+    void compute_points_of_element(const State& state,
+                                   double time,
+                                   std::span<const RodPlace> places,
+                                   std::span<PointValues> values) const;
 
     const System* system_;
 };
