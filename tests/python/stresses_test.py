@@ -8,9 +8,15 @@ from conftest import gxrod as run_gxrod
 # A cantilever, 2 long, 0.05 wide and 0.1 high, with a small force at its end: so small that it stays straight.
 BEAM = """title = "A cantilever"
 units = "m N"
+[material.steel]
+E = 2.1e11
+nu = 0.3
+density = 7850
+yield_stress = 2e5
+[layup.thick]
+plies = [["steel", 0.05, 0]]
 [section.plate]
-shape = { rectangle = { width_y = 0.05, height_z = 0.1 } }
-material = { E = 2.1e11, nu = 0.3, density = 7850, yield_stress = 2e5 }
+shape = { walls = { corners = [[0, -0.05], [0, 0.05]], closed = false, line = "middle", layup = "thick" } }
 [section.given]
 stiffness = { EA = 1e9, GAy = 4e8, GAz = 4e8, GJ = 1e6, EIy = 1e6, EIz = 1e6 }
 [rod.beam]
@@ -96,7 +102,9 @@ def test_envelopes_have_the_largest_of_all_steps(beam):
     envelope = beam.envelope("beam")
     assert envelope.criterion == "von-mises"
     assert len(envelope) == 3 * 8 == len(envelope.von_mises) == len(envelope.exposure)
-    np.testing.assert_allclose(envelope.von_mises.value, bending(envelope.arc_length, 0.05), rtol=2e-3)
+    # At the free end shear is more.
+    np.testing.assert_allclose(envelope.von_mises.value[:-1], bending(envelope.arc_length, 0.05)[:-1], rtol=1e-3)
+    assert envelope.von_mises.value[-1] > bending(2.0, 0.05)
     worst = envelope.worst("exposure")
     assert (worst["arc_length"], worst["time"], worst["element"]) == (0.0, 1.0, 0)
     assert worst["value"] == pytest.approx(bending(0.0, 0.05) / 2e5, rel=1e-4)
