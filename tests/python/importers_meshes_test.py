@@ -66,12 +66,8 @@ def test_a_pipe_whose_walls_turn_within_elements(tmp_path):
 
 
 def test_a_pipe_whose_walls_turn_from_element_to_element(tmp_path):
-    """One angle an element: the coupling of shear and bending is some percent low, as VABS's is on such a mesh."""
-    wanted = {key: value for key, value in PIPE.items() if key != (2, 5)}
-    found = imported(write_as("vabs", tmp_path, files.pipe(along=24), files.PIPE), tmp_path)
-    assert found[2, 5] / PIPE[2, 5] == pytest.approx(1.0, abs=0.06)
-    found[2, 5] = found[5, 2] = 0.0
-    near(found, wanted, 2e-2)
+    """One angle an element, 24 on each arc: couplings are some tenths of a percent low."""
+    near(imported(write_as("vabs", tmp_path, files.pipe(along=24), files.PIPE), tmp_path), PIPE, 1e-2)
 
 
 def test_linear_elements_and_triangles_become_cubic(tmp_path):

@@ -54,7 +54,7 @@ def graded(count):
     return (1 - np.cos(np.linspace(0, np.pi, count + 1))) / 2
 
 
-def square(turn=0.0, fibre=22.5, order=2, count=8):
+def square(turn=0.0, fibre=22.5, order=2, count=12):
     """A square of side 0.1 of one ply, turned with its wall by degrees from y towards z."""
     c, s = np.cos(np.radians(turn)), np.sin(np.radians(turn))
     builder = Builder(order)

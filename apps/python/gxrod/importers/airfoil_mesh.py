@@ -2,7 +2,7 @@
 
 The outline is walked from the trailing edge over the suction side, round the leading edge and back on the pressure side, as windIO does; s goes from 0 to 1
 along it. Layers that begin or end do so over a short ramp, in which they become triangles. Where the walls of both sides meet, towards the trailing edge,
-they end at the middle between them and are joined there.
+they end at the middle between them and are joined there; if they do not meet, the wall goes on across the blunt edge.
 """
 
 from __future__ import annotations
@@ -102,6 +102,9 @@ class AirfoilMesher:
         self.elements: list[Array] = []
         self.element_layers: list[int] = []
         self.angles: list[Array] = []
+        edge = sum(layer.thickness for layer in walls if layer.start <= 0.0)
+        self.is_blunt = not outline.is_ring and edge < 0.45 * float(np.linalg.norm(outline.points[0] - outline.points[-1]))
+        self.edge = edge / outline.length if self.is_blunt else 0.0
 
     def make(self, title: str, source: str, layers: list[SectionLayer]) -> SectionMesh:
         feet = [self.feet_of(web) for web in self.webs]
@@ -156,6 +159,7 @@ class AirfoilMesher:
         half = 0.125 * (1.0 - np.cos(np.pi * part)) + 0.25 * part  # denser at both edges of the airfoil
         even = np.concatenate((half, 1.0 - half[::-1]))
         places = self.thin_out(np.array(sorted(fixed + [place for foot in spans for place in foot])), outside(even))
+        places = places[(places == 0.0) | (places == 1.0) | (np.minimum(places, 1.0 - places) > 1.5 * self.edge)]
         behind = places[self.outline.at(places)[:, 1] > self.outline.points[self.outline.nose, 1] + JOINED * self.outline.chord]
         return self.thin_out(places, outside(self.outline.opposite(behind)), exact=True)
 
@@ -205,6 +209,8 @@ class AirfoilMesher:
         is_behind &= part >= 1.0
         way = (1.0 - part)[:, None] * normal + part[:, None] * across
         way /= np.linalg.norm(way, axis=1)[:, None]
+        if self.is_blunt:  # mitred with the wall across
+            way[[0, -1]] = across[[0, -1]] - [0.0, 1.0]
         return at, way, np.where(is_behind, half, FREE * self.outline.rooms(s)), is_behind
 
     def node_at(self, point: Array, shared: bool) -> int:
@@ -218,10 +224,11 @@ class AirfoilMesher:
         return len(self.nodes) - 1
 
     def add_walls(self, nodes: Array) -> None:
-        for i in range(len(nodes) - 1):
-            back = self.nodes[nodes[i, 0]] - self.nodes[nodes[i + 1, 0]]  # anticlockwise
+        columns = np.concatenate((nodes, nodes[:1])) if self.is_blunt else nodes
+        for here, there in zip(columns, columns[1:]):
+            back = self.nodes[here[0]] - self.nodes[there[0]]  # anticlockwise
             for k, layer in enumerate(self.walls):
-                self.add_cell([nodes[i + 1, k], nodes[i, k], nodes[i, k + 1], nodes[i + 1, k + 1]], layer.layer, back)
+                self.add_cell([there[k], here[k], here[k + 1], there[k + 1]], layer.layer, back)
 
     def add_cell(self, corners: list[int], layer: int, wall: Array) -> None:
         """A quadrangle, or what is left of it where corners are one; wall: its direction, so that the normal x × t points inwards."""
