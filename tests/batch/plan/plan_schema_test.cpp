@@ -25,7 +25,7 @@ TEST_CASE("The examples of the plan reference, one after the other, are a plan",
     const Plan plan = files.read();
     CHECK(plan.variations.size() == 2);
     CHECK(plan.variations[1].values.size() == 5);
-    CHECK(plan.collections.size() == 3);
+    CHECK(plan.collections.size() == 5);
     CHECK(plan.keeping == Keeping::failed);
     CHECK(plan.time_limit == 600.0);
 }
