@@ -96,7 +96,7 @@ TEST_CASE("A detail category endures what EN 1993-1-9 says", "[numerics]") {
           "expected lines (slope, cycles, at) of positive numbers");
     // The first one may have any point of its line.
     CHECK(find_fault({{{3, 1e12, 1}, {5, 5e6, 40}}, 20.0}).empty());
-    CHECK(find_fault({}) == "expected lines (slope, cycles, at) of positive numbers");
+    CHECK(find_fault(SNCurve{}) == "expected lines (slope, cycles, at) of positive numbers");
 }
 
 TEST_CASE("Damage is Miner's sum, with means by Goodman", "[numerics]") {
