@@ -224,6 +224,7 @@ fix = "all"
         self.assertEqual(list(file["VTKHDF/CellData/section"][:]), [0] * 8 + [-1] * 2)
         self.assertTrue(np.isnan(file["VTKHDF/CellData/von_mises"][-2:]).all())
         done = self.gxrod("check", "beam.toml")
+        self.assertIn("stresses along rods, exposure by von-mises", done.stdout)
         self.assertIn("output.stresses: not those of other (its section has numbers and no shape)", done.stdout + done.stderr)
 
 

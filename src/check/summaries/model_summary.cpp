@@ -232,6 +232,7 @@ std::string describe_output(const std::vector<StagePlan>& stages, const OutputSe
     }
     if (output.history_interval)
         text += fmt::format(", histories every {:.6g} too", *output.history_interval);
+    if (!output.stresses.empty()) text += ", stresses along rods, exposure by " + output.stresses;
     return text + "\n";
 }
 
