@@ -13,6 +13,7 @@ std::shared_ptr<const CrossSection> compute_cross_section(std::string source,
     const CentralSolutions solutions = solve_section(quadrature);
     section->properties = compute_properties(quadrature, solutions);
     section->stresses = compute_stress_field(quadrature, solutions);
+    section->gradient_strains = compute_gradient_strains(quadrature, solutions);
     return section;
 }
 

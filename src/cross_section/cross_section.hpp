@@ -14,6 +14,8 @@ struct CrossSection {
     std::vector<ElasticMaterial> materials;
     SectionProperties properties;
     StressField stresses;
+    // Free strains for each degree per length by which it gets hotter along y and along z.
+    Eigen::Matrix<double, 6, 2> gradient_strains = Eigen::Matrix<double, 6, 2>::Zero();
 };
 
 // Computes a section. Throws SectionError if it does not hold together.

@@ -22,6 +22,7 @@ struct ElasticMaterial {
     double density = 0.0;
     Vec6 expansion = Vec6::Zero();  // free strains for each degree
     bool is_isotropic = true;
+    bool yields = false;  // at the yield stress, fibre by fibre
     std::optional<double> yield_stress = std::nullopt;
     std::optional<PlyStrength> strength = std::nullopt;
 };

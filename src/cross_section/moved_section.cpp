@@ -70,6 +70,9 @@ std::shared_ptr<const CrossSection> move_cross_section(std::shared_ptr<const Cro
         point.wall = plane * point.wall;
         point.stress_operator = stresses * point.stress_operator * resultants;
     }
+    moved->gradient_strains =
+        compute_move(rotation, at).inverse() * (section->properties.thermal_strains * at.transpose() +
+                                                section->gradient_strains * plane.transpose());
     move_properties(rotation, at, moved->properties);
     return moved;
 }

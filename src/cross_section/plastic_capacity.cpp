@@ -113,9 +113,13 @@ std::optional<PlasticCapacity> compute_plastic_capacity(const SectionQuadrature&
             cell.least[axis] = (*least)[axis];
             cell.most[axis] = (*most)[axis];
         }
-        for (const double weight : points.weights) capacity.axial_force += cell.yield_stress * weight;
+        for (std::size_t q = 0; q < points.weights.size(); ++q) {
+            capacity.axial_force += cell.yield_stress * points.weights[q];
+            capacity.centre += cell.yield_stress * points.weights[q] * points.at[q];
+        }
         cells.push_back(std::move(cell));
     }
+    capacity.centre /= capacity.axial_force;
     capacity.moment_y = compute_plastic_moment(cells, 1);
     capacity.moment_z = compute_plastic_moment(cells, 0);
     return capacity;

@@ -11,6 +11,7 @@ struct PlasticCapacity {
     double axial_force = 0.0;  // ∫ f dA
     double moment_y = 0.0;     // ∫ f |z − z₀| dA about the axis that halves the force
     double moment_z = 0.0;
+    PlanePoint centre = PlanePoint::Zero();  // where the axial force acts, ∫ f (y, z) dA over ∫ f dA
 };
 
 // Computes them from the yield stresses f of the materials; nullopt if one of them has none. Cells that an

@@ -74,9 +74,10 @@ Mat6 without_round_off(const Mat6& stiffness) {
     return clean;
 }
 
-// ∫ Hᵀ α dA: by the virtual work of unit resultants.
-Vec6 compute_thermal_strains(const SectionQuadrature& quadrature, const CentralSolutions& solutions) {
-    Vec6 sum = Vec6::Zero();
+// ∫ Hᵀ α T dA for T = 1, y and z: by the virtual work of unit resultants.
+Eigen::Matrix<double, 6, 3> compute_thermal_strains(const SectionQuadrature& quadrature,
+                                                    const CentralSolutions& solutions) {
+    Eigen::Matrix<double, 6, 3> sum = Eigen::Matrix<double, 6, 3>::Zero();
     for (const CellPoints& points : quadrature.cells()) {
         const ElasticMaterial& material = quadrature.material_of(*points.cell);
         if (material.expansion.isZero(0.0)) continue;
@@ -85,7 +86,8 @@ Vec6 compute_thermal_strains(const SectionQuadrature& quadrature, const CentralS
         const std::vector<Mat6> strains = compute_strain_operators(points, solutions);
         for (std::size_t q = 0; q < strains.size(); ++q) {
             const Vec6 free = turn_strain_from_ply(material.expansion, angle, points.walls[q]);
-            sum += points.weights[q] * strains[q].transpose() * points.stiffness_at(q) * free;
+            sum += points.weights[q] * strains[q].transpose() * points.stiffness_at(q) * free *
+                   plane_monomials(points.at[q]).transpose();
         }
     }
     return sum;
@@ -115,8 +117,13 @@ SectionProperties compute_properties(const SectionQuadrature& quadrature, const 
     // What a mean and turns of the slice can take up is no warping; this also moves it to the shear centre.
     properties.warping_stiffness =
         sums.of_warping - sums.with_warping.dot(sums.stiffness.ldlt().solve(sums.with_warping));
-    properties.thermal_strains = compute_thermal_strains(quadrature, solutions);
+    properties.thermal_strains = compute_thermal_strains(quadrature, solutions).col(0);
     return properties;
+}
+
+Eigen::Matrix<double, 6, 2> compute_gradient_strains(const SectionQuadrature& quadrature,
+                                                     const CentralSolutions& solutions) {
+    return compute_thermal_strains(quadrature, solutions).rightCols<2>();
 }
 
 }  // namespace gxrod

@@ -27,4 +27,9 @@ struct SectionProperties {
 // Computes the constants of a solved section.
 SectionProperties compute_properties(const SectionQuadrature& quadrature, const CentralSolutions& solutions);
 
+// Computes the free strains (Γ, K) for each degree per length by which a section gets hotter along y and
+// along z, its origin staying as it is.
+Eigen::Matrix<double, 6, 2> compute_gradient_strains(const SectionQuadrature& quadrature,
+                                                     const CentralSolutions& solutions);
+
 }  // namespace gxrod
