@@ -12,27 +12,32 @@ constexpr double round_off = 1e-9;
 }  // namespace
 
 FibreLaw::FibreLaw(LayeredLaw rest, std::vector<Fibre> fibres, double E, double yield_stress)
-    : rest_(std::move(rest)),
-      modulus_(E),
-      limit_(yield_stress),
-      fibre_count_(static_cast<int>(fibres.size())),
-      blocks_((fibres.size() + block_size - 1) / block_size) {
-    for (std::size_t i = 0; i < fibres.size(); ++i) {
-        Block& block = blocks_[i / block_size];
-        const auto lane = static_cast<Eigen::Index>(i % block_size);
-        block.y[lane] = fibres[i].y;
-        block.z[lane] = fibres[i].z;
-        block.area[lane] = fibres[i].area;
+    : FibreLaw(std::move(rest), {{std::move(fibres), E, yield_stress}}) {}
+
+FibreLaw::FibreLaw(LayeredLaw rest, const std::vector<FibreGroup>& groups) : rest_(std::move(rest)) {
+    for (const FibreGroup& group : groups) {
+        for (std::size_t i = 0; i < group.fibres.size(); ++i) {
+            const auto lane = static_cast<Eigen::Index>(i % block_size);
+            if (lane == 0) {
+                blocks_.push_back({.modulus = group.E,
+                                   .limit = group.yield_stress,
+                                   .first = fibre_count_ + static_cast<int>(i),
+                                   .count = 0});
+            }
+            Block& block = blocks_.back();
+            block.y[lane] = group.fibres[i].y;
+            block.z[lane] = group.fibres[i].z;
+            block.area[lane] = group.fibres[i].area;
+            ++block.count;
+        }
+        fibre_count_ += static_cast<int>(group.fibres.size());
     }
 }
 
-FibreLaw::Lanes FibreLaw::find_trial(const Block& block,
-                                     const Vec6& strain,
-                                     const double* plastic,
-                                     int count) const {
+FibreLaw::Lanes FibreLaw::find_trial(const Block& block, const Vec6& strain, const double* plastic) {
     Lanes slip = Lanes::Zero();
-    slip.head(count) = Eigen::Map<const Eigen::ArrayXd>(plastic, count);
-    return modulus_ * (strain[0] + strain[4] * block.z - strain[5] * block.y - slip);
+    slip.head(block.count) = Eigen::Map<const Eigen::ArrayXd>(plastic, block.count);
+    return block.modulus * (strain[0] + strain[4] * block.z - strain[5] * block.y - slip);
 }
 
 // (L30).
@@ -46,16 +51,14 @@ void FibreLaw::add_fibres(const Vec6& strain,
     double stored = 0.0, dissipated = 0.0;
     Vec3 forces = Vec3::Zero();   // N, My, Mz
     Mat3 tangent = Mat3::Zero();  // by Γx, Ky, Kz; the lower half
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
-        const Block& block = blocks_[i];
-        const std::size_t at = first + i * block_size;
-        const int count = std::min(block_size, fibre_count_ - static_cast<int>(i) * block_size);
-        const Lanes trial = find_trial(block, strain, &memory[at], count);
-        const Held held = hold(i, trial);
+    for (const Block& block : blocks_) {
+        const std::size_t at = first + static_cast<std::size_t>(block.first);
+        const Lanes trial = find_trial(block, strain, &memory[at]);
+        const Held held = hold(block, trial);
         const Lanes& stress = held.stress;
-        const Lanes slip = (trial - stress) / modulus_;
+        const Lanes slip = (trial - stress) / block.modulus;
         const Lanes force = block.area * stress;
-        const Lanes stiffness = held.elastic * block.area * modulus_;
+        const Lanes stiffness = held.elastic * block.area * block.modulus;
         forces += Vec3(force.sum(), (force * block.z).sum(), -(force * block.y).sum());
         const Lanes by_y = stiffness * block.y, by_z = stiffness * block.z;
         tangent(0, 0) += stiffness.sum();
@@ -64,11 +67,11 @@ void FibreLaw::add_fibres(const Vec6& strain,
         tangent(1, 1) += (by_z * block.z).sum();
         tangent(2, 1) -= (by_z * block.y).sum();
         tangent(2, 2) += (by_y * block.y).sum();
-        stored += 0.5 * (force * stress).sum() / modulus_;
+        stored += 0.5 * (force * stress).sum() / block.modulus;
         dissipated += (force * slip).sum();
         if (after.empty()) continue;
-        Eigen::Map<Eigen::ArrayXd>(&after[at], count) =
-            Eigen::Map<const Eigen::ArrayXd>(&memory[at], count) + slip.head(count);
+        Eigen::Map<Eigen::ArrayXd>(&after[at], block.count) =
+            Eigen::Map<const Eigen::ArrayXd>(&memory[at], block.count) + slip.head(block.count);
     }
     constexpr std::array<int, 3> entries{0, 4, 5};
     for (int a = 0; a < 3; ++a) {
@@ -85,8 +88,8 @@ SectionResponse FibreLaw::respond(const Vec6& strain,
                                   double elapsed,
                                   std::span<double> after) const {
     SectionResponse response = rest_.respond(strain, memory, elapsed, after);
-    add_fibres(strain, memory, after, response, [&](std::size_t, const Lanes& trial) -> Held {
-        return {trial.min(limit_).max(-limit_), (trial.abs() <= limit_).cast<double>()};
+    add_fibres(strain, memory, after, response, [](const Block& block, const Lanes& trial) -> Held {
+        return {trial.min(block.limit).max(-block.limit), (trial.abs() <= block.limit).cast<double>()};
     });
     return response;
 }
@@ -94,7 +97,7 @@ SectionResponse FibreLaw::respond(const Vec6& strain,
 Mat6 FibreLaw::elastic_tangent(const Vec6& strain, std::span<const double> memory) const {
     SectionResponse response;
     response.tangent = rest_.elastic_tangent(strain, memory);
-    const auto stick = [](std::size_t, const Lanes& trial) -> Held { return {trial, Lanes::Ones()}; };
+    const auto stick = [](const Block&, const Lanes& trial) -> Held { return {trial, Lanes::Ones()}; };
     add_fibres(strain, memory, {}, response, stick);
     return response.tangent;
 }
@@ -103,8 +106,8 @@ bool FibreLaw::is_at_limit(const Vec6& strain, std::span<const double> memory) c
     if (rest_.is_at_limit(strain, memory)) return true;
     SectionResponse ignored;
     bool is_at = false;
-    add_fibres(strain, memory, {}, ignored, [&](std::size_t, const Lanes& trial) -> Held {
-        is_at = is_at || (trial.abs() >= (1.0 - round_off) * limit_).any();
+    add_fibres(strain, memory, {}, ignored, [&](const Block& block, const Lanes& trial) -> Held {
+        is_at = is_at || (trial.abs() >= (1.0 - round_off) * block.limit).any();
         return {trial, Lanes::Ones()};
     });
     return is_at;
@@ -115,12 +118,11 @@ void FibreLaw::find_pieces(const Vec6& strain, std::span<const double> memory, s
     const auto first = static_cast<std::size_t>(rest_.piece_count());
     rest_.find_pieces(strain, memory, pieces.first(first));
     SectionResponse ignored;
-    add_fibres(strain, memory, {}, ignored, [&](std::size_t i, const Lanes& trial) -> Held {
-        for (std::size_t lane = 0; lane < block_size; ++lane) {
-            const std::size_t fibre = i * block_size + lane;
-            if (fibre >= static_cast<std::size_t>(fibre_count_)) break;
-            const double use = trial[static_cast<Eigen::Index>(lane)] / limit_;
-            pieces[first + fibre] = use >= 1.0 - at_its_limit ? 1 : (use <= at_its_limit - 1.0 ? -1 : 0);
+    add_fibres(strain, memory, {}, ignored, [&](const Block& block, const Lanes& trial) -> Held {
+        for (int lane = 0; lane < block.count; ++lane) {
+            const double use = trial[lane] / block.limit;
+            pieces[first + static_cast<std::size_t>(block.first + lane)] =
+                use >= 1.0 - at_its_limit ? 1 : (use <= at_its_limit - 1.0 ? -1 : 0);
         }
         return {trial, Lanes::Ones()};
     });
@@ -133,15 +135,13 @@ SectionResponse FibreLaw::respond_on(std::span<const int> pieces,
                                      std::span<double> after) const {
     const auto first = static_cast<std::size_t>(rest_.piece_count());
     SectionResponse response = rest_.respond_on(pieces.first(first), strain, memory, elapsed, after);
-    add_fibres(strain, memory, after, response, [&](std::size_t i, const Lanes& trial) {
+    add_fibres(strain, memory, after, response, [&](const Block& block, const Lanes& trial) {
         Held held{trial, Lanes::Ones()};
-        for (std::size_t lane = 0; lane < block_size; ++lane) {
-            const std::size_t fibre = i * block_size + lane;
-            if (fibre >= static_cast<std::size_t>(fibre_count_)) break;
-            const int piece = pieces[first + fibre];
+        for (int lane = 0; lane < block.count; ++lane) {
+            const int piece = pieces[first + static_cast<std::size_t>(block.first + lane)];
             if (piece == 0) continue;
-            held.stress[static_cast<Eigen::Index>(lane)] = piece * limit_;
-            held.elastic[static_cast<Eigen::Index>(lane)] = 0.0;
+            held.stress[lane] = piece * block.limit;
+            held.elastic[lane] = 0.0;
         }
         return held;
     });

@@ -12,12 +12,19 @@ struct Fibre {
     double area = 0.0;
 };
 
+// Fibres of one material; one that stays elastic has an infinite yield stress.
+struct FibreGroup {
+    std::vector<Fibre> fibres;
+    double E = 1.0, yield_stress = 1.0;
+};
+
 // The law of elastic, perfectly plastic fibres, each by its own strain, so that axial force and both bending
 // moments interact; what is left, torsion and shear, answers by itself. docs/theory/laws.md, (L30). It
 // remembers what `rest` does, then the plastic strain of each fibre.
 class FibreLaw final : public SmallMotionLaw, public KinkedLaw {
   public:
     // `rest` has no stiffness in tension and bending.
+    FibreLaw(LayeredLaw rest, const std::vector<FibreGroup>& groups);
     FibreLaw(LayeredLaw rest, std::vector<Fibre> fibres, double E, double yield_stress);
 
     int memory_size() const override { return rest_.memory_size() + fibre_count_; }
@@ -41,11 +48,13 @@ class FibreLaw final : public SmallMotionLaw, public KinkedLaw {
     int fibre_count() const { return fibre_count_; }
 
   private:
-    // Fibres that are computed together; those that fill up the last block have no area.
+    // Fibres that are computed together, of one material; those that fill up a block have no area.
     static constexpr int block_size = 8;
     using Lanes = Eigen::Array<double, block_size, 1>;
     struct Block {
         Lanes y = Lanes::Zero(), z = Lanes::Zero(), area = Lanes::Zero();
+        double modulus, limit;
+        int first, count;  // fibres
     };
 
     struct Held {
@@ -53,8 +62,8 @@ class FibreLaw final : public SmallMotionLaw, public KinkedLaw {
         Lanes elastic;  // 1, or 0 where a fibre yields
     };
 
-    Lanes find_trial(const Block& block, const Vec6& strain, const double* plastic, int count) const;
-    // Adds the fibres to a response. hold(index of a block, trial stresses) returns what they are held to.
+    static Lanes find_trial(const Block& block, const Vec6& strain, const double* plastic);
+    // Adds the fibres to a response. hold(block, trial stresses) returns what they are held to.
     template <class Hold>
     void add_fibres(const Vec6& strain,
                     std::span<const double> memory,
@@ -63,8 +72,7 @@ class FibreLaw final : public SmallMotionLaw, public KinkedLaw {
                     Hold&& hold) const;
 
     LayeredLaw rest_;
-    double modulus_, limit_;
-    int fibre_count_;
+    int fibre_count_ = 0;
     std::vector<Block> blocks_;
 };
 
