@@ -37,7 +37,7 @@ const std::string analysis = "[analysis]\nkind = \"dynamic\"\nend_time = 1.0\nst
 TEST_CASE("The sections and rods of the guide are a deck", "[deck]") {
     const std::string deck = toml_of("sections.md") + toml_of("geometry.md") + analysis;
     const Problem problem = read_problem_text(deck, GXROD_SOURCE_DIR "/guide.toml");
-    CHECK(problem.model.sections.size() == 16);  // with the mean of those along the wing
+    CHECK(problem.model.sections.size() == 21);  // with the mean of those along the wing
     REQUIRE(problem.model.rods.size() == 13);
     CHECK(problem.model.rods[0].has_varying_sections());
     CHECK(problem.model.rods[4].order == 3);

@@ -183,6 +183,13 @@ def tapered_stresses(deck, draw):
     with_stresses(deck, {"rectangle": {"width_y": 0.08, "height_z": "0.11 - 0.03*s"}}, [0.04, 0.0475])
 
 
+@feature("taper")
+def material_by_name(deck, draw):
+    cut(deck, {"box": {"height": draw.uniform(0.09, 0.11), "width": 0.08, "wall": 0.01, "outer_radius": 0.012, "inner_radius": 0.004}},
+        material={"metal": {"E": 2.5e5, "nu": 0.3, "density": 340}})
+    section(deck)["material"] = "metal"
+
+
 @feature("law")
 def trapeze(deck, draw):
     section(deck)["trapeze"] = True
@@ -230,6 +237,12 @@ def yield_stress(deck, draw):
         bar.pop(key, None)
     bar |= {"shape": {"rectangle": {"width_y": 0.11, "height_z": 0.1}},
             "material": {"E": 1e5, "nu": 0.3, "density": 100, "yield_stress": draw.uniform(2000, 4000)}}
+
+
+@feature("law", follows_load=True, kinked=True)
+def fibres_of_cells(deck, draw):
+    cut(deck, {"I": {"height": 0.1, "width": 0.08, "web": 0.008, "flange": 0.01, "fillet": 0.008}})
+    section(deck)["material"] |= {"yield_stress": draw.uniform(8000, 11000), "interaction": True}
 
 
 # Loads
@@ -280,6 +293,16 @@ def load_by_time(deck, draw):
 @feature("heat")
 def heat(deck, draw):
     section(deck)["expansion"] = 1e-3
+    deck["actuation"] = deck.get("actuation", []) + [
+        {"on": "beam", "temperature": f"{draw.uniform(5, 20)}*P", "temperature_gradient": [0, "30*P"]}]
+
+
+@feature("heat")
+def bimetal(deck, draw):
+    cut(deck, {"walls": {"corners": [[-0.05, 0], [0.05, 0]], "layup": "both"}},
+        material={"lower": {"E": 1.5e5, "nu": 0.3, "density": 100, "expansion": 1e-3},
+                  "upper": {"E": 1e5, "nu": 0.3, "density": 100, "expansion": 2e-3}},
+        layup={"both": {"plies": [["lower", 0.05], ["upper", 0.05]]}})
     deck["actuation"] = deck.get("actuation", []) + [
         {"on": "beam", "temperature": f"{draw.uniform(5, 20)}*P", "temperature_gradient": [0, "30*P"]}]
 

@@ -192,6 +192,17 @@ class Validator {
         return std::vector{check_table(entry.node, path, *key.table)};
     }
 
+    // Of tables in a table a text is short for the one key that they must have: core = "foam".
+    static DeckNode write_out(const DeckNode& node, const KeySpec& key) {
+        if (!key.binding || node.text() == nullptr) return node;
+        std::string only;
+        for (const KeySpec& one : key.table->keys) {
+            if (one.presence == Presence::required) only = only.empty() ? one.name : "?";
+        }
+        if (key.table->find(only) == nullptr) return node;
+        return {DeckNode::Table{{only, node.place, node}}, node.place};
+    }
+
     Value check_named_tables(const DeckEntry& entry, const std::string& path, const KeySpec& key) const {
         if (entry.node.table() == nullptr) {
             expect(entry, path, key);
@@ -200,13 +211,14 @@ class Validator {
         std::vector<CheckedTable> tables;
         for (const DeckEntry& named : *entry.node.table()) {
             const std::string named_path = join_path(path, named.key);
-            if (named.node.table() == nullptr) {
+            const DeckNode node = write_out(named.node, key);
+            if (node.table() == nullptr) {
                 expect(named, named_path, key);
                 continue;
             }
             const std::string reason = explain_name(named.key, key);
             if (!reason.empty()) add(named.place, named_path, reason);
-            tables.push_back(check_table(named.node, named_path, *key.table));
+            tables.push_back(check_table(node, named_path, *key.table));
             tables.back().name = named.key;
             if (tables.back().record) tables.back().record->name = named.key;
         }

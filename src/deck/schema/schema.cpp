@@ -74,7 +74,9 @@ std::string describe_expected(const KeySpec& key) {
     if (key.shape == KeyShape::table_list) return "tables " + key.table->heading;
     if (key.shape != KeyShape::value) return "a table " + spell(key);
     const std::string words = find_kind(key)->words(key);
-    const bool has_table = key.table != nullptr && nature_of(key) == ValueNature::number;
+    const bool has_table =
+        key.table != nullptr && (nature_of(key) == ValueNature::number ||
+                                 nature_of(key) == ValueNature::word || !key.refers_to.empty());
     return has_table ? words + ", or a table " + key.table->heading : words;
 }
 

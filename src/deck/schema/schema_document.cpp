@@ -52,7 +52,9 @@ f(t, s) at 101 points of the rod at 101 of the steps.
 std::string describe_type(const KeySpec& key) {
     const ValueKind* kind = find_kind(key);
     if (kind == nullptr) return "table";
-    const bool has_table = key.table != nullptr && kind->nature == ValueNature::number;
+    const bool has_table =
+        key.table != nullptr &&
+        (kind->nature == ValueNature::number || kind->nature == ValueNature::word || !key.refers_to.empty());
     return has_table ? kind->column(key) + " or table" : kind->column(key);
 }
 

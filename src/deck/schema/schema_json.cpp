@@ -40,7 +40,10 @@ Json make_type(const KeySpec& key) {
         case KeyShape::table:
             return make_table(*key.table);
         case KeyShape::named_tables:
-            if (key.binding) return named_tables("^.+$", make_table(*key.table));
+            if (key.binding) {
+                const Json short_form{{"type", "string"}};
+                return named_tables("^.+$", any_of({make_table(*key.table), short_form}));
+            }
             return named_tables(is_for_expressions(key) ? "^[A-Za-z_][A-Za-z0-9_]*$" : "^[A-Za-z0-9_-]+$",
                                 make_table(*key.table));
         case KeyShape::table_list:

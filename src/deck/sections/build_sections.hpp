@@ -41,6 +41,9 @@ double number_of(const TableHead& table,
                  const SectionPlace& at,
                  const BuildContext& context);
 
+// Returns whether a tube has a wall; adds a fault if not.
+bool is_hollow(const TubeTable& tube, double outer, double inner, const BuildContext& context);
+
 // Gives a section its damping: that of a [section.NAME] or of `sections` of a rod.
 void set_damping(const DampingTable& given, Section& section);
 

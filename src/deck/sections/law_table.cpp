@@ -6,12 +6,13 @@
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/sections/build_sections.hpp"
+#include "deck/sections/shape_laws.hpp"
 #include "deck/sections/shapes/cut_shape.hpp"
+#include "deck/sections/shapes/shape_material.hpp"
 #include "laws/layered_law.hpp"
 #include "laws/moment_curvature_law.hpp"
 #include "laws/moved_law.hpp"
-#include "laws/shape_fibres.hpp"
-#include "laws/shape_layers.hpp"
+#include "laws/plastic_law.hpp"
 #include "laws/trapeze_law.hpp"
 #include "laws/viscoelastic_law.hpp"
 
@@ -82,8 +83,9 @@ const TableSpec& plastic_table() {
     using T = PlasticTable;
     // clang-format off
     static const TableSpec table = Table<T>("section.NAME.law.plastic", "")
-        .key("yield", &T::yield, yield_table(), "Resultants at which the section yields.")
-            .required()
+        .key("yield", &T::yield, yield_table(), "Resultants at which the section yields; \"shape\": N, My and Mz at which its shape "
+             "yields as a whole by the yield_stress of its materials, about the point where that axial force acts.")
+            .words({"shape"}).required()
         .key("interaction", &T::interaction, "Whether it yields where the squares of resultants over their limits add "
              "up to 1, or each yields by itself.")
         .key("isotropic", &T::isotropic, "How much all limits grow, over themselves, per plastic strain in multiples "
@@ -128,6 +130,9 @@ const TableSpec& law_table() {
 namespace {
 
 using SharedLaw = std::shared_ptr<const SectionLaw>;
+
+// Of a section's size: nearer to its point nothing is away from it.
+constexpr double round_off_of_place = 1e-9;
 
 // The rows that a table has for a key.
 struct KeyRows {
@@ -262,21 +267,42 @@ std::optional<PiecewiseLine> find_isotropic(const PlasticTable& given, const Bui
     return PiecewiseLine({{0.0, 1.0}, {1.0, 1.0 + slope}});
 }
 
-SharedLaw make_plastic_law(const PlasticTable& given,
-                           const Mat6& C,
-                           const SectionPlace& at,
-                           const BuildContext& context) {
-    YieldLimits yield{.limits = {},
-                      .interaction = given.interaction,
-                      .isotropic = find_isotropic(given, context),
-                      .kinematic = number_of(given, given.kinematic, at, context)};
-    std::vector<int> entries;
-    for (int entry = 0; entry < 6; ++entry) {
-        const std::optional<ArcNumber>& limit = given.yield->limits[static_cast<std::size_t>(entry)];
-        if (!limit) continue;
-        yield.limits.emplace_back(entry, number_of(*given.yield, *limit, at, context));
-        entries.push_back(entry);
+// The limits of a law and the point that they are about, in the axes of the section.
+struct PlacedLimits {
+    std::vector<std::pair<int, double>> limits = {};
+    PlanePoint about = PlanePoint::Zero();
+};
+
+// nullopt, with a fault, if the shape has no limits.
+std::optional<PlacedLimits> find_limits(const PlasticTable& given, const ShapeLawSource& source) {
+    if (const auto* table = std::get_if<YieldTable>(&*given.yield)) {
+        PlacedLimits found;
+        for (int entry = 0; entry < 6; ++entry) {
+            const std::optional<ArcNumber>& limit = table->limits[static_cast<std::size_t>(entry)];
+            if (limit) found.limits.emplace_back(entry, number_of(*table, *limit, source.at, source.context));
+        }
+        return found;
     }
+    const std::optional<PlasticCapacity> capacity = find_plastic_capacity(given, source);
+    if (!capacity) return std::nullopt;
+    return PlacedLimits{{{0, capacity->axial_force}, {4, capacity->moment_y}, {5, capacity->moment_z}},
+                        capacity->centre};
+}
+
+SharedLaw make_plastic_law(const PlasticTable& given, const ShapeLawSource& source) {
+    const BuildContext& context = source.context;
+    const std::optional<PlacedLimits> found = find_limits(given, source);
+    if (!found) return nullptr;
+    const YieldLimits yield{.limits = found->limits,
+                            .interaction = given.interaction,
+                            .isotropic = find_isotropic(given, context),
+                            .kinematic = number_of(given, given.kinematic, source.at, context)};
+    const double size = std::sqrt(source.section.stiffness(4, 4) / source.section.stiffness(0, 0));
+    const bool is_away = found->about.norm() > round_off_of_place * size;
+    const SectionFrame frame{.y = is_away ? found->about.x() : 0.0, .z = is_away ? found->about.y() : 0.0};
+    const Mat6 C = move_to(frame, source.section.stiffness);
+    std::vector<int> entries;
+    for (const auto& [entry, limit] : yield.limits) entries.push_back(entry);
     if (yield.interaction == YieldInteraction::none && couples_within(C, entries)) {
         context.add_fault(given,
                           given.interaction,
@@ -284,7 +310,9 @@ SharedLaw make_plastic_law(const PlasticTable& given,
                           "expected \"ellipsoid\"");
         return nullptr;
     }
-    return std::make_shared<PlasticLaw>(C, yield);
+    auto law = std::make_shared<PlasticLaw>(C, yield);
+    if (!is_away) return law;
+    return std::make_shared<MovedLaw>(frame, std::move(law));
 }
 
 SharedLaw make_viscoelastic_law(const ViscoelasticTable& given, const Mat6& C, const BuildContext& context) {
@@ -303,60 +331,34 @@ SharedLaw make_viscoelastic_law(const ViscoelasticTable& given, const Mat6& C, c
     return std::make_shared<ViscoelasticLaw>(C, std::move(branches), on);
 }
 
-// Makes layers or fibres in place of all stiffness but that of shear.
-SharedLaw make_shape_law(const SectionTable& given,
-                         const Mat6& C,
-                         const SectionPlace& at,
-                         const BuildContext& context) {
-    const auto find = [&](const TableHead& table, const ArcNumber& value) {
-        return number_of(table, value, at, context);
-    };
-    const MaterialTable& material = *given.material;
-    const double E = find(material, material.E);
-    const double G =
-        material.G ? find(material, *material.G) : E / (2.0 * (1.0 + find(material, *material.nu)));
-    const YieldingMaterial yielding{E, G, find(material, *material.yield_stress)};
-    constexpr double least_yield_strain = 1e-5;
-    if (at.rod.empty() && yielding.yield_stress < least_yield_strain * E) {
-        context.notes.push_back(fmt::format(
-            "{}: it is {:.2g} of E, where metals have 1e-3 and lead 2e-4; are both in one unit of stress?",
-            material.path_of(&material.yield_stress),
-            yielding.yield_stress / E));
-    }
-    std::vector<Layer> layers;
-    std::vector<Fibre> fibres;
-    if (const auto& circle = given.shape->circle) {
-        const double radius = find(*circle, circle->radius);
-        layers = make_tube_layers(radius, 0.0, yielding);
-        fibres = make_tube_fibres(radius, 0.0);
-    } else if (const auto& tube = given.shape->tube) {
-        const double outer = find(*tube, tube->outer_radius), inner = find(*tube, tube->inner_radius);
-        layers = make_tube_layers(outer, inner, yielding);
-        fibres = make_tube_fibres(outer, inner);
-    } else {
-        const RectangleTable& rectangle = *given.shape->rectangle;
-        const double width = find(rectangle, rectangle.width_y), height = find(rectangle, rectangle.height_z);
-        layers = make_rectangle_layers(width, height, C(3, 3) / G, yielding);
-        fibres = make_rectangle_fibres(width, height);
-    }
-    Mat6 shear = Mat6::Zero();
-    shear.block<2, 2>(1, 1) = C.block<2, 2>(1, 1);
-    if (!material.interaction.value_or(false)) return std::make_shared<LayeredLaw>(shear, std::move(layers));
-    std::erase_if(layers, [](const Layer& layer) { return layer.on != StrainPart::torsion; });
-    return std::make_shared<FibreLaw>(
-        LayeredLaw(shear, std::move(layers)), std::move(fibres), E, yielding.yield_stress);
+SharedLaw make_law(const LawTable& law, const ShapeLawSource& source) {
+    const Mat6& C = source.section.stiffness;
+    if (law.gives(law.layers)) return make_layered_law(law.layers, C, source.at, source.context);
+    if (law.moment_curvature) return make_curve_law(*law.moment_curvature, C, source.context);
+    if (law.plastic) return make_plastic_law(*law.plastic, source);
+    return make_viscoelastic_law(*law.viscoelastic, C, source.context);
 }
 
-SharedLaw make_law(const LawTable& law, const Mat6& C, const SectionPlace& at, const BuildContext& context) {
-    if (law.gives(law.layers)) return make_layered_law(law.layers, C, at, context);
-    if (law.moment_curvature) return make_curve_law(*law.moment_curvature, C, context);
-    if (law.plastic) return make_plastic_law(*law.plastic, C, at, context);
-    return make_viscoelastic_law(*law.viscoelastic, C, context);
+// Whether the yield stress of the material is for the limits of the law.
+bool takes_limits_of_shape(const SectionTable& section) {
+    return section.law && section.law->plastic && section.law->plastic->yield &&
+           std::holds_alternative<ChosenWord>(*section.law->plastic->yield);
 }
 
-// A yield stress of a shape that is cut into cells is a limit to compare stresses with.
-bool yields(const SectionTable& section) {
-    return section.material && section.material->yield_stress && !is_cut(section);
+// Makes the law of a section in its own axes; nullptr without one, or with a fault.
+SharedLaw find_law(const ShapeLawSource& source) {
+    const SectionTable& given = source.given;
+    const bool yields = yields_by_shape(source);
+    if (!given.law) return yields ? make_shape_law(source) : nullptr;
+    const std::optional<MaterialTable> material =
+        yields && !is_cut(given, source.context) ? find_shape_material(given, source.context) : std::nullopt;
+    const bool has_interaction = yields && (!material || material->interaction.value_or(false));
+    if (!yields || (takes_limits_of_shape(given) && !has_interaction)) return make_law(*given.law, source);
+    source.context.add_fault(given,
+                             given.law,
+                             fmt::format("{} of the material is given too; only one of them can be",
+                                         has_interaction ? "interaction" : "yield_stress"));
+    return nullptr;
 }
 
 }  // namespace
@@ -367,18 +369,12 @@ void set_law(const SectionTable& given,
              Section& section,
              const BuildContext& context) {
     const Mat6 C = section.stiffness;
+    // One that is at fault itself has none.
+    const bool is_right = (C.diagonal().array() > 0.0).all();
+    SharedLaw law = is_right ? find_law({given, at, section, context}) : nullptr;
     section.stiffness = move_from(frame, C);
-    const bool is_trapeze = given.trapeze.value_or(false);
-    if (!given.law && !is_trapeze && !yields(given)) return;
-    if (given.law && yields(given)) {
-        return context.add_fault(
-            given, given.law, "yield_stress of the material is given too; only one of them can be");
-    }
-    // One that is at fault itself.
-    if (!(C.diagonal().array() > 0.0).all()) return;
-    SharedLaw law;
-    if (given.law) law = make_law(*given.law, C, at, context);
-    if (yields(given)) law = make_shape_law(given, C, at, context);
+    const bool is_trapeze = given.trapeze.value_or(false) && is_right;
+    if (!law && !is_trapeze) return;
     const Mat6 moved = section.stiffness;
     if (law) {
         const std::vector<double> memory(static_cast<std::size_t>(law->memory_size()));

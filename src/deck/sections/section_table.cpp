@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cross_section/heat/heat_strains.hpp"
 #include "cross_section/moved_section.hpp"
 #include "deck/output/stress_criterion.hpp"
 #include "deck/schema/schema_tables.hpp"
@@ -12,6 +13,7 @@
 #include "deck/sections/shapes/cut_shape.hpp"
 #include "deck/sections/shapes/profile_keys.hpp"
 #include "deck/sections/shapes/profile_outline.hpp"
+#include "deck/sections/shapes/shape_material.hpp"
 #include "deck/surroundings/section_fluid.hpp"
 #include "model/evaluation_error.hpp"
 #include "model/sections/section_frame.hpp"
@@ -21,7 +23,6 @@ namespace {
 
 constexpr const char* axial_stiffness = "mass·length/time²";
 constexpr const char* bending_stiffness = "mass·length³/time²";
-constexpr const char* of_stress = "mass/(length·time²)";
 
 const TableSpec& stiffness_table() {
     using T = StiffnessTable;
@@ -121,36 +122,6 @@ const TableSpec& shape_table() {
     return table;
 }
 
-const TableSpec& material_table() {
-    using T = MaterialTable;
-    // clang-format off
-    static const TableSpec table = Table<T>("section.NAME.material", "")
-        .key("E", &T::E, "Young's modulus.")
-            .unit(of_stress).above(0).required()
-            .also("youngs_modulus young young_modulus elastic_modulus modulus_of_elasticity elasticity modulus")
-        .key("nu", &T::nu, "Poisson's ratio; G is E/(2(1 + nu)).")
-            .unit("1").above(-1).at_most(0.5).also("poisson poisson_ratio poissons_ratio poissons v")
-        .key("G", &T::G, "Shear modulus.")
-            .unit(of_stress).above(0).also("shear_modulus mu")
-        .key("yield_stress", &T::yield_stress, "Beyond it the material yields perfectly, and at 1/√3 of it in shear: "
-             "bending, torsion and tension each by itself ([materials](guide/materials.md#yield-stress-of-a-material)).")
-            .unit(of_stress).above(0).also("stress yield yield_strength strength sigma_y fy")
-        .key("interaction", &T::interaction, "true: axial force and bending moments yield together, by 192 to 768 "
-             "fibres; more exact for columns, and slower.")
-            .only_with("yield_stress").also("fibres fibers interact")
-        .key("density", &T::density, "Mass per volume.")
-            .unit("mass/length³").above(0).otherwise("none if static, else required")
-            .also("rho mass_density specific_mass")
-        .key("shear_factor", &T::shear_factor, "Shear stiffness is shear_factor G A along y and z. Left out, it "
-             "follows from the energy of Saint-Venant's flexure ([shear stiffness](theory/shear_stiffness.md)), and a "
-             "rectangle has one along y and another along z.")
-            .unit("1").above(0).otherwise("exact, for the shape and nu")
-            .also("kappa k shear_correction shear_correction_factor shear_coefficient")
-        .exactly_one_of({"nu", "G"});
-    // clang-format on
-    return table;
-}
-
 constexpr const char* section_examples =
     "[section.tube]\n"
     "stiffness = { EA = 1e4, GAy = 1e4, GAz = 1e4, GJ = \"GJ\", EIy = \"EI\", EIz = \"EI\" }\n"
@@ -220,9 +191,10 @@ const TableSpec& section_table() {
         .key("mass_matrix", &T::mass_matrix, "The same as a full matrix: that of a rigid slice, [m 1, −m [d]×; m [d]×, "
              "J] with d from the node to the centre of mass and J about the node; positive definite.")
             .unit("of inertia").also("m inertia_matrix")
-        .key("material", &T::material, material_table(), "What the shape is made of. Walls and meshes have materials of their "
-             "own.")
-            .only_with("shape").otherwise("of walls and meshes none, else required").also("e nu rho density youngs_modulus")
+        .key("material", &T::material, shape_material_table(), "What the shape is made of: the name of a [material.NAME], or its "
+             "numbers. Walls and meshes name materials of their own.")
+            .names_of({"material"}).only_with("shape").otherwise("of walls and meshes none, else required")
+            .also("e nu rho density youngs_modulus")
         .key("at", &T::at, "Where the point is, from the rod and in its section axes, about which stiffness and "
              "inertia are given, or in which the middle of the shape lies. They are moved from there to the rod, "
              "exactly.")
@@ -236,7 +208,8 @@ const TableSpec& section_table() {
         .key("trapeze", &T::trapeze, "Whether twist pulls the section together, as BeamDyn has it: with c = EIy + EIz, "
              "½ c twist² of axial force and c × twist × extension of torque.")
             .otherwise("false")
-        .key("expansion", &T::expansion, "Strain by heat, for the temperatures of [[actuation]].")
+        .key("expansion", &T::expansion, "Strain by heat, for the temperatures of [[actuation]]; materials of shapes can have it "
+             "instead.")
             .unit("1/temperature").also("alpha thermal_expansion cte")
         .key("radius", &T::radius, "Of contact: what touches is round.")
             .unit("length").above(0)
@@ -342,10 +315,8 @@ std::optional<ShapeConstants> find_shape(const ShapeTable& shape,
     const TubeTable& tube = *shape.tube;
     const double outer = number_of(tube, tube.outer_radius, at, context);
     const double inner = number_of(tube, tube.inner_radius, at, context);
-    if (inner < outer) return compute_tube(outer, inner, nu);
-    context.add_fault(
-        tube, tube.inner_radius, fmt::format("expected less than outer_radius = {}, found {}", outer, inner));
-    return std::nullopt;
+    return is_hollow(tube, outer, inner, context) ? std::optional(compute_tube(outer, inner, nu))
+                                                  : std::nullopt;
 }
 
 struct ShearFactors {
@@ -371,12 +342,13 @@ std::string describe_factors(const ShapeConstants& shape) {
 
 // What a shear factor is, and which one the section has.
 std::string describe_shear_factors(const SectionTable& table,
+                                   const MaterialTable& material,
                                    const ShapeConstants& shape,
                                    const ShearFactors& factors,
                                    double nu) {
     const std::string text = table.path + ": shear stiffness is shear_factor G A; ";
     const std::string exact = fmt::format("the exact flexure at nu = {:.4g}", nu);
-    if (!table.material->shear_factor) {
+    if (!material.shear_factor) {
         return fmt::format("{}shear_factor follows from {}, {}", text, exact, describe_factors(shape));
     }
     const double given = factors.y;
@@ -387,15 +359,16 @@ std::string describe_shear_factors(const SectionTable& table,
 }
 
 void set_from_shape(const SectionTable& table,
+                    const MaterialTable& material,
                     const SectionPlace& at,
                     Section& section,
                     const BuildContext& context) {
-    const MaterialTable& material = *table.material;
     const Moduli moduli = find_moduli(material, at, context);
     const std::optional<ShapeConstants> shape = find_shape(*table.shape, moduli.nu, at, context);
     if (!shape) return;
     const ShearFactors factors = find_shear_factors(material, *shape, at, context);
-    if (at.rod.empty()) context.notes.push_back(describe_shear_factors(table, *shape, factors, moduli.nu));
+    if (at.rod.empty())
+        context.notes.push_back(describe_shear_factors(table, material, *shape, factors, moduli.nu));
     const double Iy = shape->second_moment_y;
     const double Iz = shape->second_moment_z;
     const double GA = moduli.G * shape->area;
@@ -418,23 +391,46 @@ void set_from_cells(const SectionTable& table,
     section.shape = cut.shape;
 }
 
+// The strain by heat of a section, the same all over it: by its own key, or by its material. Materials with
+// several act by the free strains of the shape instead.
+double find_expansion(const SectionTable& given,
+                      const SectionPlace& at,
+                      const Section& section,
+                      const BuildContext& context) {
+    std::optional<double> by_material;
+    const std::optional<MaterialTable> material =
+        given.shape && !is_plied(*given.shape) ? find_shape_material(given, context) : std::nullopt;
+    if (material && material->expansion) {
+        by_material = number_of(*material, *material->expansion, at, context);
+    } else if (!material && section.shape && expands(*section.shape)) {
+        by_material = find_even_expansion(*section.shape).value_or(0.0);
+    }
+    if (by_material && given.gives(given.expansion))
+        context.add_fault(given, given.expansion, "its material has one too; only one of them can be given");
+    return by_material ? *by_material : number_of(given, given.expansion, at, context);
+}
+
+// The mass of a shape that a dynamic analysis needs.
+void check_shape_inertia(const SectionTable& given, const Section& section, const BuildContext& context) {
+    if (is_plied(*given.shape) || has_orthotropic_material(given, context)) {
+        if (!section.mass.isZero(0.0)) return;
+        return context.add_fault(
+            given,
+            given.shape,
+            "its materials have no density; a dynamic analysis needs the mass of the rods");
+    }
+    const std::optional<MaterialTable> material = find_shape_material(given, context);
+    if (!material || material->density) return;
+    context.add_fault(*material, material->density, "missing; a dynamic analysis needs the mass of the rods");
+}
+
 // What a dynamic analysis needs, and a static one may miss.
 void check_inertia(const SectionTable& given, const Section& section, const BuildContext& context) {
     if (!context.needs_inertia()) {
         if (!top_level_of(context.deck).gravity || !section.mass.isZero(0.0)) return;
         context.notes.push_back(given.path + ": no inertia, so that gravity does not act on it");
     } else if (given.shape) {
-        if (is_plied(*given.shape)) {
-            if (!section.mass.isZero(0.0)) return;
-            return context.add_fault(
-                given,
-                given.shape,
-                "its materials have no density; a dynamic analysis needs the mass of the rods");
-        }
-        if (!given.material || given.material->density) return;
-        context.add_fault(*given.material,
-                          given.material->density,
-                          "missing; a dynamic analysis needs the mass of the rods");
+        check_shape_inertia(given, section, context);
     } else if (!given.inertia && !given.mass_matrix) {
         context.add_fault(
             given, given.inertia, "missing; a dynamic analysis needs inertia = { … } or mass_matrix");
@@ -497,14 +493,19 @@ double number_of(const TableHead& table,
 Section build_section(const SectionTable& given, const SectionPlace& at, const BuildContext& context) {
     Section section{.name = given.name};
     if (given.shape) check_outline_keys(*given.shape, context);
+    const bool is_on_cells = is_cut(given, context);
+    const std::optional<MaterialTable> material =
+        given.shape && !is_on_cells ? find_shape_material(given, context) : std::nullopt;
     if (given.shape && !is_plied(*given.shape) && !given.material) {
         context.add_fault(
             given, given.material, "missing; expected " + describe_expected(given.key_of(&given.material)));
         section.stiffness = Mat6::Identity();
-    } else if (is_cut(given)) {
+    } else if (is_on_cells) {
         set_from_cells(given, at, section, context);
+    } else if (given.shape && !material) {
+        section.stiffness = Mat6::Identity();  // the material is at fault
     } else if (given.shape) {
-        set_from_shape(given, at, section, context);
+        set_from_shape(given, *material, at, section, context);
     } else if (given.stiffness) {
         section.stiffness = stiffness_of(*given.stiffness, at, context);
     } else {
@@ -512,7 +513,7 @@ Section build_section(const SectionTable& given, const SectionPlace& at, const B
     }
     if (given.inertia) section.mass = mass_of(*given.inertia, at, context);
     if (given.mass_matrix) section.mass = matrix_of(given, *given.mass_matrix, check_mass_matrix, context);
-    section.expansion = number_of(given, given.expansion, at, context);
+    section.expansion = find_expansion(given, at, section, context);
     if (at.rod.empty()) check_inertia(given, section, context);
     const SectionFrame frame = frame_of(given, at, context);
     set_law(given, at, frame, section, context);
@@ -531,6 +532,13 @@ void set_damping(const DampingTable& given, Section& section) {
         if (times.size() == 6) section.kelvin_voigt_components = Eigen::Map<const Vec6>(times.data());
     }
     section.mass_proportional = given.mass_proportional;
+}
+
+bool is_hollow(const TubeTable& tube, double outer, double inner, const BuildContext& context) {
+    if (inner < outer) return true;
+    context.add_fault(
+        tube, tube.inner_radius, fmt::format("expected less than outer_radius = {}, found {}", outer, inner));
+    return false;
 }
 
 bool varies_along_rod(const CheckedTable& section) {

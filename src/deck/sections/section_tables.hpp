@@ -46,7 +46,7 @@ struct ShapeTable : OutlinedShapes {
 struct MaterialTable : TableHead {
     ArcNumber E;
     std::optional<ArcNumber> nu, G;
-    std::optional<ArcNumber> yield_stress, density, shear_factor;
+    std::optional<ArcNumber> yield_stress, density, shear_factor, expansion;
     std::optional<bool> interaction;
 };
 
@@ -72,7 +72,7 @@ struct YieldTable : TableHead {
 };
 
 struct PlasticTable : TableHead {
-    std::optional<YieldTable> yield;
+    std::optional<std::variant<ChosenWord, YieldTable>> yield;
     YieldInteraction interaction = YieldInteraction::ellipsoid;
     std::variant<double, CheckedPairs> isotropic = 0.0;
     ArcNumber kinematic = 0.0;
@@ -113,7 +113,7 @@ struct SectionTable : TableHead {
     std::optional<ShapeTable> shape;
     std::optional<InertiaTable> inertia;
     std::optional<Mat6> mass_matrix;
-    std::optional<MaterialTable> material;
+    std::optional<std::variant<TableName, MaterialTable>> material;
     std::optional<std::array<double, 2>> at;
     ArcNumber turn = 0.0;
     std::optional<DampingTable> damping;

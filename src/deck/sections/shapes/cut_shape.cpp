@@ -12,6 +12,7 @@
 #include "deck/output/stress_criterion.hpp"
 #include "deck/places/build_context.hpp"
 #include "deck/sections/shapes/profile_outline.hpp"
+#include "deck/sections/shapes/shape_material.hpp"
 #include "deck/sections/shapes/wall_shape.hpp"
 #include "mesh/sections/held_meshes.hpp"
 #include "machine/digest.hpp"
@@ -80,6 +81,7 @@ class Digest {
         add(material.density);
         add(material.expansion);
         add(material.yield_stress.value_or(0.0));
+        add(material.yields ? 1.0 : 0.0);
         const PlyStrength s = material.strength.value_or(PlyStrength{});
         for (const double strength : {s.Xt, s.Xc, s.Yt, s.Yc, s.S12, s.S23, s.f12}) add(strength);
     }
@@ -102,40 +104,14 @@ class Digest {
     std::string text_;
 };
 
-// Poisson's ratio below which nothing is incompressible: cells would lock.
-constexpr double most_nu = 0.4999;
-
-std::optional<ElasticMaterial> find_material(const MaterialTable& table,
-                                             const SectionPlace& at,
-                                             const BuildContext& context) {
-    const double E = number_of(table, table.E, at, context);
-    const double nu = table.nu ? number_of(table, *table.nu, at, context)
-                               : E / (2.0 * number_of(table, *table.G, at, context)) - 1.0;
-    if (!(nu > -1.0 && nu <= most_nu)) {
-        const std::string found =
-            fmt::format("nu = {:.6g}; expected more than -1 and at most {}", nu, most_nu);
-        const std::string message = found + ", as the stress across a rod depends on it";
-        table.nu ? context.add_fault(table, table.nu, message)
-                 : context.add_fault(table, table.G, "it means " + message);
-        return std::nullopt;
-    }
-    ElasticMaterial material{.name = "material", .stiffness = compute_isotropic_stiffness(E, nu)};
-    if (table.density) material.density = number_of(table, *table.density, at, context);
-    if (table.yield_stress) material.yield_stress = number_of(table, *table.yield_stress, at, context);
-    return material;
-}
-
-// Keys of a material that only a circle, a tube and a rectangle have.
-void check_material_keys(const MaterialTable& material, const BuildContext& context) {
-    const std::string reason = "goes with a circle, a tube or a rectangle";
-    if (material.shear_factor)
-        context.add_fault(
-            material, material.shear_factor, reason + "; the shear stiffness of this shape is computed");
-    if (material.interaction)
-        context.add_fault(
-            material,
-            material.interaction,
-            reason + "; the yield stress of this shape is a limit that stresses are compared with");
+// Shear factors belong to closed forms.
+void check_material_keys(const SectionTable& section, const BuildContext& context) {
+    const auto* material = std::get_if<MaterialTable>(&*section.material);
+    if (material == nullptr || !material->shear_factor) return;
+    context.add_fault(
+        *material,
+        material->shear_factor,
+        "goes with a circle, a tube or a rectangle; the shear stiffness of this shape is computed");
 }
 
 // Finds a shape of walls or of a mesh, which has been read.
@@ -161,6 +137,38 @@ std::optional<CutShape> find_plied_shape(const SectionTable& section, const Buil
                     .digest = sha256_hex(digest.text()),
                     .cut = [mesh = std::move(meshed->mesh)] { return mesh; },
                     .materials = std::move(meshed->materials)};
+}
+
+// Finds a circle, a tube or a rectangle.
+std::optional<CutShape> find_plain_shape(const SectionTable& section,
+                                         const SectionPlace& at,
+                                         const BuildContext& context) {
+    std::optional<ElasticMaterial> material = find_elastic_material(section, at, context);
+    if (!material) return std::nullopt;
+    CutShape shape{.source = {}, .digest = {}, .cut = {}, .materials = {std::move(*material)}};
+    Digest digest;
+    digest.add(shape.materials.front());
+    const auto number = [&](const TableHead& table, const ArcNumber& given) {
+        const double found = number_of(table, given, at, context);
+        digest.add(found);
+        return found;
+    };
+    if (const auto& circle = section.shape->circle) {
+        shape.source = "circle";
+        shape.cut = [radius = number(*circle, circle->radius)] { return mesh_circle(radius); };
+    } else if (const auto& tube = section.shape->tube) {
+        const double outer = number(*tube, tube->outer_radius), inner = number(*tube, tube->inner_radius);
+        if (!is_hollow(*tube, outer, inner, context)) return std::nullopt;
+        shape.source = "tube";
+        shape.cut = [outer, inner] { return mesh_tube(outer, inner); };
+    } else {
+        const RectangleTable& table = *section.shape->rectangle;
+        const double width = number(table, table.width_y), height = number(table, table.height_z);
+        shape.source = "rectangle";
+        shape.cut = [width, height] { return mesh_rectangle(width, height); };
+    }
+    shape.digest = shape.source + digest.text();
+    return shape;
 }
 
 std::shared_ptr<const CrossSection> compute_at(const SectionTable& section,
@@ -235,17 +243,19 @@ bool has_stations(const SectionTable& section, const SectionPlace& at, const Bui
 
 bool is_plied(const ShapeTable& shape) { return shape.walls || shape.mesh; }
 
-bool is_cut(const SectionTable& section) {
-    return section.shape && (has_outline(*section.shape) || is_plied(*section.shape));
+bool is_cut(const SectionTable& section, const BuildContext& context) {
+    return section.shape && (has_outline(*section.shape) || is_plied(*section.shape) ||
+                             has_orthotropic_material(section, context));
 }
 
 std::optional<CutShape> find_cut_shape(const SectionTable& section,
                                        const SectionPlace& at,
                                        const BuildContext& context) {
     if (is_plied(*section.shape)) return find_plied_shape(section, context);
-    if (at.rod.empty()) check_material_keys(*section.material, context);
+    if (!has_outline(*section.shape)) return find_plain_shape(section, at, context);
+    if (at.rod.empty()) check_material_keys(section, context);
     std::optional<ShapeOutline> drawn = find_outline(*section.shape, at, context);
-    std::optional<ElasticMaterial> material = find_material(*section.material, at, context);
+    std::optional<ElasticMaterial> material = find_elastic_material(section, at, context);
     if (!drawn || !material) return std::nullopt;
     Digest digest;
     digest.add(drawn->source);
@@ -283,35 +293,12 @@ CutSection compute_cut_section(const SectionTable& section,
 std::shared_ptr<const CrossSection> cut_plain_shape(const SectionTable& section,
                                                     const SectionPlace& at,
                                                     const BuildContext& context) {
-    std::optional<ElasticMaterial> material = find_material(*section.material, at, context);
-    if (!material) return nullptr;
-    CutShape shape{.source = {}, .digest = {}, .cut = {}, .materials = {std::move(*material)}};
-    Digest digest;
-    digest.add(shape.materials.front());
-    const auto number = [&](const TableHead& table, const ArcNumber& given) {
-        const double found = number_of(table, given, at, context);
-        digest.add(found);
-        return found;
-    };
-    if (const auto& circle = section.shape->circle) {
-        shape.source = "circle";
-        shape.cut = [radius = number(*circle, circle->radius)] { return mesh_circle(radius); };
-    } else if (const auto& tube = section.shape->tube) {
-        const double outer = number(*tube, tube->outer_radius), inner = number(*tube, tube->inner_radius);
-        shape.source = "tube";
-        shape.cut = [outer, inner] { return mesh_tube(outer, inner); };
-    } else {
-        const RectangleTable& table = *section.shape->rectangle;
-        const double width = number(table, table.width_y), height = number(table, table.height_z);
-        shape.source = "rectangle";
-        shape.cut = [width, height] { return mesh_rectangle(width, height); };
-    }
-    shape.digest = shape.source + digest.text();
-    return section_store().find(shape);
+    const std::optional<CutShape> shape = find_plain_shape(section, at, context);
+    return shape ? section_store().find(*shape) : nullptr;
 }
 
 void note_stations(const SectionTable& section, const SectionPlace& at, const BuildContext& context) {
-    if (!is_cut(section) || !has_stations(section, at, context)) return;
+    if (!is_cut(section, context) || !has_stations(section, at, context)) return;
     const SectionStations stations = compute_stations(section, at, context);
     if (!stations.is_complete()) return;
     SectionPlace between = at;

@@ -21,8 +21,9 @@ struct CutShape {
     bool is_at_shear_centre = false;  // the origin is moved there, once it is known
 };
 
-// Returns whether a section's stiffness is computed on cells: not that of a circle, a tube or a rectangle.
-bool is_cut(const SectionTable& section);
+// Returns whether a section's stiffness is computed on cells: not that of a circle, a tube or a rectangle,
+// unless its material is orthotropic.
+bool is_cut(const SectionTable& section, const BuildContext& context);
 
 // Returns whether a shape is of walls of plies or of a mesh, whose materials are in tables of their own.
 bool is_plied(const ShapeTable& shape);

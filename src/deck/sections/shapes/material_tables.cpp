@@ -35,8 +35,8 @@ const TableSpec& elastic_material_table() {
     using T = ElasticMaterialTable;
     // clang-format off
     static const TableSpec table = Table<T>("[material.NAME]",
-            "A linear elastic material of walls and meshes of sections, in its own axes: 1 along the fibres, 2 across them in "
-            "the wall, 3 through the wall. Numbers make it isotropic; arrays are by axis. "
+            "A material of sections. Numbers make it isotropic; arrays are by its own axes: 1 along the fibres, 2 across them in "
+            "the wall, 3 through the wall; those of one whole shape are x, y and z of the section. "
             "[Sections](guide/sections.md#materials-plies-and-meshes) has pictures.")
         .key("E", &T::E, "Young's modulus, or [E1, E2, E3]; E3 is E2 if left out.")
             .unit(stress_unit).above(0).required()
@@ -47,13 +47,16 @@ const TableSpec& elastic_material_table() {
             .unit("1").also("poisson poisson_ratio poissons_ratio poissons v nu12")
         .key("density", &T::density, "Mass per volume.")
             .unit("mass/length³").at_least(0).also("rho mass_density specific_mass")
-        .key("yield_stress", &T::yield_stress, "A limit that von Mises' stress is compared with: exposure.")
+        .key("yield_stress", &T::yield_stress, "A limit that von Mises' stress is compared with: exposure. Circles, tubes and rectangles "
+             "yield at it ([materials](guide/materials.md#yield-stress-of-a-material)).")
             .unit(stress_unit).above(0).also("yield yield_strength sigma_y fy")
+        .key("interaction", &T::interaction, "true: what is made of it yields by fibres, so that axial force and bending moments "
+             "interact; torsion and shear of what is cut into cells stay elastic. Isotropic materials only.")
+            .only_with("yield_stress").also("fibres fibers interact")
         .key("strength", &T::strength, strength_table(), "Limits of a ply, for the criteria of Tsai and Wu, of Hashin and of "
              "the largest stress, by which exposure is recorded.")
             .also("strengths limits failure")
-        .key("expansion", &T::expansion, "Strain by heat, or by axis. It acts on nothing yet: heat acts "
-             "in a run by `expansion` of the section.")
+        .key("expansion", &T::expansion, "Strain by heat, or by axis, for the temperatures of [[actuation]].")
             .unit("1/temperature").otherwise("0").also("alpha thermal_expansion cte")
         .shown_by(
             "[material.carbon]\n"

@@ -8,7 +8,6 @@
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "deck/sections/section_tables.hpp"
-#include "deck/sections/shapes/material_tables.hpp"
 #include "deck/table/table.hpp"
 
 namespace gxrod {
@@ -16,10 +15,6 @@ namespace {
 
 // Beyond it an isotropic material hardly changes its volume, and cells would lock.
 constexpr double most_isotropic_nu = 0.4999;
-
-bool is_orthotropic(const ElasticMaterialTable& given) {
-    return given.E.is_list || (given.G && given.G->is_list) || (given.nu && given.nu->is_list);
-}
 
 // The number at an index of a list, or the only one.
 double number_at(const AxisNumbers& numbers, std::size_t index) {
@@ -109,7 +104,11 @@ std::optional<ElasticMaterial> build_material(const ElasticMaterialTable& given,
         material.strength = PlyStrength{s->Xt, s->Xc, s->Yt, s->Yc, s->S12, s->S23, s->f12};
     for (std::size_t i = 0; given.expansion && i < 3; ++i)
         material.expansion[static_cast<Eigen::Index>(i)] = number_at(*given.expansion, i);
-    return material;
+    material.yields = given.interaction.value_or(false);
+    if (!material.yields || !has_axes) return material;
+    context.add_fault(
+        given, given.interaction, "goes with an isotropic material; this one has numbers by axis");
+    return std::nullopt;
 }
 
 // Finds a table of a deck by its name; adds a fault if the deck has no such table.
@@ -131,11 +130,13 @@ const T* find_table_named(const CheckedWord& name,
     return nullptr;
 }
 
-// Notes materials that no layup and no section has, layups that no section has, and expansions of materials.
+// Notes materials that no layup and no section has, and layups that no section has.
 void note_idle_tables(const BuildContext& context) {
     std::set<std::string> materials, layups;
     for (const SectionTable& section : tables_of<SectionTable>(context.deck, section_table())) {
         if (!section.shape) continue;
+        const auto* own = section.material ? std::get_if<TableName>(&*section.material) : nullptr;
+        if (own != nullptr) materials.insert(own->word);
         if (const auto& walls = section.shape->walls) {
             for (const CheckedWord& name : walls->layup.names) layups.insert(name.word);
         }
@@ -152,14 +153,22 @@ void note_idle_tables(const BuildContext& context) {
          tables_of<ElasticMaterialTable>(context.deck, elastic_material_table())) {
         if (!materials.contains(material.name))
             context.notes.push_back(material.path + ": no layup and no section has it");
-        if (material.expansion)
-            context.notes.push_back(
-                material.path_of(&material.expansion) +
-                ": it acts on nothing yet; heat acts by `expansion` of the section alone");
     }
 }
 
 }  // namespace
+
+const ElasticMaterialTable* look_up_material(const std::string& name, const BuildContext& context) {
+    for (const ElasticMaterialTable& table :
+         tables_of<ElasticMaterialTable>(context.deck, elastic_material_table())) {
+        if (table.name == name) return &table;
+    }
+    return nullptr;
+}
+
+bool is_orthotropic(const ElasticMaterialTable& given) {
+    return given.E.is_list || (given.G && given.G->is_list) || (given.nu && given.nu->is_list);
+}
 
 std::optional<int> SectionMaterials::find(const CheckedWord& name) {
     if (const auto known = known_.find(name.word); known != known_.end()) return known->second;

@@ -8,9 +8,16 @@
 #include "cross_section/elastic_material.hpp"
 #include "cross_section/walls/layup.hpp"
 #include "deck/places/build_context.hpp"
+#include "deck/sections/shapes/material_tables.hpp"
 
 // From [material.NAME] and [layup.NAME] to materials and layups of sections.
 namespace gxrod {
+
+// Returns a [material.NAME], or nullptr.
+const ElasticMaterialTable* look_up_material(const std::string& name, const BuildContext& context);
+
+// Returns whether a material has numbers by axis.
+bool is_orthotropic(const ElasticMaterialTable& given);
 
 // The materials of one section, each once, by their index.
 class SectionMaterials {

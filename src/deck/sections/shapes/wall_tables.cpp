@@ -59,7 +59,7 @@ const TableSpec& mesh_shape_table() {
         .key("scale", &T::scale, "Times the coordinates of the file: 1e-3 for one in mm.")
             .unit("1").above(0).also("factor unit")
         .key("groups", &T::groups, mesh_group_table(), "What the physical groups of surfaces are made of, by their names, or "
-             "numbers if they have none. Every surface is in one.")
+             "numbers if they have none. Every surface is in one. core = \"foam\" is short for core = { material = \"foam\" }.")
             .also("materials regions layers")
         .key("material", &T::material, "What all surfaces are made of, whatever their groups.")
             .names_of({"material"}).also("mat")
