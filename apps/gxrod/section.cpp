@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "check/summaries/rod_summary.hpp"
 #include "cross_section/catalogue/profile_catalogue.hpp"
 #include "cross_section/cross_section.hpp"
-#include "cross_section/stress_measures.hpp"
 #include "exit_code.hpp"
 #include "job.hpp"
 #include "machine/file_error.hpp"
@@ -14,6 +14,8 @@
 #include "report/page_file.hpp"
 #include "report/section/section_picture.hpp"
 #include "say.hpp"
+#include "section_results.hpp"
+#include "summary.hpp"
 #include "verbs.hpp"
 
 namespace gxrod {
@@ -23,9 +25,9 @@ struct SectionArguments {
     std::string source;
     std::vector<std::string> names, overrides;
     std::vector<double> resultants;
-    std::string picture;
+    std::string picture, table;
     double E = 1.0, nu = 0.3;
-    bool force = false;
+    bool force = false, json = false, estimates = false;
 };
 
 struct NamedSection {
@@ -84,64 +86,54 @@ std::vector<NamedSection> find_sections(const SectionArguments& arguments) {
                                                            : "; nearest are " + list_words(nearest)));
 }
 
-struct WorstPoint {
-    double von_mises = -1.0;
-    const StressPoint* point = nullptr;
-    Vec6 stress;
-};
-
-WorstPoint find_worst(const CrossSection& section, const Vec6& resultants) {
-    WorstPoint worst;
-    for (const StressPoint& point : section.stresses.points) {
-        if (point.is_singular) continue;
-        const Vec6 stress = point.stress_operator * resultants;
-        const double von_mises = compute_von_mises(stress);
-        if (von_mises > worst.von_mises) worst = {von_mises, &point, stress};
-    }
-    return worst;
-}
-
-void say_stress(const CrossSection& section, const Vec6& resultants) {
-    const WorstPoint worst = find_worst(section, resultants);
-    say(stdout,
-        "  von Mises stress at most {:.6g}, at ({:.6g}, {:.6g}) in {}: xx {:.6g}, yy {:.6g}, zz {:.6g}, yz "
-        "{:.6g}, "
-        "xz {:.6g}, xy {:.6g}\n",
-        worst.von_mises,
-        worst.point->at.x(),
-        worst.point->at.y(),
-        section.mesh.layers[static_cast<std::size_t>(worst.point->layer)].name,
-        worst.stress[0],
-        worst.stress[1],
-        worst.stress[2],
-        worst.stress[3],
-        worst.stress[4],
-        worst.stress[5]);
-}
-
-void write_picture(const std::string& picture, const SectionArguments& arguments) {
-    if (!arguments.force && std::filesystem::exists(arguments.picture))
-        throw FileError(arguments.picture, "exists", "--force replaces it");
-    PageFile file(arguments.picture);
-    file.out() << picture;
+void write_file(const std::string& path, const std::string& text, const SectionArguments& arguments) {
+    if (!arguments.force && std::filesystem::exists(path))
+        throw FileError(path, "exists", "--force replaces it");
+    PageFile file(path);
+    file.out() << text;
     file.finish();
-    say(stdout, "{}\n", arguments.picture);
+    if (!arguments.json) say(stdout, "{}\n", path);
+}
+
+// What a file can be written of: a section that is cut into cells.
+const CrossSection& shape_to_write(const NamedSection& named) {
+    if (named.section.shape) return *named.section.shape;
+    throw CLI::ValidationError("section", fmt::format("section \"{}\" has no shape to draw", named.name));
+}
+
+void say_section(const Section& section, const std::optional<Vec6>& resultants, bool estimates) {
+    say_text(stdout, describe_section(section));
+    if (!section.shape) {
+        if (resultants || estimates) say(stdout, "  not cut into cells: no stresses and no estimate\n");
+        return;
+    }
+    if (resultants) say_text(stdout, describe_stress(*section.shape, *resultants));
+    if (estimates) say_text(stdout, describe_estimate(*section.shape));
 }
 
 int show_sections(const SectionArguments& arguments) {
     std::optional<Vec6> resultants;
     if (!arguments.resultants.empty()) resultants = Eigen::Map<const Vec6>(arguments.resultants.data());
+    if (!arguments.table.empty() && !resultants)
+        throw CLI::ValidationError("--csv", "give --resultants, of which the stresses are");
     const std::vector<NamedSection> sections = find_sections(arguments);
-    if (!arguments.picture.empty() && sections.size() > 1)
-        throw CLI::ValidationError("section", "a picture shows one section; name it after the file");
-    for (const auto& [name, section] : sections) {
-        say_text(stdout, describe_section(section));
-        if (section.shape && resultants) say_stress(*section.shape, *resultants);
-        if (arguments.picture.empty()) continue;
-        if (!section.shape)
-            throw CLI::ValidationError("section", fmt::format("section \"{}\" has no shape to draw", name));
-        write_picture(draw_section(*section.shape, {.resultants = resultants}), arguments);
+    if (!(arguments.picture.empty() && arguments.table.empty()) && sections.size() > 1)
+        throw CLI::ValidationError("section", "a file is of one section; name it after the deck");
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const NamedSection& named : sections) {
+        if (arguments.json) {
+            json.push_back(section_json(named.section, resultants));
+        } else {
+            say_section(named.section, resultants, arguments.estimates);
+        }
+        if (!arguments.picture.empty())
+            write_file(arguments.picture,
+                       draw_section(shape_to_write(named), {.resultants = resultants}),
+                       arguments);
+        if (!arguments.table.empty())
+            write_file(arguments.table, write_stress_csv(shape_to_write(named), *resultants), arguments);
     }
+    if (arguments.json) write_json("-", json);
     return exit_done;
 }
 
@@ -157,14 +149,21 @@ void add_section_verb(CLI::App& program, int& exit_code) {
         "NAME", arguments->names, "Sections of the deck; all that are cut into cells if left out");
     verb->add_option("--set", arguments->overrides, "KEY=VALUE: change a key of the deck")
         ->allow_extra_args(false);
-    verb->add_option("--resultants",
-                     arguments->resultants,
-                     "N Vy Vz T My Mz: print their largest stress, and colour the picture by stress")
+    verb->add_option(
+            "--resultants",
+            arguments->resultants,
+            "N Vy Vz T My Mz: print their largest stress and how near they are to failure, and colour the "
+            "picture by stress")
         ->expected(6);
     verb->add_option("--E", arguments->E, "Young's modulus of a profile given by name")->default_val(1.0);
     verb->add_option("--nu", arguments->nu, "Poisson's ratio of a profile given by name")->default_val(0.3);
     verb->add_option("-o,--output", arguments->picture, "Picture to write, SVG");
-    verb->add_flag("--force", arguments->force, "Replace an existing picture");
+    verb->add_option("--csv", arguments->table, "File for the stresses of the resultants at all points");
+    verb->add_flag("--json", arguments->json, "Print JSON instead of text");
+    verb->add_flag("--estimate",
+                   arguments->estimates,
+                   "Solve again with an order one higher, and print the change of each constant");
+    verb->add_flag("--force", arguments->force, "Replace existing files");
     verb->callback([arguments, &exit_code] { exit_code = show_sections(*arguments); });
 }
 

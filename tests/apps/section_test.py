@@ -1,5 +1,6 @@
 """gxrod section: constants, stresses and pictures of cross-sections."""
 
+import json
 import re
 import unittest
 from xml.etree import ElementTree
@@ -61,6 +62,43 @@ class SectionVerb(ProgramTest):
         self.assertIn("--force", self.gxrod("section", "IPE 200", "-o", "shear.svg", code=4).stderr)
         self.gxrod("section", "IPE 200", "-o", "shear.svg", "--force")
         self.assertNotIn("von Mises", (self.folder / "shear.svg").read_text(encoding="utf-8"))
+
+    def test_resultants_are_compared_with_strengths_by_each_criterion(self):
+        self.write("frame.toml", DECK)
+        said = self.gxrod("section", "frame.toml", "--resultants", "0", "0", "0", "0", "8e3", "0", "--csv", "stress.csv").stdout
+        found = re.search(r"von Mises: exposure ([\d.e-]+), yield of material at .* in \S+; fails at ([\d.e-]+) times", said)
+        self.assertAlmostEqual(float(found[1]), 8e3 / 194.3168e-6 / 235e6, delta=2e-6)
+        self.assertAlmostEqual(float(found[2]), 1 / float(found[1]), delta=1e-4)
+        rows = (self.folder / "stress.csv").read_text(encoding="utf-8").splitlines()
+        self.assertEqual(rows[0], "y,z,layer,material,xx,yy,zz,yz,xz,xy,von_mises,exposure von-mises")
+        self.assertAlmostEqual(max(float(row.split(",")[-1]) for row in rows[1:]), float(found[1]), delta=1e-6)
+        self.assertIn("--csv: give --resultants", self.gxrod("section", "frame.toml", "--csv", "other.csv", code=2).stderr)
+        plies = """[material.ply]
+E = [141e9, 9.8e9]
+G = 6e9
+nu = 0.3
+strength = { Xt = 1500e6, Xc = 1200e6, Yt = 40e6, Yc = 200e6, S12 = 70e6, S23 = 50e6 }
+[layup.skin]
+plies = [["ply", 1e-3, 0]]
+"""
+        walls = DECK.replace('profile = "IPE 200"', 'walls = { corners = [[-0.01, 0], [0.01, 0]], layup = "skin" }')
+        walls = walls.replace("material = { E = 2.1e11, nu = 0.3, density = 7850, yield_stress = 235e6 }\n", "")
+        self.write("ply.toml", plies + walls.replace('units = "m, N"\n', ""))
+        said = self.gxrod("section", "ply.toml", "--resultants", "10e3", "0", "0", "0", "0", "0").stdout
+        self.assertRegex(said, r"Hashin: exposure 0\.3333\d*, fibre tension of ply at .* fails at (2\.9999|3)")
+        self.assertIn("Tsai–Wu: exposure", said)
+        self.assertIn("maximum stress: exposure 0.3333", said)
+
+    def test_json_and_the_estimate_of_the_error(self):
+        self.write("frame.toml", DECK)
+        said = json.loads(self.gxrod("section", "frame.toml", "--json", "--resultants", "1", "0", "0", "0", "0", "0").stdout)
+        self.assertEqual([one["name"] for one in said], ["post"])
+        self.assertAlmostEqual(said[0]["shape"]["area"] / 2848.4107e-6, 1, delta=4e-6)
+        self.assertAlmostEqual(said[0]["shape"]["yields_at"]["My"] / (220638.65e-9 * 235e6), 1, delta=1e-5)
+        self.assertEqual(len(said[0]["stiffness"]), 6)
+        self.assertEqual(said[0]["stress"]["exposures"][0]["criterion"], "von-mises")
+        changes = dict(re.findall(r"([EGAIJy-z ]+) ([-+][\d.e-]+)[,]", self.gxrod("section", "frame.toml", "--estimate").stdout))
+        self.assertLess(abs(float(changes[" GJ"])), 1e-4)
 
     def test_check_says_how_far_restrained_warping_reaches(self):
         self.write("frame.toml", DECK)
