@@ -9,6 +9,7 @@ import gxrod
 import numpy as np
 import pytest
 from conftest import PLANK, read_csv
+from conftest import gxrod as run_gxrod
 
 PLAN = """deck = "plank.toml"
 [vary]
@@ -132,3 +133,32 @@ def test_ctrl_c_ends_the_batch_after_the_cases_at_hand(folder):
     table = gxrod.read_batch("sweep", as_arrays=True)
     assert 0 < len(table["case"]) < 4000 and set(table["status"]) == {"done"}
     assert sorted(str(path) for path in (folder / "sweep" / "cases").iterdir()) == [str(folder / "sweep" / name) for name in table["results"]]
+
+
+FATIGUE_PLAN = """deck = "plank.toml"
+[vary]
+"parameters.height" = [0.04, 0.05]
+[collect]
+damage = { history = "clamp", quantity = "moment", component = "y", damage = { slope = 4, cycles = 1e6, at = 900, second_slope = 6, factor = 1.1, from = 0.1 } }
+detail = { history = "clamp", quantity = "moment", component = "y", damage = { detail = 800, ultimate = 9000 } }
+load = { history = "clamp", quantity = "moment", component = "y", range = { slope = 4, cycles = 20 } }
+"""
+
+
+def test_fatigue_is_collected_as_it_is_counted_in_python(tmp_path):
+    if not gxrod._has_core():
+        pytest.skip("gxrod has no compiled part here: it is built with -DGXROD_PYTHON_MODULE=ON")
+    deck = PLANK.replace("-800*t", "-300*sin(40*t) - 150*sin(17*t)") + '[[history]]\nname = "clamp"\nat = "plank.start"\nquantities = ["moment"]\n'
+    (tmp_path / "plank.toml").write_text(deck)
+    (tmp_path / "plan.toml").write_text(FATIGUE_PLAN)
+    run_gxrod("batch", "plan.toml", "-o", "out", folder=tmp_path)
+    rows = read_csv(tmp_path / "out" / "index.csv")
+    for i in range(2):
+        history = gxrod.open_results(tmp_path / "out" / "cases" / f"000{i + 1}.vtkhdf")["clamp"]
+        moment = history.moment[:, 1]
+        late = moment[history.time >= 0.1]
+        curve = gxrod.fatigue.SNCurve([(4, 1e6, 900), (6, 1e6, 900)], factor=1.1)
+        assert float(rows["damage"][i]) == pytest.approx(gxrod.fatigue.damage(late, curve), rel=1e-12)
+        assert float(rows["detail"][i]) == pytest.approx(gxrod.fatigue.damage(moment, gxrod.fatigue.SNCurve.eurocode(800), ultimate=9000), rel=1e-12)
+        assert float(rows["load"][i]) == pytest.approx(gxrod.fatigue.equivalent_range(moment, 4, 20), rel=1e-12)
+    assert rows["damage"][0] != rows["damage"][1]

@@ -63,3 +63,37 @@ def test_damage_and_the_equivalent_range():
     assert fatigue.damage(ASTM, fatigue.SNCurve([(3, 1.0, 1.0)])) == pytest.approx(0.5 * 27 + 1.5 * 64 + 0.5 * 216 + 512 + 0.5 * 729)
     with pytest.raises(gxrod.Error, match="ultimate"):
         fatigue.damage([0, 300, 0], curve, ultimate=100)
+
+
+def count_plainly(series):
+    """Rainflow counting as the standard words it, step by step on the list of turning points, and nothing of the package."""
+    points = [series[0]]
+    for value in series[1:]:
+        if value == points[-1]:
+            continue
+        if len(points) > 1 and (points[-1] - points[-2]) * (value - points[-1]) > 0:
+            points[-1] = value
+        else:
+            points.append(value)
+    found, read = [], []
+    for point in points:
+        read.append(point)
+        while len(read) >= 3:
+            X, Y = abs(read[-1] - read[-2]), abs(read[-2] - read[-3])
+            if X < Y:
+                break
+            if len(read) == 3:
+                found.append((Y, 0.5))
+                read.pop(0)
+            else:
+                found.append((Y, 1.0))
+                del read[-3:-1]
+    return found + [(abs(b - a), 0.5) for a, b in zip(read, read[1:])]
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_random_series_are_counted_as_the_standard_words_it(seed):
+    random = np.random.default_rng(seed)
+    series = np.round(random.normal(size=400), 1 + seed % 3)
+    cycles = fatigue.rainflow(series)
+    assert list(zip(cycles.range, cycles.count)) == count_plainly(series.tolist())
