@@ -48,9 +48,12 @@ def layer(name, material, thickness, start=0.0, end=1.0, web=""):
             f"                fiber_orientation: {{grid: [0, 1], values: [0, 0]}}\n                {places}\n")
 
 
-def write(folder, *layers, web=True):
+def write(folder, *layers, web=True, gap=None):
+    """gap: at the trailing edge of the thin airfoil, over the chord; None: it is round."""
     thin = 0.5 * (1.0 + np.cos(ANGLES))
     shape = 0.1 * np.sin(ANGLES) * (1.0 - thin) ** 0.25 * 1.5 * (1.0 - 0.5 * thin)
+    if gap is not None:
+        shape = np.where(ANGLES <= np.pi, 1, -1) * (0.15 * np.sqrt(thin) * (1.0 - thin) + 0.5 * gap * thin)
     lists = {"CX": 0.5 * (1.0 + np.cos(ANGLES)), "CY": 0.5 * np.sin(ANGLES), "TX": thin, "TY": shape}
     tail = TAIL
     for key, values in lists.items():
@@ -83,6 +86,8 @@ def test_a_web_adds_its_area_and_is_joined_to_the_wall(tmp_path):
     inside = 2.0 * np.sqrt(0.96**2 - np.cos(2.0 * np.pi * 0.3) ** 2)
     assert with_web.area - without.area == pytest.approx(0.01 * inside, rel=0.01)
     K, plain = stiffness(with_web, tmp_path), stiffness(without, tmp_path)
+    offset = K[0, 4] - plain[0, 4]  # ∫ E z
+    assert offset == pytest.approx(2e11 * 0.01 * inside * np.cos(2.0 * np.pi * 0.3), rel=0.01)
     assert K[0, 0] - plain[0, 0] == pytest.approx(2e11 * 0.01 * inside, rel=0.03)
     assert K[5, 5] - plain[5, 5] == pytest.approx(2e11 * 0.01 * inside**3 / 12.0, rel=0.06)
 
@@ -107,6 +112,22 @@ def test_walls_of_a_thin_airfoil_are_joined_at_its_trailing_edge(tmp_path, capsy
     K = stiffness(read_windio_layup(write(tmp_path, layer("skin", "glass", 0.004), web=False), 1.0), tmp_path)
     perimeter = K[0, 0] / (40e9 * 0.004)
     assert K[3, 3] == pytest.approx(4.0 * (0.1474 - 0.002 * perimeter) ** 2 * 4e9 * 0.004 / perimeter, rel=0.06)
+
+
+def bredt(folder, thickness, gap):
+    """Torsion stiffness of the thin airfoil with one layer over that of a closed thin wall, 4 A² G t/perimeter."""
+    section = read_windio_layup(write(folder, layer("skin", "glass", thickness), web=False, gap=gap), 1.0)
+    x = np.linspace(0.0, 1.0, 20001)
+    y = 0.15 * np.sqrt(x) * (1.0 - x) + 0.5 * gap * x
+    perimeter = 2.0 * np.sum(np.hypot(np.diff(x), np.diff(y))) + gap
+    area = 2.0 * np.trapz(y, x) - 0.5 * thickness * perimeter
+    return stiffness(section, folder)[3, 3] / (4.0 * area**2 * 4e9 * thickness / perimeter)
+
+
+@pytest.mark.parametrize("thickness, gap", [(0.001, 0.02), (0.002, 0.001), (0.002, 0.0)])
+def test_trailing_edges_are_closed(thickness, gap, tmp_path):
+    """A wall across a blunt edge; walls that meet before the edge, whose cell is shorter; a sharp edge. An open wall would be hundreds of times softer."""
+    assert bredt(tmp_path, thickness, gap) == pytest.approx(1.0, abs=0.03 if gap > thickness else 0.06)
 
 
 LAYUP_FAULTS = [

@@ -227,7 +227,7 @@ TEST_CASE("What is collected must be there", "[batch]") {
     CHECK(faults_of_collect("a = { ledger = \"strain_energy\", at = 2 }") ==
           "plan.toml:5:5: collect.a.at: 2 is after the end, 1");
     CHECK(faults_of_collect("a = { ledger = \"strain_energy\" }") ==
-          "plan.toml:5:5: collect.a: missing; expected take or at or damage or range");
+          "plan.toml:5:5: collect.a: missing; expected take or at or damage = { … } or range = { … }");
     CHECK(faults_of_collect("a = { take = \"max\" }") ==
           "plan.toml:5:5: collect.a: missing; expected history or ledger or stage");
     CHECK(faults_of_collect("a = { history = \"tip\", take = \"max\" }")
@@ -259,12 +259,12 @@ load = { ledger = "strain_energy", range = { slope = 4, cycles = 600 } }
           "damage from t = 0.5 on, slope 10, 1000000 cycles at 30, of strain_energy");
     CHECK(describe(collections[2]) == "equivalent range, slope 4, 600 cycles, of strain_energy");
     CHECK(faults_of_collect("a = { ledger = \"strain_energy\", damage = { detail = 71, limit = 2 } }") ==
-          "plan.toml:5:51: collect.a.damage.limit: goes with slope only");
+          "plan.toml:5:57: collect.a.damage.limit: goes with slope, and this table has detail");
     CHECK(
         faults_of_collect(
             "a = { ledger = \"strain_energy\", damage = { slope = 3, second_slope = 5, cycles = 1e6, at = 3, "
             "limit = 4 } }") ==
-        "plan.toml:5:112: collect.a.damage.limit: expected lines for smaller and smaller ranges, down to the "
+        "plan.toml:5:103: collect.a.damage.limit: expected lines for smaller and smaller ranges, down to the "
         "limit");
     CHECK(faults_of_collect(
               "a = { ledger = \"strain_energy\", range = { slope = 4, cycles = 600, from = 2 } }") ==

@@ -126,14 +126,18 @@ class AirfoilMesher:
         across = 0.5 * web.thickness - depths
         first, second = self.outline.at(np.array([web.start, web.end]))
         normal = np.array([first[1] - second[1], second[0] - first[0]]) / np.linalg.norm(second - first)
-        return web.start + across / self.rate_across(web.start, normal), web.end - across / self.rate_across(web.end, normal)
+        normal *= -np.sign(normal[1])  # towards the leading edge
+        return tuple(self.foot_at(place, normal, float(np.dot(point, normal)) + across) for place, point in ((web.start, first), (web.end, second)))
 
-    def rate_across(self, place: float, normal: Array) -> float:
-        """How far the inner surface goes along a direction, over the change of s."""
+    def foot_at(self, place: float, normal: Array, wanted: Array) -> Array:
+        """Places near one of the outline whose points on the inner surface are at wanted distances along a direction."""
         depth = sum(layer.thickness for layer in self.walls if layer.start < place < layer.end)
-        near = place + np.array([-1.0, 1.0]) * 0.5 / len(self.outline.s)
-        inner = self.outline.at(near) + depth * self.outline.inward(near)
-        return abs(float(np.dot(inner[1] - inner[0], normal)) / (near[1] - near[0]))
+        along = lambda s: (self.outline.at(s) + depth * self.outline.inward(s)) @ normal
+        step = 0.5 / len(self.outline.s)
+        places = np.full(len(wanted), place)
+        for _ in range(4):
+            places = places + (wanted - along(places)) / ((along(places + step) - along(places - step)) / (2.0 * step))
+        return places
 
     def shift_edges(self, feet: list[Array]) -> list[tuple[float, float, float]]:
         """Start, end and half the length of the ramps of each layer of the wall; ramps are moved out of the feet of webs."""
