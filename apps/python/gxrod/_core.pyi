@@ -221,3 +221,19 @@ class Simulation:
     @property
     def orientation(self, /) -> numpy.typing.NDArray[numpy.float64]:
         """A read-only view [N,4]: w x y z."""
+
+class SNCurve:
+    def find_fault(self) -> str: ...
+
+    def endured_cycles(self, range: float) -> float: ...
+
+def make_curve(lines: Sequence[Sequence[float]], limit: float, factor: float) -> SNCurve: ...
+
+def list_eurocode_lines(category: float) -> tuple[list[list[float]], float]: ...
+
+def rainflow(values: Sequence[float]) -> list[list[float]]:
+    """Rows of range, mean and count."""
+
+def compute_damage(cycles: Sequence[Sequence[float]], curve: SNCurve, ultimate: float) -> float: ...
+
+def compute_equivalent_range(cycles: Sequence[Sequence[float]], slope: float, number: float) -> float: ...
