@@ -94,6 +94,14 @@ class StressPage(PageTest):
             row = np.nanargmax(envelope["exposure/value"][()])
             expected = envelope["von_mises/value"][row]
         self.assertAlmostEqual(self.panel("Math.max(...panel.values)") / expected, 1.0, 4)
+        self.browser.run("document.querySelectorAll('.utilisation tbody tr')[1].click()")
+        self.browser.settle()
+        ring, place = self.browser.run("""
+            const { plot, figure, attention } = document.querySelector("#stress .figure").chart();
+            const { m41, m42 } = new DOMMatrix(getComputedStyle(plot.rings.chosen).transform);
+            const { left, top } = figure.find(plot, attention.chosen);
+            return [[m41, m42], [left, top]];""")
+        np.testing.assert_allclose(ring, place, atol=0.5)
         self.slide(1)
         self.assertNotIn("worst", self.text(".section .place output"))
 

@@ -14,6 +14,7 @@ HEIGHT, SECTION_HEIGHT = 4.2, 6.4
 COLOURS = (BLUE, ORANGE, GREEN, PURPLE, BROWN, BLACK)
 TITLES = {"von_mises": "von Mises stress", "exposure": "exposure"}
 STRESS = "force/length²"
+CRITERIA = {"von-mises": "von Mises", "tsai-wu": "Tsai–Wu", "hashin": "Hashin", "max-stress": "the largest stress"}
 
 
 @dataclass
@@ -68,7 +69,7 @@ def draw_envelopes(figure, results, envelopes, measure):
         axes.axhline(1.0, color=RED, linewidth=1.1, linestyle=(0, (5, 3)))
     axes.set_ylim(bottom=0.0)
     axes.margins(x=0.02)
-    axes.set_title(f"Largest {TITLES[measure]} of all steps" + (f", by {envelopes[0].criterion}" if measure == "exposure" else ""))
+    axes.set_title(f"Largest {TITLES[measure]} of all steps" + (f", by {CRITERIA.get(envelopes[0].criterion, envelopes[0].criterion)}" if measure == "exposure" else ""))
     axes.set_ylabel(", ".join(filter(None, (TITLES[measure], unit))))
     axes.set_xlabel(f"arc length, {results.unit_of('length')}" if results.unit_of("length") != "length" else "arc length")
     others = len(envelopes) - len(COLOURS)
@@ -146,4 +147,5 @@ def draw_section(figure, results, place):
     figure.supxlabel(f"○ {values[worst]:.4g} {unit} at ({y[worst]:.4g}, {z[worst]:.4g}){layer}\n{forces}", fontsize=9)
     axes.set_ylabel(f"z, {length}")
     axes.set_aspect("equal")
+    axes.locator_params(axis="x", nbins=3 if np.ptp(y) < 0.7 * np.ptp(z) else 6)
     axes.grid(False)

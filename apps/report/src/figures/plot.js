@@ -34,7 +34,7 @@ export class Plot {
         scales: { x: ends(figure.x), y: ends(figure.y) },
         axes: [this.axis(figure.x, false), this.axis(figure.y, true)],
         series: [{}, { paths: () => null, points: { show: false } }],
-        hooks: { draw: [() => this.draw()] },
+        hooks: { draw: [() => this.draw(), () => this.placeRings()] }, // only now the axes are known
       },
       [figure.x.range, [null, null]],
       this.body,
