@@ -199,6 +199,9 @@ shape = {{ rectangle = {{ width_y = 0.03, height_z = 0.05 }} }}
         law = "shape = { circle = { radius = 0.02 } }\nmaterial = { E = 2.1e11, nu = 0.3, yield_stress = 2e8 }"
         faults = self.faults(deck(law))
         self.assertIn("beam (its section has a law, ", faults)
+        file, done = self.run_deck(deck(law.replace("2e8", "2e8, elastic = true")))
+        np.testing.assert_allclose(file["envelopes/exposure/value"][:] * 2e8, file["envelopes/von_mises/value"][:], rtol=1e-9)
+        self.assertIn("largest exposure", done.stdout)
         self.assertIn('"von_mises": the section has a law, ', faults)
         self.assertIn('expected one of "von-mises", "tsai-wu", "hashin", "max-stress", found "von-mieses"; did you mean "von-mises"?',
                       self.faults(deck(circle()).replace('"von-mises"', '"von-mieses"')))

@@ -108,6 +108,9 @@ std::vector<RoundTrip> law_trips() {
         {"section.NAME.material.interaction",
          replaced(trips.back().deck, "yield_stress = 0.01", "yield_stress = 0.01, interaction = true"),
          sees<FibreLaw>([](const FibreLaw& law) { return law.fibre_count() == 576; })});
+    trips.push_back({"section.NAME.material.elastic",
+                     replaced(trips.back().deck, "interaction = true", "elastic = true"),
+                     [](const Problem& p) { return p.model.sections[0].law == nullptr; }});
     return trips;
 }
 

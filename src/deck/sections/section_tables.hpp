@@ -47,7 +47,7 @@ struct MaterialTable : TableHead {
     ArcNumber E;
     std::optional<ArcNumber> nu, G;
     std::optional<ArcNumber> yield_stress, density, shear_factor, expansion;
-    std::optional<bool> interaction;
+    std::optional<bool> interaction, elastic;
 };
 
 struct DampingTable : TableHead {

@@ -237,7 +237,7 @@ bool yields_by_shape(const ShapeLawSource& source) {
     if (is_cut(source.given, source.context))
         return source.section.shape && has_yielding_cells(*source.section.shape);
     const std::optional<MaterialTable> material = find_shape_material(source.given, source.context);
-    return material && material->yield_stress;
+    return material && material->yield_stress && !material->elastic.value_or(false);
 }
 
 std::shared_ptr<const SectionLaw> make_shape_law(const ShapeLawSource& source) {

@@ -53,11 +53,15 @@ const TableSpec& elastic_material_table() {
         .key("interaction", &T::interaction, "true: what is made of it yields by fibres, so that axial force and bending moments "
              "interact; torsion and shear of what is cut into cells stay elastic. Isotropic materials only.")
             .only_with("yield_stress").also("fibres fibers interact")
+        .key("elastic", &T::elastic, "true: nothing yields, and the yield stress is a limit that stresses are compared with "
+             "([stresses](guide/sections.md#stresses-over-time)), for circles, tubes and rectangles as for other shapes.")
+            .only_with("yield_stress")
         .key("strength", &T::strength, strength_table(), "Limits of a ply, for the criteria of Tsai and Wu, of Hashin and of "
              "the largest stress, by which exposure is recorded.")
             .also("strengths limits failure")
         .key("expansion", &T::expansion, "Strain by heat, or by axis, for the temperatures of [[actuation]].")
             .unit("1/temperature").otherwise("0").also("alpha thermal_expansion cte")
+        .at_most_one_of({"interaction", "elastic"})
         .shown_by(
             "[material.carbon]\n"
             "E        = [141e9, 9.8e9]\n"

@@ -20,7 +20,7 @@ struct ElasticMaterialTable : TableHead {
     std::optional<AxisNumbers> G, nu;
     double density = 0.0;
     std::optional<double> yield_stress;
-    std::optional<bool> interaction;
+    std::optional<bool> interaction, elastic;
     std::optional<StrengthTable> strength;
     std::optional<AxisNumbers> expansion;
 };

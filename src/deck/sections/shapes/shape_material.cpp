@@ -30,6 +30,7 @@ MaterialTable take_numbers(const ElasticMaterialTable& given) {
     if (given.yield_stress) table.yield_stress = *given.yield_stress;
     if (given.expansion) table.expansion = given.expansion->numbers.front();
     table.interaction = given.interaction;
+    table.elastic = given.elastic;
     return table;
 }
 
@@ -77,6 +78,9 @@ const TableSpec& shape_material_table() {
         .key("interaction", &T::interaction, "true: axial force and bending moments yield together, by 192 to 768 "
              "fibres; more exact for columns, and slower. Of a shape that is cut into cells torsion and shear stay elastic.")
             .only_with("yield_stress").also("fibres fibers interact")
+        .key("elastic", &T::elastic, "true: nothing yields, and the yield stress is a limit that stresses are compared with "
+             "([stresses](guide/sections.md#stresses-over-time)), for circles, tubes and rectangles as for other shapes.")
+            .only_with("yield_stress")
         .key("density", &T::density, "Mass per volume.")
             .unit("mass/length³").above(0).otherwise("none if static, else required")
             .also("rho mass_density specific_mass")
@@ -87,6 +91,7 @@ const TableSpec& shape_material_table() {
              "rectangle has one along y and another along z.")
             .unit("1").above(0).otherwise("exact, for the shape and nu")
             .also("kappa k shear_correction shear_correction_factor shear_coefficient")
+        .at_most_one_of({"interaction", "elastic"})
         .exactly_one_of({"nu", "G"});
     // clang-format on
     return table;
