@@ -61,6 +61,14 @@ TEST_CASE("A material by its name is the same as its numbers in the section", "[
     }
 }
 
+TEST_CASE("A material that stays elastic makes no law", "[deck][sections]") {
+    const std::string circle = "circle = { radius = 0.05 }";
+    CHECK(read(named_deck(circle)).model.sections[0].law != nullptr);
+    CHECK(read(named_deck(circle, steel_table() + "elastic = true\n")).model.sections[0].law == nullptr);
+    CHECK(faults_of(named_deck(circle, steel_table() + "elastic = true\ninteraction = true\n"))
+              .ends_with("material.steel.elastic: interaction is given too; only one of them can be"));
+}
+
 TEST_CASE("An override reaches a material by its name", "[deck][sections]") {
     const std::string deck = named_deck("box = { height = 0.2, width = 0.1, wall = 0.01 }");
     const Mat6 stiff = read(deck, {"material.steel.E = 4.2e11"}).model.sections[0].stiffness;
