@@ -7,6 +7,7 @@ gxrod, in degrees.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -101,7 +102,7 @@ class Reader:
             values += self.row(tuple(range(1, count - len(values) + 1)), f"{what}, {count - len(values)} more")
         return values
 
-    def find(self, known, number: int, what: str, line: int):
+    def find(self, known: dict[int, Any], number: int, what: str, line: int) -> Any:
         if number not in known:
             raise self.lines.fault(f"there is no {what} {number}, the file has {', '.join(map(str, known))}", f"correct this line, or add the {what}", line)
         return known[number]
