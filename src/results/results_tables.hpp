@@ -9,7 +9,7 @@
 #include "results/tables/sample_table.hpp"
 #include "results/tables/stage_table.hpp"
 #include "results/tables/step_table.hpp"
-#include "results/tables/stress_table.hpp"
+#include "results/stresses/stress_table.hpp"
 
 namespace gxrod {
 

@@ -14,7 +14,7 @@
 #include "model/evaluation_error.hpp"
 #include "model/settings/analysis_traits.hpp"
 #include "model/settings/frame_interval.hpp"
-#include "results/tables/stress_table.hpp"
+#include "results/stresses/stress_table.hpp"
 #include "watch/history_watch.hpp"
 #include "watch/stress_words.hpp"
 

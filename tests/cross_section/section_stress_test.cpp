@@ -1,6 +1,5 @@
 #include "cross_section/section_stress.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
@@ -8,6 +7,7 @@
 #include "cross_section/section_meshes.hpp"
 #include "cross_section/stress_measures.hpp"
 #include "cross_section/walls/solid_meshes.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -32,7 +32,7 @@ DIRECT = {
     "check": ["solvers", "cross_section"],
     "geometry": ["rotation", "numerics"],
     "mesh": ["model", "geometry", "machine", "cross_section"],
-    "watch": ["state"],
+    "watch": ["state", "cross_section"],
     "deck": ["watch", "mesh", "laws", "environment"],
     "results": ["watch", "machine"],
     "analyses": ["check"],

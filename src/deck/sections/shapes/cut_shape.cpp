@@ -14,9 +14,9 @@
 #include "deck/sections/shapes/profile_outline.hpp"
 #include "deck/sections/shapes/shape_material.hpp"
 #include "deck/sections/shapes/wall_shape.hpp"
-#include "mesh/sections/held_meshes.hpp"
 #include "machine/digest.hpp"
 #include "mesh/line_mesh.hpp"
+#include "mesh/sections/held_meshes.hpp"
 #include "mesh/sections/section_mesher.hpp"
 #include "model/sections/section_centres.hpp"
 

@@ -1,10 +1,10 @@
-#include "results/tables/stress_table.hpp"
+#include "results/stresses/stress_table.hpp"
 
 #include <array>
 #include <limits>
 #include <stdexcept>
 
-#include "results/tables/cross_section_table.hpp"
+#include "results/stresses/cross_section_table.hpp"
 #include "watch/history_watch.hpp"
 
 namespace gxrod {

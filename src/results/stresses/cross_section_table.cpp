@@ -1,4 +1,4 @@
-#include "results/tables/cross_section_table.hpp"
+#include "results/stresses/cross_section_table.hpp"
 
 #include <fmt/format.h>
 
