@@ -1,5 +1,6 @@
 #include "watch/stress_watch.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <limits>
 
@@ -20,14 +21,15 @@ void keep_larger(const StressWatch& watch,
                  const Vec6& resultants,
                  double time,
                  WorstStress& worst) {
-    const SectionStresses& first = watch.stresses_of(shapes.front().first);
+    const SectionStresses& first = watch.stresses_of(shapes.front().shape);
     const std::optional<LargestStress> found =
-        (first.*search)(resultants, shapes.size() == 1 ? worst.value : 0.0);
+        (first.*search)(shapes.front().resultants(resultants), shapes.size() == 1 ? worst.value : 0.0);
     if (!found) return;
-    double value = shapes.front().second * found->value;
+    double value = shapes.front().part * found->value;
     for (std::size_t i = 1; i < shapes.size(); ++i) {
-        const auto other = (watch.stresses_of(shapes[i].first).*search)(resultants, 0.0);
-        value += other ? shapes[i].second * other->value : 0.0;
+        const auto other =
+            (watch.stresses_of(shapes[i].shape).*search)(shapes[i].resultants(resultants), 0.0);
+        value += other ? shapes[i].part * other->value : 0.0;
     }
     if (value <= worst.value) return;
     const StressPoint& point = first.section()->stresses.points[static_cast<std::size_t>(found->point)];
@@ -57,7 +59,10 @@ ShapeShares StressWatch::shapes_at(const RodPlace& place) const {
     ShapeShares shares;
     for (const ShapePart& one : find_shapes(*model_, place)) {
         const auto found = std::ranges::find(listed_, one.shape, &ListedShape::shape);
-        shares.emplace_back(static_cast<int>(found - listed_.begin()), one.part);
+        shares.push_back({static_cast<int>(found - listed_.begin()), one.part});
+        if (one.between == nullptr) continue;
+        const Mat6& own = one.shape->properties.stiffness;
+        shares.back().transfer = one.between->stiffness.ldlt().solve(own).transpose();
     }
     return shares;
 }
@@ -67,13 +72,14 @@ StressWatch::Largest StressWatch::find_largest(const ShapeShares& shapes, const 
     if (shapes.empty()) return {nan, nan};
     const Vec6 resultants = join(middle.force, middle.moment);
     Largest largest;
-    for (const auto& [shape, part] : shapes) {
+    for (const ShapeShare& share : shapes) {
         const auto value = [&](const std::optional<LargestStress>& found) {
-            return found ? part * found->value : nan;
+            return found ? share.part * found->value : nan;
         };
-        const SectionStresses& stresses = stresses_of(shape);
-        largest.von_mises += value(stresses.find_von_mises(resultants));
-        largest.exposure += value(stresses.find_exposure(resultants));
+        const SectionStresses& stresses = stresses_of(share.shape);
+        const Vec6 own = share.resultants(resultants);
+        largest.von_mises += value(stresses.find_von_mises(own));
+        largest.exposure += value(stresses.find_exposure(own));
     }
     return largest;
 }

@@ -12,9 +12,16 @@ namespace gxrod {
 // Lists the stress places of all elements whose sections have shapes on cells there and no law.
 std::vector<RodPlace> list_stress_places(const Model& model);
 
-// The shapes at a place, by their numbers in StressWatch::shapes, with their parts of all values; that with
-// the largest part first.
-using ShapeShares = std::vector<std::pair<int, double>>;
+// A shape at a place, by its number in StressWatch::shapes, with its part of all values.
+struct ShapeShare {
+    int shape = 0;
+    double part = 1.0;
+    // Between two stations: takes the resultants at the place to those of the shape under the same strains.
+    std::optional<Mat6> transfer = {};
+
+    Vec6 resultants(const Vec6& at_place) const { return transfer ? Vec6(*transfer * at_place) : at_place; }
+};
+using ShapeShares = std::vector<ShapeShare>;  // that with the largest part first
 
 // Computes stresses of all rods.
 class StressWatch {

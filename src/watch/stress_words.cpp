@@ -17,7 +17,7 @@ std::string describe_where(const Model& model,
                        arc_length_at(model, place.at),
                        worst.at.x(),
                        worst.at.y(),
-                       watch.shapes()[static_cast<std::size_t>(place.shapes.front().first)].name,
+                       watch.shapes()[static_cast<std::size_t>(place.shapes.front().shape)].name,
                        worst.time);
 }
 

@@ -186,8 +186,9 @@ shape = {{ rectangle = {{ width_y = 0.03, height_z = 0.05 }} }}
 {STEEL}""").replace('section = "beam"', 'sections = [[0, "thick"], [1, "thin"]]')
         file, _ = self.run_deck(text)
         s = file["envelopes/arc_length"][:]
-        modulus = [0.03 * height**2 / 6 for height in (0.06, 0.05)]
-        expected = (2 - s) * ((1 - s / 2) / modulus[0] + s / 2 / modulus[1])
+        inertia = [0.03 * height**3 / 12 for height in (0.06, 0.05)]
+        curvature = (2 - s) / (2.1e11 * ((1 - s / 2) * inertia[0] + s / 2 * inertia[1]))
+        expected = 2.1e11 * curvature * ((1 - s / 2) * 0.03 + s / 2 * 0.025)
         inside = s < 1.7
         np.testing.assert_allclose(file["envelopes/von_mises/value"][:][inside], expected[inside], rtol=5e-4)
 

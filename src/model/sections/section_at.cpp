@@ -36,10 +36,11 @@ void add_parts(const Section& section, double part, std::vector<ShapePart>& part
     const auto add = [&](const std::shared_ptr<const CrossSection>& shape, double share) {
         if (!shape || share == 0.0) return;
         const auto known = std::ranges::find(parts, shape, &ShapePart::shape);
-        if (known != parts.end())
+        if (!section.other_shape && known != parts.end()) {
             known->part += share;
-        else
-            parts.push_back({shape, share});
+            return;
+        }
+        parts.push_back({shape, share, section.other_shape ? &section : nullptr});
     };
     add(section.shape, part * (1.0 - section.other_part));
     add(section.other_shape, part * section.other_part);

@@ -25,6 +25,7 @@ std::vector<RodPlace> list_stress_places(const Model& model, int rod, int elemen
 struct ShapePart {
     std::shared_ptr<const CrossSection> shape;
     double part = 1.0;
+    const Section* between = nullptr;  // the section at the place, where that lies between two stations
 };
 
 // Lists the shapes at a place, that with the largest part first: one, or of a place between two stations, or

@@ -70,7 +70,7 @@ void StressTable::write_places(const Model& model) const {
     for (const StressEnvelope::Place& place : envelope_.places()) {
         rods.push_back(place.at.rod);
         elements.push_back(place.at.element);
-        sections.push_back(place.shapes.front().first);
+        sections.push_back(place.shapes.front().shape);
         arc_lengths.push_back(arc_length_at(model, place.at));
     }
     using Integers = std::span<const std::int64_t>;
@@ -149,7 +149,7 @@ void StressTable::flush() {
     write(envelope_.von_mises(), von_mises_);
     std::vector<WorstStress> exposure = envelope_.exposure();
     for (std::size_t i = 0; i < exposure.size(); ++i) {
-        if (!watch_->stresses_of(envelope_.places()[i].shapes.front().first).has_strength())
+        if (!watch_->stresses_of(envelope_.places()[i].shapes.front().shape).has_strength())
             exposure[i].value = std::numeric_limits<double>::quiet_NaN();
     }
     write(exposure, exposure_);

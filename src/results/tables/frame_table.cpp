@@ -182,7 +182,7 @@ void FrameTable::create_stresses(const Hdf5Handle& cell_data, const Hdf5Handle& 
     }
     if (has_link(cell_data, "section")) return;
     std::vector<std::int64_t> numbers;
-    for (const ShapeShares& shapes : shapes_) numbers.push_back(shapes.empty() ? -1 : shapes.front().first);
+    for (const ShapeShares& shapes : shapes_) numbers.push_back(shapes.empty() ? -1 : shapes.front().shape);
     write_dataset(
         cell_data,
         {"section", "number in /sections at the element's middle; -1 without stresses", "none", "1"},
