@@ -293,6 +293,7 @@ quantities = ["effective_tension", "wall_tension", "water_velocity", "wet_fracti
 [[history]]
 name = "boom"
 at = "boom.start"
+point = [0.05, 0.03]
 quantities = ["stress", "von_mises", "principal_stress", "exposure", "stress_place"]
 [[history]]
 name = "float"

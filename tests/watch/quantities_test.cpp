@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "cross_section/cross_section.hpp"
+#include "cross_section/walls/solid_meshes.hpp"
 #include "elements/tie_values.hpp"
 #include "results/sample.hpp"
 #include "tools/catch.hpp"
@@ -61,7 +63,7 @@ TEST_CASE("a kind of thing has a word once, and each word is in the list of all"
         for (const std::string& word : words) CHECK(std::ranges::find(all, word) != all.end());
     }
     CHECK(sorted_words("obstacle") == sorted_words("contact"));
-    CHECK(find_quantity("stress") == nullptr);
+    CHECK(find_quantity("stretch") == nullptr);
     CHECK(find_quantity(WatchedTie{TieKind::spring}, "position") == nullptr);
     CHECK_THROWS_WITH(quantity_of(WatchedTie{TieKind::spring}, "position"),
                       "this spring has no quantity \"position\"");
@@ -70,6 +72,10 @@ TEST_CASE("a kind of thing has a word once, and each word is in the list of all"
 TEST_CASE("the value of a quantity is a row of its columns", "[watch]") {
     Model model = sample::make_model();
     model.joints.resize(1);
+    const ElasticMaterial steel{
+        .name = "steel", .stiffness = compute_isotropic_stiffness(1.0, 0.3), .yield_stress = 1.0};
+    for (Section& section : model.sections)
+        section.shape = compute_cross_section("square", mesh_rectangle(1.0, 1.0), {steel});
     const sample::Motion motion(0.7);
     TieValues ties;
     std::get<0>(ties.lists) = {{0.5, 2.0}};

@@ -30,7 +30,7 @@ const TableSpec& history_table() {
             .required().also("id label")
         .key("at", &T::at, "A point of a rod, between nodes too, a body, a spring, a bushing, a joint, a gear, a "
              "tendon or an obstacle; a rod, for what touches it.")
-            .required().also("pos position point node location where on")
+            .required().also("pos position node location where on")
         .key("with", &T::with, "Of a rod: the obstacle or the rod (itself, too) whose contact alone counts.")
             .otherwise("all that touches")
         .key("relative_to", &T::relative_to, "A point whose section axes (body axes of a body) the components are in, "

@@ -122,7 +122,8 @@ TEST_CASE("Two strips of metals, upside down, bend by heat as their mean in betw
         "shape = { walls = { corners = [[-2, 0], [2, 0]], layup = \"turned\" } }\n[rod.r]";
     const std::string deck = replaced(
         replaced(bimetal_deck, "[rod.r]", other), "section = \"s\"", "sections = [[0, \"s\"], [1, \"t\"]]");
-    const Actuation& heat = read(deck).model.actuations.at(1);
+    const Problem problem = read(deck);
+    const Actuation& heat = problem.model.actuations.at(1);
     // At the first force point of eight elements of order 3, almost as at the start.
     const double s = 100.0 / 8.0 * 0.5 * (1.0 - std::sqrt(0.6));
     CHECK(heat.strain[4](1.0, s) == Approx(curvature * (1.0 - 2.0 * s / length)));

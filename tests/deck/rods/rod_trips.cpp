@@ -71,7 +71,7 @@ std::vector<RoundTrip> shape_trips() {
          [](const Problem& p) { return p.model.sections[0].stiffness(3, 3) == 5.0 * M_PI / 2.0; }},
         {"section.NAME.material.density", with_shape(circle, "E = 3, nu = 0, density = 9"), area(9 * M_PI)},
         {"section.NAME.material.expansion",
-         with_shape(circle, "E = 3, nu = 0, expansion = 2e-5"),
+         with_shape(circle, "E = 3, nu = 0, density = 1, expansion = 2e-5"),
          [](const Problem& p) { return p.model.sections[0].expansion == 2e-5; }},
         {"section.NAME.material.shear_factor",
          with_shape(circle, "E = 2, nu = 0, density = 1, shear_factor = 0.25"),

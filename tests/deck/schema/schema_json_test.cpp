@@ -11,7 +11,10 @@ using Json = nlohmann::json;
 // The part of the JSON Schema that describes the inside of a key's table or tables.
 const Json& inside(const Json& schema, KeyShape shape) {
     if (shape == KeyShape::table_list) return schema.at("items");
-    if (shape == KeyShape::named_tables) return schema.at("patternProperties").begin().value();
+    if (shape == KeyShape::named_tables) {
+        const Json& named = schema.at("patternProperties").begin().value();
+        return named.contains("anyOf") ? named.at("anyOf").front() : named;  // or a short form
+    }
     if (shape == KeyShape::value) return schema.at("anyOf").back();
     return schema;
 }

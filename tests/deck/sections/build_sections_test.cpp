@@ -143,7 +143,8 @@ TEST_CASE("A section has one kind of stiffness and one of inertia", "[deck]") {
     CHECK(faults_of(with_section(stiffness + inertia + "mass_matrix = " + identity)) ==
           "x.toml:4:1: section.s.mass_matrix: inertia is given too; only one of them can be");
     CHECK(faults_of(with_section(shape)) ==
-          "x.toml:1:1: section.s.material: missing; expected a table material = { … }");
+          "x.toml:1:1: section.s.material: missing; expected the name of a material, or a table "
+          "material = { … }");
     CHECK(faults_of(with_section(shape + material + inertia)) ==
           "x.toml:3:1: section.s.material: inertia is given too; only one of them can be");
     CHECK(faults_of(with_section(stiffness + material)) ==

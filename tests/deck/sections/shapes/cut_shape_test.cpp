@@ -130,10 +130,6 @@ TEST_CASE("keys that a shape on cells does not have are refused", "[deck][sectio
         faults_of(channel("yield_stress = 235", "shear_factor = 0.5")),
         Contains("x.toml:5:50: section.s.material.shear_factor: goes with a circle, a tube or a rectangle"));
     CHECK_THAT(
-        faults_of(channel("yield_stress = 235", "yield_stress = 235, interaction = true")),
-        Contains(
-            "section.s.material.interaction: goes with a circle, a tube or a rectangle; the yield stress"));
-    CHECK_THAT(
         faults_of(channel("nu = 0.3", "nu = 0.5")),
         Contains("x.toml:5:30: section.s.material.nu: nu = 0.5; expected more than -1 and at most 0.4999"));
     CHECK_THAT(faults_of(channel("nu = 0.3", "G = 50e3")),
