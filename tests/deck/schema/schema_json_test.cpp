@@ -13,7 +13,7 @@ const Json& inside(const Json& schema, KeyShape shape) {
     if (shape == KeyShape::table_list) return schema.at("items");
     if (shape == KeyShape::named_tables) {
         const Json& named = schema.at("patternProperties").begin().value();
-        return named.contains("anyOf") ? named.at("anyOf").front() : named;  // or a short form
+        return named.contains("type") ? named : named.at("anyOf").front();  // and a short form
     }
     if (shape == KeyShape::value) return schema.at("anyOf").back();
     return schema;
