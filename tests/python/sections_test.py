@@ -50,3 +50,47 @@ def test_faults_are_those_of_a_deck():
         gxrod.Section.profile("IPE 205", STEEL, units="m, N")
     with pytest.raises(TypeError, match="Section.profile"):
         gxrod.Section()
+
+
+PLAIN = """[section.s]
+shape = {{ {} }}
+material = {{ E = 1.0, nu = 0.3 }}
+[rod.r]
+section = "s"
+line = {{ from = [0, 0, 0], to = [50, 0, 0] }}
+elements = 2
+[[support]]
+at = "r.start"
+fix = "all"
+[analysis]
+kind = "static"
+[output]
+stresses = "von-mises"
+"""
+CIRCLE, SQUARE = "circle = { radius = 1 }", "rectangle = { width_y = 1, height_z = 1 }"
+TUBE = "tube = { outer_radius = 0.1, inner_radius = 0.09 }"
+
+
+def stress_at(section, resultant, place):
+    """(xx, yy, zz, yz, xz, xy) of a unit resultant at the nearest point."""
+    points = np.array(section.points)[:, :2]
+    return section.stress(np.eye(6)[resultant])[((points - place)**2).sum(axis=1).argmin()]
+
+
+# Resultants N Vy Vz T My Mz; closed forms and series.
+@pytest.mark.parametrize("shape, resultant, place, component, exact, tolerance", [
+    (CIRCLE, 1, (0, 0), 5, 0.4407367655, 2e-5), (CIRCLE, 1, (0, 1), 5, 0.3917660138, 2e-4),
+    (CIRCLE, 3, (0, 1), 5, -0.6366197724, 2e-4), (CIRCLE, 4, (0, 1), 0, 1.2732395447, 2e-4),
+    (SQUARE, 3, (0, 0.5), 5, -4.803875538, 5e-4), (SQUARE, 1, (0, 0), 5, 1.39658929, 2e-4), (SQUARE, 1, (0, 0.5), 5, 1.71853322, 2e-4),
+    (TUBE, 1, (0, 0.09), 5, 348.590870, 2e-4), (TUBE, 1, (0, 0.1), 5, 321.535206, 2e-4), (TUBE, 3, (0.1, 0), 4, 1851.177006, 2e-4)])
+def test_plain_shapes_have_the_stresses_of_their_closed_forms(shape, resultant, place, component, exact, tolerance):
+    section = gxrod.Deck.from_text(PLAIN.format(shape)).build().sections["s"]
+    assert stress_at(section, resultant, place)[component] == pytest.approx(exact, rel=tolerance)
+
+
+def test_a_profile_has_the_stresses_of_finer_cells():
+    section = gxrod.Section.profile("IPE 200", {"E": 2.1e5, "nu": 0.3}, units="mm, N")
+    assert stress_at(section, 2, (0, 0))[4] == pytest.approx(0.00101379, rel=1e-5)
+    assert stress_at(section, 2, (2.8, 0))[4] == pytest.approx(0.00101383, rel=1e-5)
+    assert stress_at(section, 4, (50, 100))[0] == pytest.approx(5.14623e-6, rel=1e-5)
+    assert section.von_mises([0, 0, 1, 0, 0, 0]).max() == pytest.approx(1.75600e-3, rel=1e-5)
