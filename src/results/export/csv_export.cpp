@@ -125,7 +125,8 @@ std::vector<CsvTable> list_tables(const Hdf5Reader& file, const std::filesystem:
     if (file.has(sampled_group)) {
         for (const std::string& name : file.members(sampled_group)) {
             if (is_history_name(name))
-                tables.push_back({sampled_group + "/" + name, folder / ("sampled_" + name + ".csv")});
+                tables.push_back(
+                    {fmt::format("{}/{}", sampled_group, name), folder / ("sampled_" + name + ".csv")});
         }
     }
     if (!file.has("/stages")) return tables;

@@ -48,7 +48,7 @@ std::string frame_of(Axes axes, const std::string& relative_to) {
 }
 
 std::string describe(const Quantity& quantity, const HistoryRequest& request) {
-    const std::string meaning = quantity.meaning;
+    std::string meaning = quantity.meaning;
     if (quantity.is_about && request.about) return meaning + ", about " + describe_about(request);
     if (request.relative_to.empty()) return meaning;
     return quantity.relative_meaning != nullptr
