@@ -83,8 +83,8 @@ void move_inside(const std::vector<PlanePoint>& boundary, PlaneTriangles& mesh) 
     Eigen::SparseMatrix<double> matrix(free, free);
     matrix.setFromTriplets(entries.begin(), entries.end());
     const Eigen::MatrixX2d moved = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(pull);
-    for (int i = 0; i < free; ++i)
-        mesh.points[static_cast<std::size_t>(fixed + i)] += moved.row(i).transpose();
+    const auto first_inside = mesh.points.begin() + fixed;
+    for (int i = 0; i < free; ++i) first_inside[i] += moved.row(i).transpose();
 }
 
 }  // namespace
