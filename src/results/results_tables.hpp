@@ -3,13 +3,13 @@
 #include "model/deck_record.hpp"
 #include "results/histories/history_table.hpp"
 #include "results/restart/restart_table.hpp"
+#include "results/stresses/stress_table.hpp"
 #include "results/tables/contact_table.hpp"
 #include "results/tables/frame_table.hpp"
 #include "results/tables/input_table.hpp"
 #include "results/tables/sample_table.hpp"
 #include "results/tables/stage_table.hpp"
 #include "results/tables/step_table.hpp"
-#include "results/stresses/stress_table.hpp"
 
 namespace gxrod {
 
