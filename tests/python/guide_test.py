@@ -75,8 +75,31 @@ def test_every_block_is_seen():
     assert len(BLOCKS) == 9
 
 
-def test_expressions_of_the_table(runs):
+STRESSED = """[section.post]
+shape = { tube = { outer_radius = 0.03, inner_radius = 0.025 } }
+material = { E = 2.1e11, nu = 0.3, density = 7850, yield_stress = 235e6, elastic = true }
+[rod.beam]
+section = "post"
+line = { from = [0, 0, 0], to = [1, 0, 0] }
+elements = 2
+[[support]]
+at = "beam.start"
+fix = "all"
+[[load]]
+at = "beam.end"
+force = [0, 0, -100]
+[analysis]
+kind = "static"
+[output]
+stresses = "von-mises"
+"""
+
+
+def test_expressions_of_the_table(runs, tmp_path):
     """Each expression of the table of results can be evaluated."""
+    (tmp_path / "post.toml").write_text(STRESSED)
+    run_gxrod("run", "post.toml", folder=tmp_path)
+    stressed = gxrod.open_results(tmp_path / "post.vtkhdf")
     page = (SOURCE / "docs" / "guide" / "python.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| (`r[.\[].*?) \|", page, re.MULTILINE)
     expressions = [text for row in rows for text in re.findall(r"`([^`]*)`", row)]
@@ -85,7 +108,8 @@ def test_expressions_of_the_table(runs):
     for text in expressions:
         text = f"r.rod('arm'){text}" if text.startswith(".") else text
         if "inputs" not in text and "elbow" not in text and "joints.type" not in text:
-            eval(text, {"r": modes if "stages" in text else robot})
+            has_stress = any(word in text for word in ("stress", "envelope", "sections"))
+            eval(text, {"r": stressed if has_stress else modes if "stages" in text else robot})
 
 
 def test_the_command_is_that_of_the_example(tmp_path):
