@@ -11,9 +11,8 @@ namespace {
 std::string lacks_stress(const Watched& target, const Model& model) {
     const RodPlace& place = std::get<WatchedPoint>(target).place;
     const Section& section = section_at(model, place);
-    if (section.law)
-        return "the section has a law, " + section.law->describe() + ", of which stresses do not follow";
-    if (!section.shape) return "the section has no shape, only its numbers";
+    const std::string reason = explain_no_stress(model, section);
+    if (!reason.empty()) return "the section " + reason;
     if (section.other_shape) return "the section is mixed of two there; stresses are known at the stations";
     if (model.rods[static_cast<std::size_t>(place.rod)].has_varying_sections() && !is_at_node(model, place))
         return "where a section varies, stresses are known at nodes";

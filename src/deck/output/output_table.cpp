@@ -9,7 +9,6 @@
 #include "deck/schema/schema_tables.hpp"
 #include "deck/table/table.hpp"
 #include "model/sections/section_at.hpp"
-#include "model/sections/section_law.hpp"
 #include "model/settings/frame_interval.hpp"
 
 namespace gxrod {
@@ -136,11 +135,8 @@ std::string list_without_stress(const Model& model) {
     for (std::size_t r = 0; r < model.rods.size(); ++r) {
         const RodPlace start{.rod = static_cast<int>(r)};
         if (!find_shapes(model, start).empty()) continue;
-        const Section& section = section_at(model, start);
-        const std::string reason = section.law
-                                       ? fmt::format("its section has a law, {}", section.law->describe())
-                                       : "its section has numbers and no shape";
-        list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", model.rods[r].name, reason);
+        const std::string reason = explain_no_stress(model, section_at(model, start));
+        list += fmt::format("{}{} (its section {})", list.empty() ? "" : ", ", model.rods[r].name, reason);
     }
     return list;
 }

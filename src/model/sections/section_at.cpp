@@ -6,6 +6,8 @@
 #include <cmath>
 #include <unordered_set>
 
+#include "model/sections/section_law.hpp"
+
 namespace gxrod {
 namespace {
 
@@ -31,8 +33,8 @@ const Section& section_of_node(const Rod& rod, int element, std::size_t node) {
     return rod.varying.at_nodes[static_cast<std::size_t>(element * (rod.order + 1)) + node];
 }
 
-void add_parts(const Section& section, double part, std::vector<ShapePart>& parts) {
-    if (section.law || !section.shape) return;
+void add_parts(const Model& model, const Section& section, double part, std::vector<ShapePart>& parts) {
+    if (!explain_no_stress(model, section).empty()) return;
     const auto add = [&](const std::shared_ptr<const CrossSection>& shape, double share) {
         if (!shape || share == 0.0) return;
         const auto known = std::ranges::find(parts, shape, &ShapePart::shape);
@@ -52,6 +54,14 @@ const Section& section_at(const Model& model, const RodPlace& place) {
     const Rod& rod = rod_at(model, place);
     if (!rod.has_varying_sections()) return model.sections[static_cast<std::size_t>(rod.section)];
     return section_of_node(rod, place.element, nearest_node(model, place));
+}
+
+std::string explain_no_stress(const Model& model, const Section& section) {
+    if (section.law) return "has a law, " + section.law->describe() + ", of which stresses do not follow";
+    if (!section.shape) return "has numbers and no shape";
+    const bool has_pressure =
+        section.fluid && (model.surroundings.water || section.fluid->contents_area > 0.0);
+    return has_pressure ? "is under the pressure of water or contents, which its stresses leave out" : "";
 }
 
 double arc_length_at(const Model& model, const RodPlace& place) {
@@ -82,14 +92,14 @@ std::vector<ShapePart> find_shapes(const Model& model, const RodPlace& place) {
     std::vector<ShapePart> parts;
     const Rod& rod = rod_at(model, place);
     if (!rod.has_varying_sections() || is_at_node(model, place)) {
-        add_parts(section_at(model, place), 1.0, parts);
+        add_parts(model, section_at(model, place), 1.0, parts);
     } else {
         const std::span<const double> nodes = nodes_of(rod, place.element);
         const double s = arc_length_at(model, place);
         const auto next = static_cast<std::size_t>(std::ranges::upper_bound(nodes, s) - nodes.begin());
         const double t = (s - nodes[next - 1]) / (nodes[next] - nodes[next - 1]);
-        add_parts(section_of_node(rod, place.element, next - 1), 1.0 - t, parts);
-        add_parts(section_of_node(rod, place.element, next), t, parts);
+        add_parts(model, section_of_node(rod, place.element, next - 1), 1.0 - t, parts);
+        add_parts(model, section_of_node(rod, place.element, next), t, parts);
     }
     double whole = 0.0;
     for (const ShapePart& one : parts) whole += one.part;

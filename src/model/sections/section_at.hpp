@@ -11,6 +11,11 @@ namespace gxrod {
 // Returns the section of a rod at a place; where it varies, that of the nearest node.
 const Section& section_at(const Model& model, const RodPlace& place);
 
+// Says why stresses of a section do not follow from its resultants, as what it has or is: "has a law, …"; ""
+// if they do. Where water or contents press on it, its wall carries more than the resultants, and rings of
+// it, too.
+std::string explain_no_stress(const Model& model, const Section& section);
+
 // Returns the arc length of a place, from the start of the rod.
 double arc_length_at(const Model& model, const RodPlace& place);
 
