@@ -8,7 +8,9 @@
 
 #include "deck/schema/suggestion.hpp"
 #include "deck/text/fault.hpp"
+#include "model/sections/section_at.hpp"
 #include "model/settings/scheme_card.hpp"
+#include "watch/quantity_tables.hpp"
 
 namespace gxrod {
 namespace {
@@ -67,6 +69,12 @@ void set_section_law(const std::string& name, std::shared_ptr<const SectionLaw> 
         law->respond(Vec6::Zero(), memory, std::numeric_limits<double>::infinity(), {});
     if (!rest.resultants.allFinite() || !rest.tangent.allFinite())
         refuse(problem, key, "the program's law is not finite at strains of zero");
+    for (const HistoryRequest& history : problem.output.histories) {
+        const auto* point = std::get_if<WatchedPoint>(&history.target);
+        if (point == nullptr || &section_at(problem.model, point->place) != &section) continue;
+        if (std::ranges::any_of(history.quantities, is_stress_quantity))
+            refuse(problem, key, "history " + history.name + " has stresses, which do not follow from a law");
+    }
     section.stiffness = rest.tangent;
     section.law = std::move(law);
 }

@@ -176,6 +176,27 @@ TEST_CASE("forces of a program are those of a deck's expressions", "[face]") {
           1e-12);
 }
 
+TEST_CASE("a law of a program has no stresses", "[face]") {
+    const std::string deck = R"([section.s]
+shape = { circle = { radius = 0.05 } }
+material = { E = 1e6, nu = 0.3 }
+[rod.r]
+section = "s"
+line = { from = [0, 0, 0], to = [2, 0, 0] }
+elements = 2
+[analysis]
+kind = "static"
+[[history]]
+name = "root"
+at = "r.start"
+quantities = "von_mises"
+)";
+    const auto respond = [](const Vec6& strain) { return SectionResponse{strain, Mat6::Identity()}; };
+    CHECK_THROWS_WITH(Deck::from_text(deck).set_law("s", respond).build(),
+                      Contains("section.s: history root has stresses, which do not follow from a law"));
+    CHECK_NOTHROW(Deck::from_text(replaced(deck, "von_mises", "force")).set_law("s", respond).build());
+}
+
 TEST_CASE("a law for what the deck does not have is an error of the deck", "[face]") {
     const auto build = [](const auto& change) {
         Deck deck = Deck::from_text(swing);
