@@ -115,7 +115,7 @@ int show_sections(const SectionArguments& arguments) {
     std::optional<Vec6> resultants;
     if (!arguments.resultants.empty()) resultants = Eigen::Map<const Vec6>(arguments.resultants.data());
     if (!arguments.table.empty() && !resultants)
-        throw CLI::ValidationError("--csv", "give --resultants, of which the stresses are");
+        throw CLI::ValidationError("--csv", "give --resultants too: their stresses are written");
     const std::vector<NamedSection> sections = find_sections(arguments);
     if (!(arguments.picture.empty() && arguments.table.empty()) && sections.size() > 1)
         throw CLI::ValidationError("section", "a file is of one section; name it after the deck");

@@ -7,7 +7,7 @@
 #include "cross_section/cross_section.hpp"
 #include "model/model.hpp"
 
-// What gxrod section prints and writes of one section.
+// Collects what gxrod section prints and writes of one section.
 namespace gxrod {
 
 // Describes the largest stress of resultants (N, Vy, Vz, T, My, Mz), and how near they are to failure, in

@@ -18,9 +18,4 @@ Vec3 compute_principal_stresses(const Vec6& stress) {
     return Eigen::SelfAdjointEigenSolver<Mat3>(tensor, Eigen::EigenvaluesOnly).eigenvalues().reverse();
 }
 
-double compute_maximum_shear(const Vec6& stress) {
-    const Vec3 principal = compute_principal_stresses(stress);
-    return 0.5 * (principal[0] - principal[2]);
-}
-
 }  // namespace gxrod

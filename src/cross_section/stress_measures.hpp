@@ -11,7 +11,4 @@ double compute_von_mises(const Vec6& stress);
 // Computes the principal stresses, the largest first.
 Vec3 compute_principal_stresses(const Vec6& stress);
 
-// Computes the largest shear stress on any plane: half the difference of the outer principal stresses.
-double compute_maximum_shear(const Vec6& stress);
-
 }  // namespace gxrod

@@ -30,7 +30,7 @@ class RainflowCounter {
     bool is_finite_ = true;
     bool has_value_ = false;
     double last_ = 0.0;
-    double rise_ = 0.0;         // of the last two values that differ; 0: there are none
+    double rise_ = 0.0;         // of the last two values that differ; 0 before that
     std::vector<double> open_;  // points whose ranges have not ended
     std::vector<RangeCycle> ended_;
 };

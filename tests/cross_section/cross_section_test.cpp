@@ -295,7 +295,7 @@ TEST_CASE("Plastic moments of a rectangle, a tube and two materials are exact", 
         const double right = 6.0 * 0.1 * (0.05 - level) * (0.05 - level) / 2.0;
         CHECK(found.moment_z == Approx(left + right).epsilon(1e-10));
     }
-    SECTION("without a yield stress there is none") {
+    SECTION("without a yield stress nothing yields") {
         const std::vector<ElasticMaterial> materials{isotropic(1.0, 0.3)};
         const SectionMesh mesh = make_rectangle(2.0, 3.0, {1, 1, 2});
         CHECK_FALSE(compute_plastic_capacity(SectionQuadrature(mesh, materials)));

@@ -45,7 +45,7 @@ struct Variation {
     bool is_faulty = false;        // a fault was reported
 };
 
-// What is counted of a value's cycles: its damage, by a curve, or its equivalent range.
+// Describes what is counted of a value's cycles: its damage, by a curve, or its equivalent range.
 struct FatigueCount {
     std::optional<SNCurve> curve = std::nullopt;
     std::optional<double> category = std::nullopt;  // of the curve, if it is one of EN 1993-1-9

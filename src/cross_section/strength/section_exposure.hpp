@@ -7,7 +7,7 @@
 
 namespace gxrod {
 
-// Where a section is nearest to failure by a criterion.
+// Describes where a section is nearest to failure by a criterion.
 struct SectionExposure {
     const FailureCriterion* criterion = nullptr;
     const StressPoint* point = nullptr;

@@ -9,8 +9,8 @@
 // Laws that follow from the shape of a section and the yield stresses of its materials.
 namespace gxrod {
 
-// What they are made of: a section at a place, with its stiffness and its shape about its own point and in
-// its own axes.
+// Holds what they are made of: a section at a place, with its stiffness and its shape about its own point and
+// in its own axes.
 struct ShapeLawSource {
     const SectionTable& given;
     const SectionPlace& at;

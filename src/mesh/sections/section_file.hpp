@@ -16,7 +16,7 @@ struct WallAngles {
     int data = 0;  // an index in SurfaceMesh::data
 };
 
-// What the surfaces of a physical group are made of.
+// Describes what the surfaces of a physical group are made of.
 struct SectionGroup {
     int group = -1;  // an index in SurfaceMesh::groups; −1: all surfaces of a mesh, whatever their groups
     std::string name;

@@ -7,8 +7,8 @@
 
 namespace gxrod {
 
-// What a picture of a section shows in addition to its mesh: the stress of resultants, or the layers without
-// them.
+// Describes what a picture of a section shows in addition to its mesh: the stress of resultants, or the
+// layers without them.
 struct PictureRequest {
     std::optional<Vec6> resultants = std::nullopt;  // (N, Vy, Vz, T, My, Mz), about the origin
     bool shows_cells = true;                        // edges of cells

@@ -142,7 +142,7 @@ TEST_CASE("Spelling of names does not matter", "[cross_section]") {
     CHECK(name_of("SHS 100x100x5") == "none");
 }
 
-TEST_CASE("Profiles near a name that is none are of its series", "[cross_section]") {
+TEST_CASE("Profiles near an unknown name are of its series", "[cross_section]") {
     using Names = std::vector<std::string>;
     CHECK(find_nearest_profiles("IPE 205") == Names{"IPE 200", "IPE 220"});
     CHECK(find_nearest_profiles("SHS 100x5") == Names{"SHS 100x100x5 cold", "SHS 100x100x5 hot"});
