@@ -56,8 +56,7 @@ const TableSpec& output_table() {
         .shown_by(
             "[output]\n"
             "every = 10\n"
-            "compression = \"deflate\"\n"
-            "stresses = \"von-mises\"\n");
+            "compression = \"deflate\"\n");
     // clang-format on
     return table;
 }
