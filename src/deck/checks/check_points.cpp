@@ -7,6 +7,7 @@
 #include "deck/drives/tendon_path.hpp"
 #include "deck/joints/ends.hpp"
 #include "deck/joints/joint_table.hpp"
+#include "deck/output/history_place.hpp"
 #include "deck/output/history_table.hpp"
 #include "deck/places/part.hpp"
 #include "deck/schema/schema_tables.hpp"
@@ -40,11 +41,34 @@ class PointCheck {
         for (const std::variant<Vec3, PointName>& at : values_of<std::variant<Vec3, PointName>>(table)) {
             if (const auto* point = std::get_if<PointName>(&at)) check_of_rod(*point, "");
         }
-        for (const PointList& list : values_of<PointList>(table)) {
-            for (const CheckedWord& point : list.points)
-                check_of_rod(point, "; a body's `at` puts it on one");
+        for (const ConnectedPoints& list : values_of<ConnectedPoints>(table)) {
+            if (list.are_coincident()) continue;
+            for (const CheckedWord& point : list.words) check_pattern_of_rods(point);
         }
         for (const PointName& point : values_of<PointName>(table)) check(point.word, point.place, point.path);
+        const bool takes_rods = !values_of<PlaceCondition>(table).empty();
+        for (const PointPatterns& points : values_of<PointPatterns>(table)) {
+            for (const CheckedWord& word : points.words) check_pattern(word, takes_rods);
+        }
+    }
+
+    // Points that a text names; rods too if a condition selects points of them.
+    void check_pattern(const CheckedWord& word, bool takes_rods) {
+        if (takes_rods && !context_.names.find_rods(word.word).empty()) return;
+        const auto found = context_.names.find_all(word.word);
+        if (const auto* message = std::get_if<std::string>(&found))
+            return context_.faults.add(word.place, word.path, *message);
+        for (const NamedPoint& one : std::get<std::vector<NamedPoint>>(found)) {
+            if (const auto* of_rod = std::get_if<RodPoint>(&one.point)) of_rods_.push_back(*of_rod);
+        }
+    }
+
+    // Points of rods that a text names.
+    void check_pattern_of_rods(const CheckedWord& word) {
+        if (word.word.find('*') == std::string::npos)
+            check_of_rod(word, "; a body's `at` puts it on one");
+        else
+            check_pattern(word, false);
     }
 
     // An end of a spring, a bushing or a joint: a point, or the ground.
@@ -57,13 +81,6 @@ class PointCheck {
         } else {
             context_.faults.add(word.place, word.path, fmt::format("no point \"{}\"{}", word.word, ground));
         }
-    }
-
-    // A point that needs no node.
-    void check_place(const PointName& point) {
-        const std::variant<Point, std::string> found = context_.names.find(point.word, PointNeeds::place);
-        if (const auto* message = std::get_if<std::string>(&found))
-            context_.faults.add(point.place, point.path, *message);
     }
 
     // A point that is to be a rod's; `hint` says what to write for a body.
@@ -119,16 +136,11 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
         }
     }
     check_names({&load_table(), &support_table()});
-    const bool has_contact =
-        !context.deck.tables("contact").empty() || !context.deck.tables("obstacle").empty();
     for (const HistoryKeys& table : tables_of<HistoryKeys>(context.deck, history_table())) {
-        const std::string& at = table.at.word;
-        const auto is_one = [&](std::string_view key) {
-            return find_index(context.deck.tables(key), at).has_value();
-        };
-        if (!std::ranges::any_of(list_tie_words(), is_one) && !is_one("tendon") && !is_one("obstacle") &&
-            !(has_contact && is_one("rod")))
-            points.check_place(table.at);
+        for (const CheckedWord& word : table.at.words) {
+            const std::string reason = explain_no_watched(word.word, context);
+            if (!reason.empty()) context.faults.add(word.place, word.path, reason);
+        }
         if (const auto& other = table.relative_to) points.check(other->word, other->place, other->path);
     }
     for (const AnalysisTable& table : list_analyses(context.deck)) {

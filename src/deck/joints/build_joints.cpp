@@ -7,6 +7,7 @@
 
 #include "deck/joints/ends.hpp"
 #include "deck/joints/joint_table.hpp"
+#include "deck/schema/top_level.hpp"
 #include "deck/supports/components.hpp"
 #include "model/settings/analysis_traits.hpp"
 #include "model/settings/scheme_card.hpp"
@@ -45,6 +46,27 @@ void build_joint(const JointTable& given, double size, BuildContext& context) {
     if (!place_joint(given, size, joint, context)) return;
     note_coordinates(given, joint, size, context);
     context.model.joints.push_back(std::move(joint));
+}
+
+// The joint of an end with a hinge: about y and z of its section; in a plane about its normal.
+Joint make_member_hinge(const MemberHinge& hinge, const BuildContext& context) {
+    const bool is_plane = top_level_of(context.deck).plane.has_value();
+    Joint joint;
+    joint.name = hinge.name;
+    joint.kind = is_plane ? JointKind::ball : JointKind::universal;
+    const Rod& rod = context.model.rods[static_cast<std::size_t>(hinge.rod)];
+    const bool is_start = hinge.own_node == rod.nodes.front();
+    const Mat3 axes = (is_start ? rod.triads.front() : rod.triads.back()).toRotationMatrix();
+    const auto arm = [&](int node) -> Vec3 {
+        const auto& nodes = context.model.nodes;
+        return nodes[static_cast<std::size_t>(hinge.own_node)].position -
+               nodes[static_cast<std::size_t>(node)].position;
+    };
+    joint.a.anchor = {.node = hinge.node, .arm = arm(hinge.node)};
+    joint.b.anchor = {.node = hinge.own_node, .arm = Vec3::Zero()};
+    joint.a.axes << axes.col(1), axes.col(2), axes.col(0);
+    joint.b.axes << axes.col(2), axes.col(1), -axes.col(0);
+    return joint;
 }
 
 // A joint that breaks leaves no equilibrium behind, from which a path or a steady motion could go on.
@@ -119,6 +141,8 @@ void build_joints(BuildContext& context) {
     const double size = measure_size(context.model);
     for (const JointTable& given : tables_of<JointTable>(context.deck, joint_table()))
         build_joint(given, size, context);
+    for (const MemberHinge& hinge : context.hinges)
+        context.model.joints.push_back(make_member_hinge(hinge, context));
 }
 
 void build_joint_actions(BuildContext& context) {
@@ -127,7 +151,8 @@ void build_joint_actions(BuildContext& context) {
     const auto tables = tables_of<JointTable>(context.deck, joint_table());
     auto table = tables.begin();
     for (Joint& joint : context.model.joints) {
-        while (table->get().name != joint.name) ++table;
+        while (table != tables.end() && table->get().name != joint.name) ++table;
+        if (table == tables.end()) return;  // hinges of members come last, on which nothing acts
         const JointTable& given = *table;
         set_coordinates(given, size, joint, context);
         joint.acts = acts_in_stage(given, context);

@@ -1,6 +1,12 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
 #include "deck/loads/acting.hpp"
 #include "deck/loads/loads.hpp"
 #include "deck/places/part.hpp"
+#include "deck/places/point_patterns.hpp"
 #include "deck/reading/copies.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/top_level.hpp"
@@ -9,8 +15,9 @@ namespace gxrod {
 namespace {
 
 struct LoadTable : ActingTable {
-    std::optional<PointName> at;
-    std::optional<TableName> on;
+    std::optional<PointPatterns> at;
+    std::optional<TableNames> on;
+    std::optional<PlaceCondition> where;
     std::optional<CheckedMotionVector> force, moment;
     std::optional<CheckedLineMotionVector> force_per_length, moment_per_length;
     Frame frame = NodalLoad{}.frame;
@@ -23,10 +30,15 @@ const TableSpec& load_table() {
     using T = LoadTable;
     // clang-format off
     static const TableSpec table = Table<T>("[[load]]", "A force and a moment at a point, or along a rod.")
-        .key("at", &T::at, "A point of a rod, or a body.")
-            .also("pos position point node location where")
-        .key("on", &T::on, "The name of a rod, for a load along it.")
+        .key("at", &T::at, "A point of a rod, or a body, or several; with `where`, rods too. Points that "
+             "are one node have the load once.")
+            .also("pos position point node location")
+        .key("on", &T::on, "The name of a rod, or of several, with * for any letters, for a load along them.")
             .names_of({"rod"}).also("rod beam along")
+        .key("where", &T::where, "At which of the points the load acts, or with `on` along which elements, by their "
+             "middle, as they are at t = 0; s is the arc length from the rod's start. Comparisons allow for round-off. Without "
+             "`at` and `on`, at ends and corners of rods and nodes between elements of meshes.")
+            .otherwise("all").also("if filter region box plane condition")
         .key("force", &T::force, "Force; x, y, z is where the point is then, vx, vy, vz its velocity, rx, ry, rz its rotation vector "
              "since t = 0, wx, wy, wz its angular velocity, all global.")
             .unit("mass·length/time²").otherwise("[0, 0, 0]").only_with("at").also("f value magnitude vector")
@@ -51,7 +63,8 @@ const TableSpec& load_table() {
         .key("stages", &T::stages, "The stages in which the load acts.")
             .otherwise("all").names_of({"stage"})
         .with(add_copies<T>)
-        .exactly_one_of({"at", "on"})
+        .at_most_one_of({"at", "on"})
+        .at_least_one_of({"at", "on", "where"})
         .at_least_one_of({"force", "moment"}, "at")
         .at_least_one_of({"force_per_length", "moment_per_length"}, "on")
         .shown_by(
@@ -130,31 +143,106 @@ std::array<Function, 3> split(const std::optional<std::array<Checked, 3>>& compo
     return functions;
 }
 
-void add_nodal_load(const LoadTable& given, const Acting& acting, BuildContext& context) {
-    const std::optional<PlacedPoint> point = context.place(given.at->word);
-    if (!point) return;
+void add_nodal_load(const LoadTable& given,
+                    const PlacedPoint& point,
+                    const Acting& acting,
+                    BuildContext& context) {
     MotionParts parts;
     NodalLoad load{.key = given.path,
-                   .node = point->node,
+                   .node = point.node,
                    .force = split<TimeFunction>(given.force, acting, 0, parts),
                    .moment = split<TimeFunction>(given.moment, acting, 3, parts),
                    .frame = given.frame,
-                   .axes = context.axes_at(*point)};
+                   .axes = context.axes_at(point)};
     load.by_motion = parts.make_load();
     context.model.loads.push_back(std::move(load));
 }
 
-void add_distributed_load(const LoadTable& given, const Acting& acting, BuildContext& context) {
-    const std::optional<Part> part = find_part(given, *given.on, context);
-    if (!part) return;
+// The elements of a rod that satisfy a condition.
+class LoadedPart {
+  public:
+    LoadedPart(const Rod& rod, std::vector<bool> selected) : selected_(std::move(selected)) {
+        const auto nodes = static_cast<std::size_t>(rod.order) + 1;
+        for (std::size_t last = nodes - 1; last < rod.arc_length.size(); last += nodes)
+            ends_.push_back(rod.arc_length[last]);
+    }
+
+    bool is_empty() const { return std::ranges::find(selected_, true) == selected_.end(); }
+    double at(double s) const {
+        const auto element = std::ranges::lower_bound(ends_, s) - ends_.begin();
+        return selected_[std::min(static_cast<std::size_t>(element), ends_.size() - 1)] ? 1.0 : 0.0;
+    }
+
+  private:
+    std::vector<double> ends_;  // arc lengths where elements end
+    std::vector<bool> selected_;
+};
+
+void restrict(const std::shared_ptr<const LoadedPart>& part, DistributedLoad& load) {
+    for (auto* functions : {&load.force, &load.moment}) {
+        for (LineFunction& one : *functions) {
+            if (one.is_zero()) continue;
+            const LineForm form{one.is_constant() ? InTime::constant : one.form().in_time, false};
+            one = LineFunction(
+                [part, one](double t, double s) { return part->at(s) * one(t, s); }, one.switches(), form);
+        }
+    }
+    if (!load.by_motion.value) return;
+    load.by_motion.value = [part, all = load.by_motion.value](double t, double s, const PointMotion& motion) {
+        return Vec6(part->at(s) * all(t, s, motion));
+    };
+}
+
+// Adds the load along a rod; returns whether `where` leaves elements of it.
+bool add_distributed_load(const LoadTable& given, int rod, const Acting& acting, BuildContext& context) {
+    std::shared_ptr<const LoadedPart> loaded;
+    if (given.where) {
+        const Rod& of = context.model.rods[static_cast<std::size_t>(rod)];
+        loaded = std::make_shared<LoadedPart>(of, select_elements(of, *given.where, context));
+        if (loaded->is_empty()) return false;
+    }
     MotionParts parts;
     DistributedLoad load{.key = given.path,
-                         .rod = part->rod,
+                         .rod = rod,
                          .force = split<LineFunction>(given.force_per_length, acting, 0, parts),
                          .moment = split<LineFunction>(given.moment_per_length, acting, 3, parts),
                          .frame = given.frame};
     load.by_motion = parts.make_load();
+    if (loaded) restrict(loaded, load);
     context.model.distributed_loads.push_back(std::move(load));
+    return true;
+}
+
+void add_distributed_loads(const LoadTable& given, const Acting& acting, BuildContext& context) {
+    std::vector<int> rods;
+    if (given.on) {
+        for (const Part& part : find_parts(given, *given.on, context)) rods.push_back(part.rod);
+    } else {
+        rods = context.names.find_rods("*");
+    }
+    bool is_any = rods.empty();
+    for (const int rod : rods) is_any = add_distributed_load(given, rod, acting, context) || is_any;
+    if (!is_any)
+        context.add_fault(
+            given,
+            given.where,
+            fmt::format("no element of the rods here has its middle where \"{}\" holds", given.where->text));
+}
+
+// Adds what a table says, at points or along rods.
+void add_load(const LoadTable& given, const Acting& acting, BuildContext& context) {
+    const bool has_points = given.force || given.moment;
+    const bool is_along = given.force_per_length || given.moment_per_length;
+    if (!has_points && !is_along)
+        return context.add_fault(
+            given,
+            given.where,
+            "nothing acts there; expected force or moment, or force_per_length or moment_per_length");
+    if (given.at || (has_points && !given.on)) {
+        for (const PlacedPoint& point : find_points(given, given.at, given.where, context))
+            add_nodal_load(given, point, acting, context);
+    }
+    if (given.on || (is_along && !given.at)) add_distributed_loads(given, acting, context);
 }
 
 }  // namespace
@@ -169,11 +257,7 @@ void build_loads(BuildContext& context) {
     for (const LoadTable& given : tables_of<LoadTable>(context.deck, load_table())) {
         const Acting acting = find_acting(given, context);
         if (acting.is_absent) continue;
-        if (given.at) {
-            add_nodal_load(given, acting, context);
-        } else {
-            add_distributed_load(given, acting, context);
-        }
+        add_load(given, acting, context);
     }
 }
 

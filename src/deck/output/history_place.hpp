@@ -17,7 +17,17 @@ std::optional<int> find_named(const std::vector<Thing>& things, const std::strin
     return static_cast<int>(found - things.begin());
 }
 
-// The thing that `at` of a history names; nullopt, without a fault, if it could not be built.
-std::optional<Watched> find_watched(const std::string& text, const BuildContext& context);
+// A thing that `at` of a history names, and its text.
+struct WatchedText {
+    std::string text;
+    Watched thing;
+};
+
+// Finds the things that a text names, in which * stands for any letters; none, without a fault, where they
+// could not be built.
+std::vector<WatchedText> find_watched(const std::string& text, const BuildContext& context);
+
+// Returns why a text of `at` names nothing; "" if it names something.
+std::string explain_no_watched(const std::string& text, const BuildContext& context);
 
 }  // namespace gxrod

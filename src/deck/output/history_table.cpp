@@ -84,8 +84,10 @@ bool is_group_name(const std::string& name) {
     });
 }
 
-void check_name(const HistoryKeys& history, std::set<std::string>& taken, const BuildContext& context) {
-    const std::string& name = history.name;
+void check_name(const HistoryKeys& history,
+                const std::string& name,
+                std::set<std::string>& taken,
+                const BuildContext& context) {
     if (!is_group_name(name)) {
         return context.add_fault(
             history,
@@ -264,8 +266,10 @@ void add_quantities(const HistoryKeys& table, HistoryRequest& request, const Bui
     }
 }
 
-HistoryRequest build_history(const HistoryKeys& table, const Watched& target, const BuildContext& context) {
-    HistoryRequest request{.name = table.name, .at = table.at.word, .target = target};
+HistoryRequest build_history(const HistoryKeys& table,
+                             const WatchedText& watched,
+                             const BuildContext& context) {
+    HistoryRequest request{.name = table.name, .at = watched.text, .target = watched.thing};
     set_reference(table, request, context);
     add_quantities(table, request, context);
     set_about(table, request, context);
@@ -280,9 +284,22 @@ std::vector<HistoryRequest> build_histories(const BuildContext& context) {
     std::vector<HistoryRequest> histories;
     std::set<std::string> taken;
     for (const HistoryKeys& table : tables_of<HistoryKeys>(context.deck, history_table())) {
-        check_name(table, taken, context);
-        const std::optional<Watched> target = find_watched(table.at.word, context);
-        if (target) histories.push_back(build_history(table, *target, context));
+        std::vector<WatchedText> watched;
+        for (const CheckedWord& word : table.at.words) {
+            for (WatchedText& one : find_watched(word.word, context)) watched.push_back(std::move(one));
+        }
+        const bool is_alone = table.at.words.size() == 1 &&
+                              table.at.words.front().word.find('*') == std::string::npos &&
+                              watched.size() < 2;
+        if (is_alone || watched.empty()) check_name(table, table.name, taken, context);
+        for (std::size_t i = 0; i < watched.size(); ++i) {
+            HistoryRequest request = build_history(table, watched[i], context);
+            if (!is_alone) {
+                request.name = fmt::format("{}_{}", table.name, i + 1);
+                check_name(table, request.name, taken, context);
+            }
+            histories.push_back(std::move(request));
+        }
     }
     return histories;
 }

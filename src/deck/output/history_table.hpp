@@ -9,6 +9,7 @@
 #include "deck/reading/copies.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/table/kinds.hpp"
+#include "deck/table/place_kinds.hpp"
 #include "model/settings/settings.hpp"
 
 // [[history]].
@@ -21,7 +22,7 @@ inline constexpr std::array<Choice<HistoryAxes>, 2> history_axes_choices{
 inline constexpr const auto& choices_of(HistoryAxes) { return history_axes_choices; }
 
 struct HistoryKeys : TableHead {
-    PointName at;
+    PointPatterns at;
     std::optional<std::string> with;
     std::optional<PointName> relative_to;
     HistoryAxes axes = HistoryAxes::section;

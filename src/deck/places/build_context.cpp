@@ -27,14 +27,17 @@ PlacedPoint make_point(const Rod& rod, int rod_index, const std::vector<int>& no
 std::optional<PlacedPoint> BuildContext::place(const std::string& point) const {
     const auto found = names.find(point, PointNeeds::place);
     const Point* named = std::get_if<Point>(&found);
-    if (named == nullptr) return std::nullopt;
-    if (const auto* of_body = std::get_if<BodyPoint>(named)) {
+    return named == nullptr ? std::nullopt : place(*named);
+}
+
+std::optional<PlacedPoint> BuildContext::place(const Point& point) const {
+    if (const auto* of_body = std::get_if<BodyPoint>(&point)) {
         const bool is_built = static_cast<std::size_t>(of_body->body) < body_nodes.size();
         const int node = is_built ? body_nodes[of_body->body] : -1;
         if (node < 0) return std::nullopt;
         return PlacedPoint{.node = node, .body = of_body->body};
     }
-    const auto& [rod, fraction, meshed_position] = std::get<RodPoint>(*named);
+    const auto& [rod, fraction, meshed_position] = std::get<RodPoint>(point);
     const std::vector<int>& nodes = rod_nodes.empty() ? model.rods[rod].nodes : rod_nodes[rod];
     if (meshed_position >= 0) {
         if (nodes.empty()) return std::nullopt;

@@ -33,6 +33,15 @@ struct PlacedPoint {
     std::optional<RodPoint> between = {};
 };
 
+// An end of a rod with a hinge, which a [[connect]] ties to the node of other points.
+struct MemberHinge {
+    std::string name;        // NAME.start or NAME.end
+    std::string first_name;  // the point to whose node it is tied
+    int node = 0;            // that node
+    int own_node = 0;
+    int rod = 0;
+};
+
 // Where a deck sets an initial velocity of a node; no table where it does not.
 struct VelocitySetting {
     const TableHead* table = nullptr;
@@ -55,6 +64,7 @@ struct BuildContext {
     std::vector<std::vector<double>> rod_fractions = {};  // of each rod's nodes; empty for one without a mesh
     std::vector<std::vector<double>> rod_twists = {};     // of their sections there, by rod_fractions
     std::vector<std::vector<int>> rod_nodes = {};         // at those fractions, after build_connections
+    std::vector<MemberHinge> hinges = {};                 // after build_connections
     std::vector<int> body_nodes = {};                     // of each body; -1 for one without
     // The settings of each node: of its velocity and of its angular velocity.
     std::vector<std::array<VelocitySetting, 2>> velocity_settings = {};
@@ -89,6 +99,7 @@ struct BuildContext {
 
     // The node of a point that the deck names; nullopt if there is none, without a fault.
     std::optional<PlacedPoint> place(const std::string& point) const;
+    std::optional<PlacedPoint> place(const Point& point) const;
 
     // The axes of the section or body at a point, at t = 0.
     Quat axes_at(const PlacedPoint& point) const;

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "deck/places/name_pattern.hpp"
 #include "deck/schema/suggestion.hpp"
 
 namespace gxrod {
@@ -45,6 +48,29 @@ std::optional<Part> find_named(const CheckedWord& name, const KeySpec& key, cons
     return std::nullopt;
 }
 
+// The parts whose names match a text with *; a fault if there is none.
+std::vector<Part> find_matching(const CheckedWord& name, const KeySpec& key, const BuildContext& context) {
+    std::vector<Part> parts;
+    std::vector<std::string> known;
+    for (const std::string& kind : key.refers_to) {
+        const auto& tables = context.deck.tables(kind);
+        for (std::size_t i = 0; i < tables.size(); ++i) {
+            known.push_back(tables[i].name);
+            if (!matches_pattern(tables[i].name, name.word)) continue;
+            Part& part = parts.emplace_back();
+            (kind == "rod" ? part.rod : part.body) = static_cast<int>(i);
+        }
+    }
+    if (parts.empty())
+        context.faults.add(name.place,
+                           name.path,
+                           fmt::format("no {} matches \"{}\"; the deck has {}",
+                                       fmt::join(key.refers_to, " or "),
+                                       name.word,
+                                       known.empty() ? "none" : plain_list(known)));
+    return parts;
+}
+
 }  // namespace
 
 std::optional<Part> find_part(const TableHead& table, const TableName& field, const BuildContext& context) {
@@ -53,9 +79,17 @@ std::optional<Part> find_part(const TableHead& table, const TableName& field, co
 
 std::vector<Part> find_parts(const TableHead& table, const TableNames& field, const BuildContext& context) {
     std::vector<Part> parts;
+    const KeySpec& key = table.key_of(&field);
+    const auto add = [&](const Part& part) {
+        const auto is_same = [&](const Part& one) { return one.rod == part.rod && one.body == part.body; };
+        if (std::ranges::none_of(parts, is_same)) parts.push_back(part);
+    };
     for (const CheckedWord& name : field.names) {
-        if (const std::optional<Part> part = find_named(name, table.key_of(&field), context))
-            parts.push_back(*part);
+        if (name.word.find('*') != std::string::npos) {
+            for (const Part& part : find_matching(name, key, context)) add(part);
+        } else if (const std::optional<Part> part = find_named(name, key, context)) {
+            add(*part);
+        }
     }
     return parts;
 }

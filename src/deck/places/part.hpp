@@ -22,7 +22,8 @@ std::optional<int> find_index(const std::vector<CheckedTable>& tables, std::stri
 // nullopt with a fault if there is none.
 std::optional<Part> find_part(const TableHead& table, const TableName& field, const BuildContext& context);
 
-// Those that a key names which takes one name or a list of them; any other word is a fault.
+// Finds the parts that a key names which takes one name or a list of them, in which * stands for any letters,
+// each once; any other word is a fault.
 std::vector<Part> find_parts(const TableHead& table, const TableNames& field, const BuildContext& context);
 
 }  // namespace gxrod

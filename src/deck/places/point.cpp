@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "deck/places/name_pattern.hpp"
 #include "deck/rods/rod_table.hpp"
 #include "deck/schema/suggestion.hpp"
 
@@ -93,6 +94,75 @@ std::variant<Point, std::string> PointNames::find(const std::string& text, Point
     }
     if (hint.empty()) hint = "; the deck has " + plain_list(all_points());
     return fmt::format("no point \"{}\"{}", text, hint);
+}
+
+std::vector<int> PointNames::find_rods(std::string_view pattern) const {
+    std::vector<int> found;
+    for (std::size_t i = 0; i < rods_.size(); ++i) {
+        if (matches_pattern(rods_[i], pattern)) found.push_back(static_cast<int>(i));
+    }
+    return found;
+}
+
+// The nodes of a rod in a group of its mesh; none if the text names no group.
+std::vector<NamedPoint> PointNames::find_group(int rod, const std::string& text) const {
+    std::vector<NamedPoint> found;
+    const auto net = nets_.find(rod);
+    if (net == nets_.end()) return found;
+    const auto& [groups, fractions] = net->second;
+    const std::string name = text.substr(rods_[rod].size() + 1);
+    const auto group = std::ranges::find(groups, name, &NetPoints::Group::name);
+    if (group == groups.end()) return found;
+    for (const int position : group->positions) {
+        const double fraction = fractions.empty() ? 0.0 : fractions[static_cast<std::size_t>(position)];
+        found.push_back({fmt::format("{} node {}", text, position), RodPoint{rod, fraction, position}});
+    }
+    return found;
+}
+
+// Points of rods whose names match what stands before the . or @, and bodies.
+std::vector<NamedPoint> PointNames::match(const std::string& text, PointNeeds needs) const {
+    std::vector<NamedPoint> found;
+    const std::size_t separator = std::min(text.find_first_of(".@"), text.size());
+    if (separator == text.size()) {
+        for (const std::string& body : bodies_) {
+            if (matches_pattern(body, text)) found.push_back({body, BodyPoint{index_of(body_index_, body)}});
+        }
+        return found;
+    }
+    const std::string part = text.substr(separator);
+    const auto add = [&](const std::string& one) {
+        const auto point = find(one, needs);
+        if (const auto* known = std::get_if<Point>(&point)) found.push_back({one, *known});
+    };
+    for (const int rod : find_rods(text.substr(0, separator))) {
+        if (part.find('*') == std::string::npos) {
+            const std::vector<NamedPoint> group = find_group(rod, rods_[rod] + part);
+            found.insert(found.end(), group.begin(), group.end());
+            if (group.empty()) add(rods_[rod] + part);
+            continue;
+        }
+        for (const std::string& one : points_of(rod)) {
+            if (!one.ends_with(any_fraction) && matches_pattern(one, rods_[rod] + part)) add(one);
+        }
+    }
+    return found;
+}
+
+std::variant<std::vector<NamedPoint>, std::string> PointNames::find_all(const std::string& text,
+                                                                        PointNeeds needs) const {
+    const bool is_pattern = text.find('*') != std::string::npos;
+    const std::size_t separator = text.find_first_of(".@");
+    const int rod = index_of(rod_index_, text.substr(0, separator));
+    std::vector<NamedPoint> found;
+    if (is_pattern) found = match(text, needs);
+    if (!is_pattern && rod >= 0 && separator != std::string::npos) found = find_group(rod, text);
+    if (!found.empty()) return found;
+    if (is_pattern)
+        return fmt::format("no point matches \"{}\"; the deck has {}", text, plain_list(all_points()));
+    const std::variant<Point, std::string> one = find(text, needs);
+    if (const auto* message = std::get_if<std::string>(&one)) return *message;
+    return std::vector{NamedPoint{text, std::get<Point>(one)}};
 }
 
 std::variant<Point, std::string> PointNames::find_rod_point(int rod,

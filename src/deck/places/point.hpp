@@ -37,6 +37,12 @@ struct BodyPoint {
 
 using Point = std::variant<RodPoint, BodyPoint>;
 
+// A point and how texts name it.
+struct NamedPoint {
+    std::string text;
+    Point point;
+};
+
 // Whether a rod from a mesh must have a node at a fraction; other rods get one there.
 enum class PointNeeds { node, place };
 
@@ -49,7 +55,19 @@ class PointNames {
     // Finds the point of a text, or the fault of the text.
     std::variant<Point, std::string> find(const std::string& text, PointNeeds needs = PointNeeds::node) const;
 
+    // Finds the points of a text in which * stands for any letters, or of a mesh's group of several nodes;
+    // the fault of the text if there is no point.
+    std::variant<std::vector<NamedPoint>, std::string> find_all(const std::string& text,
+                                                                PointNeeds needs = PointNeeds::node) const;
+
+    // Finds the rods whose names match a text, by index.
+    std::vector<int> find_rods(std::string_view pattern) const;
+
+    bool is_meshed(int rod) const { return is_meshed_[static_cast<std::size_t>(rod)]; }
+
   private:
+    std::vector<NamedPoint> match(const std::string& text, PointNeeds needs) const;
+    std::vector<NamedPoint> find_group(int rod, const std::string& text) const;
     std::variant<Point, std::string> find_rod_point(int rod,
                                                     const std::string& text,
                                                     std::size_t separator) const;

@@ -332,6 +332,7 @@ class CopyMaker {
             if (table.find("y_axis") == nullptr)
                 add_fault(table, path + ".copies", "copies need y_axis, which is turned with them");
         }
+        refuse("where", "a condition on the place is not turned with copies; name the points");
         if (kind == "load") {
             for (const char* key : {"force", "moment", "force_per_length", "moment_per_length"})
                 check_load(key, path, table);
@@ -383,7 +384,8 @@ class CopyMaker {
             const bool is_load =
                 entry.key == "force" || entry.key == "moment" || is_one_of(entry.key, line_load_keys);
             if (is_load && (kind != "load" || is_in_body)) continue;
-            if (is_one_of(entry.key, place_keys)) turn_vectors(R, shift, entry.node);
+            const bool is_name = entry.key == "at" && is_one_of(kind, listed_kinds);
+            if (is_one_of(entry.key, place_keys) && !is_name) turn_vectors(R, shift, entry.node);
             if (is_load || is_one_of(entry.key, direction_keys)) turn_vectors(R, Vec3::Zero(), entry.node);
             const bool is_curve =
                 entry.key == "line" || entry.key == "arc" || entry.key == "helix" || entry.key == "rest";

@@ -4,31 +4,44 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
-#include <numeric>
 #include <set>
 
+#include "deck/places/part.hpp"
 #include "deck/reading/copies.hpp"
+#include "deck/rods/coincident_points.hpp"
+#include "deck/rods/node_merge.hpp"
+#include "deck/rods/rod_table.hpp"
 #include "deck/schema/schema_tables.hpp"
+#include "deck/table/place_kinds.hpp"
 
 namespace gxrod {
 namespace {
 
 struct ConnectTable : TableHead {
-    PointList points;
+    ConnectedPoints points;
+    std::optional<TableNames> on;
+    std::optional<double> tolerance;
     Copies copies;
 };
 
 }  // namespace
 
 const TableSpec& connect_table() {
+    using T = ConnectTable;
     // clang-format off
-    static const TableSpec table = Table<ConnectTable>("[[connect]]",
+    static const TableSpec table = Table<T>("[[connect]]",
             "Points of rods that become one node, a rigid corner. Rods whose points are at one place are not "
-            "connected otherwise.")
-        .key("points", &ConnectTable::points, "Two or more, at one place. The node has the name of the first.")
+            "connected otherwise. Ends that `hinges` of a rod names are tied by a hinge.")
+        .key("points", &T::points, "Two or more, at one place. The node has the name of the first. Or \"coincident\": "
+             "wherever an end or corner of a rod, a point that the deck names or a node of a mesh is at the place of such "
+             "a node, or of another node between elements.")
             .required().also("at between nodes ends")
-        .with(add_copies<ConnectTable>)
+        .key("on", &T::on, "With coincident points: the rods whose points are connected.")
+            .names_of({"rod"}).otherwise("all rods").also("rods")
+        .key("tolerance", &T::tolerance, "How far points at one place are apart at most.")
+            .unit("length").at_least(0).otherwise("1e-9 of the size of the model; of coincident points 1e-6")
+            .also("tol distance")
+        .with(add_copies<T>)
         .shown_by(
             "[rod.tail]\n"
             "section  = \"tube\"\n"
@@ -46,50 +59,7 @@ namespace {
 
 // Points nearer than this, relative to the model's size, are at one place.
 constexpr double same_place = 1e-9;
-
-// Which nodes become one: the one that the deck names first.
-class NodeMerge {
-  public:
-    explicit NodeMerge(std::size_t nodes) : parents_(nodes), ranks_(nodes, never) {
-        std::iota(parents_.begin(), parents_.end(), 0);
-    }
-
-    void name(int node) {
-        if (ranks_[node] == never) ranks_[node] = next_rank_++;
-    }
-
-    int root(int node) const {
-        while (parents_[node] != node) node = parents_[node];
-        return node;
-    }
-
-    void join(int first, int second) {
-        first = root(first);
-        second = root(second);
-        if (ranks_[second] < ranks_[first]) std::swap(first, second);
-        parents_[second] = first;
-    }
-
-    // The new number of every node, those that stand for others keeping their order.
-    std::vector<int> renumber() const {
-        std::vector<int> numbers(parents_.size());
-        int next = 0;
-        for (int node = 0; node < static_cast<int>(parents_.size()); ++node) {
-            if (parents_[node] == node) numbers[node] = next++;
-        }
-        for (int node = 0; node < static_cast<int>(parents_.size()); ++node) {
-            numbers[node] = numbers[root(node)];
-        }
-        return numbers;
-    }
-
-  private:
-    static constexpr int never = std::numeric_limits<int>::max();
-
-    std::vector<int> parents_;
-    std::vector<int> ranks_;  // when the deck named the node first
-    int next_rank_ = 0;
-};
+constexpr double coincident_place = 1e-6;
 
 double measure(const Model& model) {
     Eigen::AlignedBox3d box;
@@ -97,38 +67,47 @@ double measure(const Model& model) {
     return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 
-// The points of a table that have nodes; a fault for those that cannot be connected to the first.
-void join_points(const ConnectTable& given, double size, NodeMerge& merge, const BuildContext& context) {
-    std::optional<PlacedPoint> first;
-    std::string first_name;
-    for (const CheckedWord& word : given.points.points) {
-        const auto add_fault = [&](const std::string& message) {
-            context.faults.add(word.place, word.path, message);
-        };
-        const std::optional<PlacedPoint> point = context.place(word.word);
-        if (!point) continue;
-        merge.name(point->node);
-        if (!first) {
-            first = point;
-            first_name = word.word;
-            continue;
-        }
-        const double distance =
-            (context.model.nodes[point->node].position - context.model.nodes[first->node].position).norm();
-        if (point->node == first->node) {
-            add_fault(fmt::format("\"{}\" is the same point as \"{}\"", word.word, first_name));
-        } else if (distance > same_place * size) {
-            add_fault(
-                fmt::format("\"{}\" is {:.6g} away from \"{}\"; points that become one node must be at "
-                            "one place, to {:g} of the model's size",
-                            word.word,
-                            distance,
-                            first_name,
-                            same_place));
-        } else {
-            merge.join(first->node, point->node);
+// Why two points cannot be one node; "" if they can.
+std::string explain_apart(const JoinedPoint& first,
+                          const JoinedPoint& second,
+                          const std::optional<double>& tolerance,
+                          const Model& model) {
+    if (second.node == first.node)
+        return fmt::format("\"{}\" is the same point as \"{}\"", second.name, first.name);
+    const double distance = (model.nodes[second.node].position - model.nodes[first.node].position).norm();
+    if (distance <= tolerance.value_or(same_place * measure(model))) return "";
+    return fmt::format(
+        "\"{}\" is {:.6g} away from \"{}\"; points that become one node must be at one place, to {}",
+        second.name,
+        distance,
+        first.name,
+        tolerance ? fmt::format("the tolerance of {:g}", *tolerance)
+                  : fmt::format("{:g} of the model's size", same_place));
+}
+
+// The points of a table that are to be one node; a fault of each that is not where the first is.
+std::vector<JoinedPoint> list_joined(const ConnectTable& given, const BuildContext& context) {
+    std::vector<JoinedPoint> joined;
+    for (const CheckedWord& word : given.points.words) {
+        const auto found = context.names.find_all(word.word);
+        const auto* points = std::get_if<std::vector<NamedPoint>>(&found);
+        if (points == nullptr) continue;
+        for (const NamedPoint& one : *points) {
+            const std::optional<PlacedPoint> placed = context.place(one.point);
+            if (!placed || placed->body >= 0) continue;
+            const JoinedPoint point = make_joined(one.text, *placed, context);
+            const std::string reason =
+                joined.empty() ? "" : explain_apart(joined.front(), point, given.tolerance, context.model);
+            if (!reason.empty()) context.faults.add(word.place, word.path, reason);
+            if (reason.empty()) joined.push_back(point);
         }
     }
+    if (joined.size() == 1 && given.points.words.size() == 1)
+        context.add_fault(
+            given,
+            given.points,
+            fmt::format("matches \"{}\" alone; expected two points or more", joined.front().name));
+    return joined;
 }
 
 void remove_repetitions(std::vector<int>& nodes) {
@@ -153,6 +132,10 @@ void apply(const NodeMerge& merge, BuildContext& context) {
         remove_repetitions(rod.nodes);
         renumber(context.rod_nodes[i]);
     }
+    for (MemberHinge& hinge : context.hinges) {
+        hinge.node = numbers[hinge.node];
+        hinge.own_node = numbers[hinge.own_node];
+    }
 }
 
 // A node of the rod that occurs twice in one of its elements; -1 if there is none.
@@ -166,28 +149,73 @@ int find_repeated_node(const Rod& rod) {
     return -1;
 }
 
-bool names(const ConnectTable& given, int node, const BuildContext& context) {
-    return std::ranges::any_of(given.points.points, [&](const CheckedWord& word) {
-        const std::optional<PlacedPoint> point = context.place(word.word);
-        return point && point->node == node;
-    });
-}
-
 // An element needs all of its nodes.
 void check_elements(const BuildContext& context) {
-    const auto tables = tables_of<ConnectTable>(context.deck, connect_table());
+    const ConnectTable& last = tables_of<ConnectTable>(context.deck, connect_table()).back();
     for (const Rod& rod : context.model.rods) {
-        const int node = find_repeated_node(rod);
-        if (node < 0) continue;
-        const ConnectTable& given =
-            *std::find_if(tables.rbegin(), tables.rend(), [&](const ConnectTable& candidate) {
-                return names(candidate, node, context);
-            });
-        context.add_fault(given,
-                          given.points,
+        if (find_repeated_node(rod) < 0) continue;
+        context.add_fault(last,
+                          last.points,
                           fmt::format("both ends of an element of rod.{} become one node; give the rod two "
                                       "elements at least between them",
                                       rod.name));
+    }
+}
+
+// The groups of points that a table makes one node each.
+std::vector<std::vector<JoinedPoint>> list_groups(const ConnectTable& given,
+                                                  double size,
+                                                  BuildContext& context) {
+    if (!given.points.are_coincident()) {
+        if (given.on) context.add_fault(given, given.on, "goes with points = \"coincident\"");
+        return {list_joined(given, context)};
+    }
+    std::vector<int> rods = context.names.find_rods("*");
+    if (given.on) {
+        rods.clear();
+        for (const Part& part : find_parts(given, *given.on, context)) rods.push_back(part.rod);
+    }
+    auto groups = find_coincident_points(rods, given.tolerance.value_or(coincident_place * size), context);
+    if (groups.empty())
+        context.add_fault(given,
+                          given.points,
+                          "no points coincide; a larger tolerance finds points that are near to each other");
+    return groups;
+}
+
+// Makes one node of a group; ends with a hinge keep theirs.
+void join_group(const std::vector<JoinedPoint>& group, NodeMerge& merge, BuildContext& context) {
+    if (group.empty()) return;
+    const auto held = std::ranges::find(group, false, &JoinedPoint::is_hinged);
+    const JoinedPoint& main = held == group.end() ? group.front() : *held;
+    for (const JoinedPoint& one : group) merge.name(one.node);
+    for (const JoinedPoint& one : group) {
+        if (&one == &main) continue;
+        if (one.is_hinged)
+            context.hinges.push_back({one.name, main.name, main.node, one.node, one.rod});
+        else
+            merge.join(main.node, one.node);
+    }
+}
+
+// Ends with a hinge that nothing holds.
+void check_hinges(const BuildContext& context) {
+    for (const RodTable& table : rods_of(context.deck)) {
+        if (!table.hinges) continue;
+        for (const CheckedWord& word : table.hinges->words) {
+            const std::string name = table.name + "." + word.word;
+            const auto is_used = [&](const MemberHinge& hinge) {
+                return hinge.name == name || hinge.first_name == name;
+            };
+            if (std::ranges::any_of(context.hinges, is_used)) continue;
+            context.faults.add(
+                word.place,
+                word.path,
+                fmt::format(
+                    "no [[connect]] ties {} to another point; at a [[support]] a hinge is what leaves "
+                    "the rotations free",
+                    name));
+        }
     }
 }
 
@@ -196,10 +224,13 @@ void check_elements(const BuildContext& context) {
 void build_connections(BuildContext& context) {
     for (const Rod& rod : context.model.rods) context.rod_nodes.push_back(rod.nodes);
     const auto tables = tables_of<ConnectTable>(context.deck, connect_table());
-    if (tables.empty()) return;
     NodeMerge merge(context.model.nodes.size());
     const double size = measure(context.model);
-    for (const ConnectTable& given : tables) join_points(given, size, merge, context);
+    for (const ConnectTable& given : tables) {
+        for (const auto& group : list_groups(given, size, context)) join_group(group, merge, context);
+    }
+    check_hinges(context);
+    if (tables.empty()) return;
     apply(merge, context);
     check_elements(context);
 }

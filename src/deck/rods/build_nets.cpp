@@ -115,6 +115,11 @@ void check_meshed_rod(const RodTable& table, const BuildContext& context) {
     refuse(table.order);
     if (table.rest)
         context.add_fault(table, table.rest, "a rod from a mesh is free of stress where the mesh has it");
+    if (table.hinges)
+        context.add_fault(
+            table,
+            table.hinges,
+            "lines of a mesh have no hinges; expected rods of their own with a line or polyline");
     if (std::holds_alternative<CheckedProfile>(table.twist))
         context.add_fault(table, table.twist, "along a rod from a mesh twist is even; expected a number");
 }

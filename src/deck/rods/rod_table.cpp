@@ -148,6 +148,10 @@ const TableSpec& rod_table() {
              "in which it starts: its curvature, or a curve. Only the curve's shape counts, not where it is; fractions "
              "of its length are those of the rod, and the rod's arc length, mass and stiffness are by it. Left out, "
              "the rod starts free of stress, but for a catenary, which is straight then.")
+        .key("hinges", &T::hinges, "Ends that [[connect]] ties to others by a hinge: it bends freely both ways there, and hands on "
+             "forces and torsion. The joint is NAME.start or NAME.end.")
+            .words({"start", "end"}).otherwise("none: corners are rigid")
+            .also("hinge releases release end_releases pinned pins")
         .with(add_copies<T>)
         .not_here("force moment torque load",
                   "a [[load]] at a point of the rod, or on it, has its forces and moments")

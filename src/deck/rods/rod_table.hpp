@@ -42,6 +42,7 @@ struct RodTable : CurveTable {
     std::optional<Vec3> y_axis;
     NumberAlong twist = 0.0;
     std::optional<RestTable> rest;
+    std::optional<WordList> hinges;
     Copies copies;
 
     // The table that names a file of sections; nullptr if there is none.

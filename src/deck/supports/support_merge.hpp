@@ -4,6 +4,7 @@
 
 #include "deck/loads/acting.hpp"
 #include "deck/reading/copies.hpp"
+#include "deck/table/place_kinds.hpp"
 
 namespace gxrod {
 
@@ -29,7 +30,8 @@ Table<T> with_components(Table<T> table) {
 }
 
 struct SupportTable : ActingTable {
-    PointName at;
+    std::optional<PointPatterns> at;
+    std::optional<PlaceCondition> where;
     std::optional<WordList> fix;
     std::optional<MoveTable> move;
     std::optional<Mat3> axes;

@@ -6,6 +6,7 @@
 #include "deck/joints/ends.hpp"
 #include "deck/loads/acting.hpp"
 #include "deck/places/plane.hpp"
+#include "deck/places/point_patterns.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "deck/supports/build_supports.hpp"
@@ -20,8 +21,12 @@ const TableSpec& support_table() {
     static const TableSpec table = Table<T>("[[support]]",
             "Components of a point that are fixed or move as prescribed. Of the rotations none, all three or exactly "
             "two fixed: a hinge about the third axis. Supports of one point add up.")
-        .key("at", &T::at, "A point of a rod, or a body.")
-            .required().also("pos position point node location where")
+        .key("at", &T::at, "A point of a rod, or a body, or several; with `where`, rods too.")
+            .also("pos position point node location")
+        .key("where", &T::where, "At which of these points, as they are at t = 0; s is the arc length from the rod's "
+             "start. Comparisons allow for round-off. Without `at`, at ends and corners of rods and nodes between "
+             "elements of meshes.")
+            .otherwise("all").also("if filter region box plane condition")
         .key("fix", &T::fix, "position is x y z, rotation is rx ry rz, all is both.")
             .words(component_words()).also("type fixed dof dofs constrain constrained restrain components clamped")
         .key("move", &T::move, move, "Prescribed motion. Where a rotation is moved, the other two are fixed or moved "
@@ -35,6 +40,7 @@ const TableSpec& support_table() {
              "move begins where the point is.")
             .otherwise("all").names_of({"stage"})
         .with(add_copies<T>)
+        .at_least_one_of({"at", "where"})
         .at_least_one_of({"fix", "move"})
         .shown_by(
             "[[support]]\n"
@@ -130,8 +136,8 @@ void build_supports(BuildContext& context) {
     const double model_size = measure_size(context.model, {});
     for (const SupportTable& given : tables_of<SupportTable>(context.deck, support_table())) {
         if (!acts_in_stage(given, context)) continue;
-        const std::optional<PlacedPoint> point = context.place(given.at.word);
-        if (point) merge_support(given, find_support(point->node, supports, by_node), context);
+        for (const PlacedPoint& point : find_points(given, given.at, given.where, context))
+            merge_support(given, find_support(point.node, supports, by_node), context);
         if (!given.move) continue;
         for (std::size_t i = 0; i < 6; ++i) {
             const std::optional<CheckedTimeFunction>& move = given.move->components[i];

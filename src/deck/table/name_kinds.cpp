@@ -93,15 +93,6 @@ std::string Kind<Partners>::print(const Partners& value) {
     return print_list({quote(value[0]), quote(value[1])});
 }
 
-std::optional<PointList> Kind<PointList>::read(const ValueSource& from) {
-    const std::size_t count = from.node.array() == nullptr ? 0 : from.node.array()->size();
-    auto points = read_points(
-        from.node, from.path, from.key, from.context, point_words, std::max<std::size_t>(count, 2));
-    return points ? std::optional(PointList{std::move(*points)}) : std::nullopt;
-}
-
-std::string Kind<PointList>::print(const PointList& value) { return print_words(value.points); }
-
 std::string Kind<std::variant<Vec3, PointName>>::schema(const KeySpec&) {
     return fmt::format(R"({{"anyOf": [{}, {{"type": "string"}}]}})", schema_of_array(any_number_schema, 3));
 }

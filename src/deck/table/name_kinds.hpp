@@ -49,11 +49,6 @@ struct JointNames : std::array<CheckedWord, 2> {};
 // Two names of what touches, with * for any letters, or of parts of rods: wire@0.9..1.
 struct Partners : std::array<CheckedWord, 2> {};
 
-// Points, two at least.
-struct PointList {
-    std::vector<CheckedWord> points;
-};
-
 // The name or the number of a physical group of a mesh.
 using GroupName = std::variant<std::string, long>;
 
@@ -206,18 +201,6 @@ struct Kind<Partners> {
     static std::optional<Partners> read(const ValueSource& from);
     static std::string print(const Partners& value);
     static std::string sample(const KeySpec&) { return "[\"wire@0.9..1\", \"vessel\"]"; }
-};
-
-template <>
-struct Kind<PointList> {
-    static std::string words(const KeySpec&) {
-        return "an array of points, two at least, such as [\"leg.end\", \"beam.start\"]";
-    }
-    static std::string column(const KeySpec&) { return "points"; }
-    static std::string schema(const KeySpec&) { return schema_of_list(text_schema, 2); }
-    static std::optional<PointList> read(const ValueSource& from);
-    static std::string print(const PointList& value);
-    static std::string sample(const KeySpec&) { return "[\"rod.end\", \"other.start\"]"; }
 };
 
 // A place, or a point that is there.

@@ -1,0 +1,103 @@
+#include "deck/rods/coincident_points.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "deck/rods/rod_table.hpp"
+
+namespace gxrod {
+namespace {
+
+// A node between elements.
+struct Candidate {
+    JoinedPoint point;
+    Vec3 position;
+    double along = 0.0;     // the direction by which candidates are sorted
+    bool is_point = false;  // not just between two elements
+    bool is_grouped = false;
+};
+
+// Oblique, so that few points of a frame have the same component.
+const Vec3 sorting_direction = Vec3(1.0, 0.61803, 0.36788).normalized();
+
+// Whether the tangents of two elements differ where they meet.
+bool is_corner(const Quat& before, const Quat& after) {
+    constexpr double same_direction = 1e-6;
+    return (before * Vec3::UnitX() - after * Vec3::UnitX()).norm() > same_direction;
+}
+
+bool has_hinge(const RodTable& table, const char* end) {
+    return table.hinges &&
+           std::ranges::find(table.hinges->words, end, &CheckedWord::word) != table.hinges->words.end();
+}
+
+void add_candidates(int index, const BuildContext& context, std::vector<Candidate>& candidates) {
+    const auto i = static_cast<std::size_t>(index);
+    const Rod& rod = context.model.rods[i];
+    const auto per_element = static_cast<std::size_t>(rod.order) + 1;
+    std::set<int> added;
+    const auto add = [&](std::size_t entry, bool is_point) {
+        const int node = rod.element_nodes[entry];
+        if (!added.insert(node).second) return;
+        const Node& at = context.model.nodes[static_cast<std::size_t>(node)];
+        is_point = is_point || context.names.is_meshed(index) || at.name.find(" node ") == std::string::npos;
+        candidates.push_back({make_joined(at.name, {.node = node, .rod = index}, context),
+                              at.position,
+                              at.position.dot(sorting_direction),
+                              is_point});
+    };
+    for (std::size_t entry = 0; entry < rod.element_nodes.size(); entry += per_element) {
+        const bool is_first = entry == 0;
+        add(entry, is_first || is_corner(rod.triads[entry - 1], rod.triads[entry]));
+        add(entry + per_element - 1, entry + per_element == rod.element_nodes.size());
+    }
+}
+
+// The candidates that coincide with the first of those that are sorted; itself included.
+std::vector<Candidate*> take_group(std::vector<Candidate>& sorted, std::size_t first, double tolerance) {
+    std::vector<Candidate*> group;
+    for (std::size_t k = first; k < sorted.size() && sorted[k].along - sorted[first].along <= tolerance;
+         ++k) {
+        Candidate& other = sorted[k];
+        if (!other.is_grouped && (other.position - sorted[first].position).norm() <= tolerance)
+            group.push_back(&other);
+    }
+    return group;
+}
+
+}  // namespace
+
+JoinedPoint make_joined(std::string name, const PlacedPoint& point, const BuildContext& context) {
+    JoinedPoint joined{std::move(name), point.node, point.rod};
+    const auto i = static_cast<std::size_t>(point.rod);
+    const RodTable& table = rods_of(context.deck)[i];
+    const std::vector<int>& nodes = context.model.rods[i].nodes;
+    joined.is_hinged = (point.node == nodes.front() && has_hinge(table, "start")) ||
+                       (point.node == nodes.back() && has_hinge(table, "end"));
+    return joined;
+}
+
+std::vector<std::vector<JoinedPoint>> find_coincident_points(const std::vector<int>& rods,
+                                                             double tolerance,
+                                                             const BuildContext& context) {
+    std::vector<Candidate> candidates;
+    for (const int rod : rods) add_candidates(rod, context, candidates);
+    std::ranges::stable_sort(candidates, {}, &Candidate::along);
+    std::vector<std::vector<JoinedPoint>> groups;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        if (candidates[i].is_grouped) continue;
+        const std::vector<Candidate*> group = take_group(candidates, i, tolerance);
+        const bool has_point = std::ranges::any_of(group, [](const Candidate* one) { return one->is_point; });
+        if (group.size() < 2 || !has_point) continue;
+        std::vector<JoinedPoint>& joined = groups.emplace_back();
+        for (Candidate* one : group) {
+            one->is_grouped = true;
+            joined.push_back(one->point);
+        }
+        std::ranges::sort(joined, {}, &JoinedPoint::node);
+    }
+    std::ranges::sort(groups, {}, [](const auto& group) { return group.front().node; });
+    return groups;
+}
+
+}  // namespace gxrod
