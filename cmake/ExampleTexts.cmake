@@ -26,6 +26,31 @@ const std::vector<ExampleText>& example_texts() {
 ")
 endfunction()
 
+# Writes a source that holds the decks that `gxrod init` writes.
+function(gxrod_embed_first_decks folder output)
+  file(GLOB decks CONFIGURE_DEPENDS "${folder}/*.toml")
+  set(entries "")
+  foreach(deck IN LISTS decks)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${deck}")
+    get_filename_component(name "${deck}" NAME_WE)
+    file(READ "${deck}" text)
+    string(APPEND entries "        {\"${name}\", R\"deck(${text})deck\"},\n")
+  endforeach()
+  file(CONFIGURE OUTPUT "${output}" @ONLY CONTENT
+"#include \"first_decks.hpp\"
+
+namespace gxrod {
+
+const std::vector<FirstDeck>& list_first_decks() {
+    static const std::vector<FirstDeck> all = {
+@entries@    };
+    return all;
+}
+
+}  // namespace gxrod
+")
+endfunction()
+
 # Writes a source that holds the tables of the catalogue of profiles.
 function(gxrod_embed_catalogue folder output)
   file(GLOB tables CONFIGURE_DEPENDS "${folder}/*.csv")

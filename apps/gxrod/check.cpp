@@ -1,6 +1,12 @@
 #include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
 #include <iterator>
+#include <map>
 #include <memory>
+#include <thread>
 
 #include "analyses/dynamic.hpp"
 #include "check/findings/plane_findings.hpp"
@@ -11,8 +17,11 @@
 #include "check/summaries/memory_estimate.hpp"
 #include "check/summaries/model_summary.hpp"
 #include "deck/problem.hpp"
+#include "deck/text/fault.hpp"
 #include "exit_code.hpp"
 #include "job.hpp"
+#include "machine/file_error.hpp"
+#include "machine/printable.hpp"
 #include "model/evaluation_error.hpp"
 #include "results/results_size.hpp"
 #include "say.hpp"
@@ -26,6 +35,7 @@ struct CheckArguments {
     std::string deck;
     std::vector<std::string> overrides;
     bool all = false;
+    bool watch = false;
 };
 
 // Of a terminal; longer texts are shortened.
@@ -139,6 +149,47 @@ int check(const CheckArguments& arguments) {
     }
 }
 
+// When the deck and the files in its folder were last written.
+std::map<std::filesystem::path, std::filesystem::file_time_type> list_times(const std::string& deck) {
+    std::map<std::filesystem::path, std::filesystem::file_time_type> times;
+    std::filesystem::path folder = std::filesystem::path(deck).parent_path();
+    if (folder.empty()) folder = ".";
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+        const auto time = entry.last_write_time(ignored);
+        if (!ignored && entry.is_regular_file(ignored)) times[entry.path()] = time;
+    }
+    return times;
+}
+
+// Checks; says what is wrong with the deck and its files.
+void check_once(const CheckArguments& arguments) {
+    try {
+        if (check(arguments) == exit_done) say(stdout, "no errors\n");
+    } catch (const DeckError& error) {
+        say(stderr, "{}\n", error.what());
+    } catch (const FileError& error) {
+        say(stderr, "gxrod: {}\n", printable(error.what()));
+    }
+}
+
+// Checks again whenever a file in the folder of the deck has changed; ends when it is interrupted.
+[[noreturn]] void check_on_each_save(const CheckArguments& arguments) {
+    constexpr std::chrono::milliseconds pause{300};
+    while (true) {
+        const auto before = list_times(arguments.deck);
+        const std::time_t now = std::time(nullptr);
+        say(stdout,
+            "--- {:02}:{:02}:{:02}\n",
+            std::localtime(&now)->tm_hour,
+            std::localtime(&now)->tm_min,
+            std::localtime(&now)->tm_sec);
+        check_once(arguments);
+        std::fflush(stdout);
+        while (list_times(arguments.deck) == before) std::this_thread::sleep_for(pause);
+    }
+}
+
 }  // namespace
 
 void add_check_verb(CLI::App& program, int& exit_code) {
@@ -148,7 +199,13 @@ void add_check_verb(CLI::App& program, int& exit_code) {
     verb->add_option("--set", arguments->overrides, "KEY=VALUE: change a key of the deck")
         ->allow_extra_args(false);
     verb->add_flag("--all", arguments->all, "List every part, note and warning of a long deck");
-    verb->callback([arguments, &exit_code] { exit_code = check(*arguments); });
+    verb->add_flag("--watch",
+                   arguments->watch,
+                   "Check again whenever a file in the deck's folder is saved, until Ctrl-C");
+    verb->callback([arguments, &exit_code] {
+        if (arguments->watch) check_on_each_save(*arguments);
+        exit_code = check(*arguments);
+    });
 }
 
 }  // namespace gxrod

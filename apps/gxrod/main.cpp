@@ -83,6 +83,7 @@ int run_program(int argc, char** argv) {
         "converge,\n"
         "4 a file could not be read or written, 5 a verification missed its reference, 130 interrupted.");
     int exit_code = gxrod::exit_done;
+    gxrod::add_init_verb(program, exit_code);
     gxrod::add_run_verb(program, exit_code);
     gxrod::add_resume_verb(program, exit_code);
     gxrod::add_batch_verb(program, exit_code, take_sbatch_options(argc, argv));

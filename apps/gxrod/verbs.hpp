@@ -8,6 +8,7 @@
 // One function a verb: declares its options on the program and, when it was asked for, stores its exit code.
 namespace gxrod {
 
+void add_init_verb(CLI::App& program, int& exit_code);
 void add_run_verb(CLI::App& program, int& exit_code);
 void add_resume_verb(CLI::App& program, int& exit_code);
 // `sbatch_options` come after "--", if there is one.

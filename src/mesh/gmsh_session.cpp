@@ -189,7 +189,8 @@ std::vector<GmshElements> GmshSession::elements_of_entity(int dimension, int ent
     for (std::size_t i = 0; i < types.count; ++i) {
         elements.push_back({types.data[i],
                             {nodes.data[i], nodes.data[i] + node_counts.data[i]},
-                            {numbers.data[i], numbers.data[i] + number_counts.data[i]}});
+                            {numbers.data[i], numbers.data[i] + number_counts.data[i]},
+                            entity});
         gmsh_.release(numbers.data[i]);
         gmsh_.release(nodes.data[i]);
     }

@@ -33,6 +33,7 @@ struct GmshElements {
     int type = 0;
     std::vector<std::size_t> nodes;
     std::vector<std::size_t> numbers;
+    int entity = 0;  // the number of the entity; −1 with elements of all entities
 };
 
 // A model in Gmsh's memory. Gmsh has one memory per process, so only one session can live at a time; its end

@@ -48,7 +48,7 @@ void add_element(const std::size_t* numbers,
 }
 
 MeshLines read_lines(const GmshSession& session, const GmshSession::Group& group, const NodeIndex& index) {
-    MeshLines lines{group.number, group.name, {}, {}};
+    MeshLines lines{group.number, group.name, {}, {}, {}};
     const std::vector<GmshElements> all = session.elements_of(group);
     std::set<int> orders;
     for (const GmshElements& elements : all) orders.insert(order_of(elements.type));
@@ -62,7 +62,9 @@ MeshLines read_lines(const GmshSession& session, const GmshSession::Group& group
         for (auto first = elements.nodes.begin(); first != elements.nodes.end(); first += per_element) {
             std::vector<std::size_t> nodes(first, first + per_element);
             std::sort(nodes.begin(), nodes.end());
-            if (known.insert(std::move(nodes)).second) add_element(&*first, order, index, lines.nodes);
+            if (!known.insert(std::move(nodes)).second) continue;
+            add_element(&*first, order, index, lines.nodes);
+            lines.curves.push_back(elements.entity);
         }
     }
     return lines;

@@ -73,6 +73,7 @@ void visit_members(Stream& stream, Entry& entry) {
         } else {
             stream.visit(entry.nodes);
         }
+        if constexpr (std::is_same_v<Kind, MeshLines>) stream.visit(entry.curves);
     }
 }
 

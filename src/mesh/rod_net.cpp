@@ -67,6 +67,7 @@ class NetMaker {
         NetElement element{.start_tangent = curve.tangent(0.0),
                            .end_tangent = curve.tangent(curve.length()),
                            .turn = curve.turn(curve.length())};
+        if (link.element < lines_.curves.size()) element.curve = lines_.curves[link.element];
         const std::vector<double> parameters = compute_element_nodes(net_.order);
         for (std::size_t i = 0; i <= order_; ++i) {
             const std::size_t mesh_node = node_of(link.element, link.is_reversed ? order_ - i : i);

@@ -15,6 +15,7 @@ struct NetElement {
         {};  // carry axes from the start of the element to its nodes, without twisting
     Vec3 start_tangent, end_tangent;
     double turn = 0.0;  // turn of the tangent, from start to end
+    int curve = 0;      // the number of the geometry's curve that it is on
 
     double length() const { return arc_length.back(); }
 };

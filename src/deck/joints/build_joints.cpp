@@ -55,8 +55,8 @@ Joint make_member_hinge(const MemberHinge& hinge, const BuildContext& context) {
     joint.name = hinge.name;
     joint.kind = is_plane ? JointKind::ball : JointKind::universal;
     const Rod& rod = context.model.rods[static_cast<std::size_t>(hinge.rod)];
-    const bool is_start = hinge.own_node == rod.nodes.front();
-    const Mat3 axes = (is_start ? rod.triads.front() : rod.triads.back()).toRotationMatrix();
+    const auto entry = std::ranges::find(rod.element_nodes, hinge.own_node) - rod.element_nodes.begin();
+    const Mat3 axes = rod.triads[static_cast<std::size_t>(entry)].toRotationMatrix();
     const auto arm = [&](int node) -> Vec3 {
         const auto& nodes = context.model.nodes;
         return nodes[static_cast<std::size_t>(hinge.own_node)].position -

@@ -16,7 +16,8 @@ RodPlace place_in_rod(const PlacedPoint& point, const Rod& rod) {
     if (point.end_element >= 0) {
         return {point.rod, point.end_element, point.is_end_of_rod ? 1.0 : -1.0};
     }
-    const auto found = std::find(rod.element_nodes.begin(), rod.element_nodes.end(), point.node);
+    const int node = rod.nodes[static_cast<std::size_t>(point.position_in_rod)];
+    const auto found = std::find(rod.element_nodes.begin(), rod.element_nodes.end(), node);
     const auto entry = static_cast<std::size_t>(found - rod.element_nodes.begin());
     const double fraction = compute_element_nodes(rod.order)[entry % per_element];
     return {point.rod, static_cast<int>(entry / per_element), 2.0 * fraction - 1.0};

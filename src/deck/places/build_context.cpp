@@ -9,9 +9,18 @@ namespace gxrod {
 namespace {
 
 // The point at nodes[index], where `nodes` goes from the rod's start to its end and may meet a node twice.
-PlacedPoint make_point(const Rod& rod, int rod_index, const std::vector<int>& nodes, std::size_t index) {
+PlacedPoint make_point(const Rod& rod,
+                       int rod_index,
+                       const std::vector<int>& nodes,
+                       std::size_t index,
+                       const std::vector<MemberHinge>& hinges) {
     PlacedPoint point{.node = nodes[index], .rod = rod_index};
-    const auto position = std::find(rod.nodes.begin(), rod.nodes.end(), point.node);
+    auto position = std::find(rod.nodes.begin(), rod.nodes.end(), point.node);
+    // All members of a mesh can have hinges at the node, and nodes of their own.
+    for (auto hinge = hinges.begin(); position == rod.nodes.end() && hinge != hinges.end(); ++hinge) {
+        if (hinge->node == point.node && hinge->rod == rod_index)
+            position = std::find(rod.nodes.begin(), rod.nodes.end(), hinge->own_node);
+    }
     point.position_in_rod = static_cast<int>(position - rod.nodes.begin());
     if (std::count(nodes.begin(), nodes.end(), point.node) < 2) return point;
     if (index == 0) point.end_element = 0;
@@ -42,7 +51,7 @@ std::optional<PlacedPoint> BuildContext::place(const Point& point) const {
     if (meshed_position >= 0) {
         if (nodes.empty()) return std::nullopt;
         PlacedPoint placed =
-            make_point(model.rods[rod], rod, nodes, static_cast<std::size_t>(meshed_position));
+            make_point(model.rods[rod], rod, nodes, static_cast<std::size_t>(meshed_position), hinges);
         // A net of lines has no two ends.
         if (rod_fractions[rod].empty()) placed.end_element = -1;
         return placed;
@@ -54,7 +63,7 @@ std::optional<PlacedPoint> BuildContext::place(const Point& point) const {
             return std::abs(a - at) < std::abs(b - at);
         });
     const auto index = static_cast<std::size_t>(nearest - fractions.begin());
-    PlacedPoint placed = make_point(model.rods[rod], rod, nodes, index);
+    PlacedPoint placed = make_point(model.rods[rod], rod, nodes, index, hinges);
     if (std::abs(*nearest - fraction) > same_fraction) placed.between = RodPoint{rod, fraction};
     return placed;
 }

@@ -33,10 +33,12 @@ void add_candidates(int index, const BuildContext& context, std::vector<Candidat
     const auto per_element = static_cast<std::size_t>(rod.order) + 1;
     std::set<int> added;
     const auto add = [&](std::size_t entry) {
-        const int node = rod.element_nodes[entry];
+        int node = rod.element_nodes[entry];
+        const auto hinge = std::ranges::find(context.hinges, node, &MemberHinge::own_node);
+        // In its place the node to which a hinge ties it, which is another rod's if the rod is not a mesh.
+        if (hinge != context.hinges.end() && !is_meshed) return;
+        if (hinge != context.hinges.end()) node = hinge->node;
         if (!added.insert(node).second) return;
-        // The node to which a hinge ties it is a candidate, too.
-        if (std::ranges::find(context.hinges, node, &MemberHinge::own_node) != context.hinges.end()) return;
         const auto placed = context.place(Point(RodPoint{index, 0.0, positions.at(node)}));
         if (placed) candidates.push_back({*placed, rod.arc_length[entry]});
     };
@@ -51,7 +53,8 @@ void add_candidates(int index, const BuildContext& context, std::vector<Candidat
 double arc_length_of(const PlacedPoint& point, const Model& model) {
     if (point.rod < 0) return 0.0;
     const Rod& rod = model.rods[static_cast<std::size_t>(point.rod)];
-    const auto entry = std::ranges::find(rod.element_nodes, point.node) - rod.element_nodes.begin();
+    const int node = rod.nodes[static_cast<std::size_t>(point.position_in_rod)];
+    const auto entry = std::ranges::find(rod.element_nodes, node) - rod.element_nodes.begin();
     return rod.arc_length[static_cast<std::size_t>(entry)];
 }
 

@@ -132,6 +132,13 @@ void apply(const NodeMerge& merge, BuildContext& context) {
         remove_repetitions(rod.nodes);
         renumber(context.rod_nodes[i]);
     }
+    // Nodes of a mesh where all its members have hinges.
+    for (const MemberHinge& hinge : context.hinges) {
+        Rod& rod = context.model.rods[static_cast<std::size_t>(hinge.rod)];
+        std::erase_if(rod.nodes, [&](int node) {
+            return std::ranges::find(rod.element_nodes, node) == rod.element_nodes.end();
+        });
+    }
     for (MemberHinge& hinge : context.hinges) {
         hinge.node = numbers[hinge.node];
         hinge.own_node = numbers[hinge.own_node];
@@ -201,7 +208,7 @@ void join_group(const std::vector<JoinedPoint>& group, NodeMerge& merge, BuildCo
 // Ends with a hinge that nothing holds.
 void check_hinges(const BuildContext& context) {
     for (const RodTable& table : rods_of(context.deck)) {
-        if (!table.hinges) continue;
+        if (!table.hinges || table.mesh) continue;
         for (const CheckedWord& word : table.hinges->words) {
             const std::string name = table.name + "." + word.word;
             const auto is_used = [&](const MemberHinge& hinge) {
@@ -219,6 +226,21 @@ void check_hinges(const BuildContext& context) {
     }
 }
 
+// Where members of meshes have hinges alone, one of them keeps the node, whose rotation nothing else would
+// hold.
+void hold_free_nodes(NodeMerge& merge, BuildContext& context) {
+    if (context.hinges.empty()) return;
+    std::set<int> used;
+    for (const Rod& rod : context.model.rods) {
+        for (const int node : rod.element_nodes) used.insert(merge.root(node));
+    }
+    std::erase_if(context.hinges, [&](const MemberHinge& hinge) {
+        if (!used.insert(merge.root(hinge.node)).second) return false;
+        merge.join(hinge.node, hinge.own_node);
+        return true;
+    });
+}
+
 }  // namespace
 
 void build_connections(BuildContext& context) {
@@ -230,9 +252,10 @@ void build_connections(BuildContext& context) {
         for (const auto& group : list_groups(given, size, context)) join_group(group, merge, context);
     }
     check_hinges(context);
-    if (tables.empty()) return;
+    hold_free_nodes(merge, context);
+    if (tables.empty() && context.hinges.empty()) return;
     apply(merge, context);
-    check_elements(context);
+    if (!tables.empty()) check_elements(context);
 }
 
 }  // namespace gxrod

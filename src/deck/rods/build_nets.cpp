@@ -86,6 +86,48 @@ struct NetBuilder {
     }
 };
 
+// Gives members of a mesh, each a curve of its geometry, nodes of their own where they have a hinge.
+class MemberHinges {
+  public:
+    MemberHinges(const RodTable& table, int index, BuildContext& context)
+        : table_(table),
+          index_(index),
+          context_(context),
+          rod_(context.model.rods[static_cast<std::size_t>(index)]) {}
+
+    // The elements of the chain are the rod's from `first` on.
+    void add(const NetChain& chain, std::size_t first) {
+        const std::size_t count = chain.elements.size();
+        for (std::size_t e = 0; e < count; ++e) {
+            const int curve = chain.elements[e].curve;
+            const bool is_first = e == 0 || chain.elements[e - 1].curve != curve;
+            const bool is_last = e + 1 == count || chain.elements[e + 1].curve != curve;
+            if (is_first && has_hinge(table_, "start")) release((first + e) * per_element());
+            if (is_last && has_hinge(table_, "end")) release((first + e) * per_element() + per_element() - 1);
+        }
+    }
+
+  private:
+    std::size_t per_element() const { return static_cast<std::size_t>(rod_.order) + 1; }
+
+    void release(std::size_t entry) {
+        const int node = rod_.element_nodes[entry];
+        const auto own = static_cast<int>(context_.model.nodes.size());
+        const Node& at = context_.model.nodes[static_cast<std::size_t>(node)];
+        const std::string name = fmt::format("{} hinge {}", rod_.name, ++count_);
+        context_.hinges.push_back({name, at.name, node, own, index_});
+        context_.model.nodes.push_back({name, at.position});
+        rod_.element_nodes[entry] = own;
+        rod_.nodes.push_back(own);
+    }
+
+    const RodTable& table_;
+    int index_;
+    BuildContext& context_;
+    Rod& rod_;
+    int count_ = 0;
+};
+
 // Where a chain goes straight back, with a fault.
 bool has_reversal(const RodTable& table, const RodNet& net, const BuildContext& context) {
     constexpr double zero_angle = 1e-10;
@@ -104,6 +146,15 @@ bool has_reversal(const RodTable& table, const RodNet& net, const BuildContext& 
     return false;
 }
 
+void add_member_hinges(const RodTable& table, const RodNet& net, int index, BuildContext& context) {
+    MemberHinges hinges(table, index, context);
+    std::size_t first = 0;
+    for (const NetChain& chain : net.chains) {
+        hinges.add(chain, first);
+        first += chain.elements.size();
+    }
+}
+
 }  // namespace
 
 void check_meshed_rod(const RodTable& table, const BuildContext& context) {
@@ -115,11 +166,6 @@ void check_meshed_rod(const RodTable& table, const BuildContext& context) {
     refuse(table.order);
     if (table.rest)
         context.add_fault(table, table.rest, "a rod from a mesh is free of stress where the mesh has it");
-    if (table.hinges)
-        context.add_fault(
-            table,
-            table.hinges,
-            "lines of a mesh have no hinges; expected rods of their own with a line or polyline");
     if (std::holds_alternative<CheckedProfile>(table.twist))
         context.add_fault(table, table.twist, "along a rod from a mesh twist is even; expected a number");
 }
@@ -141,6 +187,7 @@ void build_net(const RodTable& table, const NamedNet& named, int index, BuildCon
     if (twist == nullptr) return;
     NetBuilder builder{rod, *twist};
     for (std::size_t i = 0; i < net.chains.size(); ++i) builder.add_chain(net.chains[i], axes[i]);
+    if (table.hinges) add_member_hinges(table, net, index, context);
     check_element_turn(builder.largest_turn, net.order, table, &table.mesh, context);
     context.rod_fractions[static_cast<std::size_t>(index)] = named.points.fractions;
 }

@@ -26,18 +26,19 @@ bool is_corner(const Quat& before, const Quat& after) {
     return (before * Vec3::UnitX() - after * Vec3::UnitX()).norm() > same_direction;
 }
 
-bool has_hinge(const RodTable& table, const char* end) {
-    return table.hinges &&
-           std::ranges::find(table.hinges->words, end, &CheckedWord::word) != table.hinges->words.end();
-}
-
 void add_candidates(int index, const BuildContext& context, std::vector<Candidate>& candidates) {
     const auto i = static_cast<std::size_t>(index);
     const Rod& rod = context.model.rods[i];
     const auto per_element = static_cast<std::size_t>(rod.order) + 1;
     std::set<int> added;
+    // Instead of a node of its own that a hinge of a mesh has, the node to which it is tied.
+    const auto node_of = [&](std::size_t entry) {
+        const auto hinge =
+            std::ranges::find(context.hinges, rod.element_nodes[entry], &MemberHinge::own_node);
+        return hinge == context.hinges.end() ? rod.element_nodes[entry] : hinge->node;
+    };
     const auto add = [&](std::size_t entry, bool is_point) {
-        const int node = rod.element_nodes[entry];
+        const int node = node_of(entry);
         if (!added.insert(node).second) return;
         const Node& at = context.model.nodes[static_cast<std::size_t>(node)];
         is_point = is_point || context.names.is_meshed(index) || at.name.find(" node ") == std::string::npos;
@@ -71,6 +72,7 @@ JoinedPoint make_joined(std::string name, const PlacedPoint& point, const BuildC
     JoinedPoint joined{std::move(name), point.node, point.rod};
     const auto i = static_cast<std::size_t>(point.rod);
     const RodTable& table = rods_of(context.deck)[i];
+    if (table.mesh) return joined;
     const std::vector<int>& nodes = context.model.rods[i].nodes;
     joined.is_hinged = (point.node == nodes.front() && has_hinge(table, "start")) ||
                        (point.node == nodes.back() && has_hinge(table, "end"));

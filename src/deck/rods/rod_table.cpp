@@ -149,7 +149,7 @@ const TableSpec& rod_table() {
              "of its length are those of the rod, and the rod's arc length, mass and stiffness are by it. Left out, "
              "the rod starts free of stress, but for a catenary, which is straight then.")
         .key("hinges", &T::hinges, "Ends that [[connect]] ties to others by a hinge: it bends freely both ways there, and hands on "
-             "forces and torsion. The joint is NAME.start or NAME.end.")
+             "forces and torsion. The joint is NAME.start or NAME.end. Of a mesh the ends of each curve of its geometry.")
             .words({"start", "end"}).otherwise("none: corners are rigid")
             .also("hinge releases release end_releases pinned pins")
         .with(add_copies<T>)
@@ -160,6 +160,12 @@ const TableSpec& rod_table() {
         .shown_by(rod_examples);
     // clang-format on
     return table;
+}
+
+bool has_hinge(const RodTable& table, std::string_view end) {
+    if (!table.hinges) return false;
+    const auto& words = table.hinges->words;
+    return std::ranges::find(words, end, &CheckedWord::word) != words.end();
 }
 
 std::vector<std::reference_wrapper<const RodTable>> rods_of(const CheckedTable& deck) {

@@ -51,6 +51,9 @@ struct RodTable : CurveTable {
     }
 };
 
+// Returns whether the rod has a hinge at an end, "start" or "end".
+bool has_hinge(const RodTable& table, std::string_view end);
+
 // The rods of a deck, in its order.
 std::vector<std::reference_wrapper<const RodTable>> rods_of(const CheckedTable& deck);
 
