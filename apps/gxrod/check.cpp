@@ -11,6 +11,7 @@
 #include "analyses/dynamic.hpp"
 #include "check/findings/plane_findings.hpp"
 #include "check/findings/plausibility.hpp"
+#include "check/findings/unit_questions.hpp"
 #include "check/mesh_frequencies.hpp"
 #include "check/model_examination.hpp"
 #include "check/step_advice.hpp"
@@ -74,6 +75,8 @@ CheckText describe_problem(const Problem& problem) {
         (finding.severity == Severity::error ? text.errors : text.warnings).push_back(describe(finding));
     }
     for (const Finding& question : question_model(problem.model, problem.stages))
+        text.warnings.push_back(describe(question));
+    for (const Finding& question : question_units(problem.model, problem.record.units))
         text.warnings.push_back(describe(question));
     return text;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "check/findings/plausibility.hpp"
+#include "check/findings/unit_questions.hpp"
 #include "check/model_examination.hpp"
 #include "deck/text/overrides.hpp"
 #include "deck/text/program_laws.hpp"
@@ -104,8 +105,9 @@ Problem Deck::build(bool is_varied) const {
 
 std::vector<std::string> check(const Problem& problem) {
     std::vector<std::string> lines;
-    for (const auto& list :
-         {examine_stages(problem.model, problem.stages), question_model(problem.model, problem.stages)}) {
+    for (const auto& list : {examine_stages(problem.model, problem.stages),
+                             question_model(problem.model, problem.stages),
+                             question_units(problem.model, problem.record.units)}) {
         for (const Finding& finding : list) lines.push_back(describe(finding));
     }
     return lines;
