@@ -10,6 +10,7 @@
 #include "batch/plan/plan.hpp"
 #include "check/model_examination.hpp"
 #include "check/shape_report.hpp"
+#include "deck/schema/suggestion.hpp"
 #include "exit_code.hpp"
 #include "machine/file_error.hpp"
 #include "model/settings/scheme_card.hpp"
@@ -45,6 +46,15 @@ void print(const JobOptions& options, const RunSummary& summary, bool is_resumed
             summary.reason,
             summary.place,
             options.results);
+    } else if (summary.stopped_as_asked) {
+        if (options.prints())
+            say(stdout,
+                "stopped after stage {} at {}, {:.2f} s\nResults: {}\nTo resume: gxrod resume {}\n",
+                options.until,
+                summary.place,
+                summary.wall_seconds,
+                options.results,
+                options.results);
     } else if (summary.status == RunStatus::interrupted) {
         say(stderr,
             "gxrod: interrupted at {}; results up to there are in {}\n"
@@ -68,6 +78,7 @@ void print(const JobOptions& options, const RunSummary& summary, bool is_resumed
 }
 
 int exit_code_of(const RunSummary& summary, bool deck_fault) {
+    if (summary.stopped_as_asked) return exit_done;
     if (summary.status == RunStatus::interrupted) return exit_interrupted;
     if (summary.out_of_memory) return exit_internal_error;
     if (summary.status == RunStatus::failed) return deck_fault ? exit_bad_input : exit_not_converged;
@@ -140,6 +151,25 @@ void check_room(const JobOptions& options, const Problem& problem) {
         "a larger output.every or output.interval makes fewer frames; histories have each step");
 }
 
+// Throws DeckError if the run is to stop after a stage that the deck does not have.
+void check_until(const Problem& problem, const JobOptions& options) {
+    if (options.until.empty()) return;
+    std::vector<std::string> names;
+    for (const StagePlan& stage : problem.stages) {
+        if (!stage.name.empty()) names.push_back(stage.name);
+    }
+    if (std::ranges::find(names, options.until) != names.end()) return;
+    const std::string known =
+        names.empty() ? "; the deck has no [[stage]]" : "; the deck has " + plain_list(names);
+    const std::string hint = did_you_mean(options.until, names);
+    throw DeckError(
+        {{options.deck,
+          0,
+          0,
+          "",
+          fmt::format("--until {}: no such stage{}", options.until, hint.empty() ? known : hint)}});
+}
+
 // Runs and reports the outcome.
 int run_and_tell(const RunRequest& request, const JobOptions& options, ProgressLine& line) {
     const RunSummary summary = run_analysis(request);
@@ -167,6 +197,8 @@ void add_job_options(CLI::App& verb, JobOptions& options) {
         ->check(CLI::Range(1, most_threads));
     verb.add_option(
         "--summary", options.summary, "Write a summary of the run as JSON to a file, or - for stdout");
+    verb.add_option(
+        "--until", options.until, "Name of the stage after which the run stops; gxrod resume continues it");
     verb.add_flag("--quiet", options.quiet, "Print only warnings and errors");
 }
 
@@ -182,6 +214,7 @@ Problem read_job_problem(const std::string& deck, const std::vector<std::string>
 }
 
 int run_job(const Problem& problem, const JobOptions& options, ResumableFile* resumed) {
+    check_until(problem, options);
     const std::vector<Finding> findings = examine_stages(problem.model, problem.stages);
     print(options, findings);
     if (has_error(findings)) return exit_bad_input;
@@ -202,6 +235,7 @@ int run_job(const Problem& problem, const JobOptions& options, ResumableFile* re
     request.examined = findings;
     request.is_interrupted = [] { return interrupt_signal != 0; };
     request.threads = options.threads;
+    request.until = options.until;
     try {
         return run_and_tell(request, options, line);
     } catch (const WriteError& error) {

@@ -16,6 +16,7 @@ struct JobOptions {
     std::string summary;  // file for JSON, "-", or "" for none
     bool quiet = false;
     Existing existing = Existing::refuse;
+    std::string until;  // the stage after which the run stops
     int threads = 1;
 
     // Whether to print on stdout.

@@ -35,7 +35,8 @@ struct RunRequest {
     // Called with the record from which a run resumes.
     std::function<void(const RestartRecord&)> report_resumption = [](const RestartRecord&) {};
     std::function<bool()> is_interrupted = [] { return false; };  // asked after each step
-    int threads = 1;                                              // their number changes no result
+    std::string until = {};  // the stage after which the run stops, to be resumed; "" if at its end
+    int threads = 1;         // their number changes no result
     // Called at each accepted state, t = 0 included, without values of elements for frames.
     std::function<void(const Snapshot&, const LedgerRow&)> observe = {};
     // Called when another stage with steps has started, before its first step.
@@ -47,6 +48,7 @@ struct RunRequest {
 struct RunSummary {
     RunStatus status = RunStatus::running;
     std::string reason;                      // reason of a failure
+    bool stopped_as_asked = false;           // interrupted after the stage RunRequest::until
     std::vector<std::int64_t> reason_nodes;  // nodes that it names
     std::optional<Failure> failure;          // failure of a step
     std::string cuts;                        // how often and why steps were cut, if more than a few times

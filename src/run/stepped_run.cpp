@@ -108,7 +108,7 @@ bool SteppedRun::step() {
 bool SteppedRun::find_next_step() {
     while (true) {
         if (!has_steps(stages_->settings())) {
-            if (!find_shapes() || stages_->is_last() || !enter_next_stage()) return false;
+            if (!find_shapes() || !go_on()) return false;
             continue;
         }
         if (phase_ == Phase::started) begin_path();
@@ -121,7 +121,7 @@ bool SteppedRun::find_next_step() {
         }
         if (enter_next_branch()) continue;
         write_paths();
-        if (stages_->is_last() || !enter_next_stage()) return false;
+        if (!go_on()) return false;
     }
 }
 
@@ -185,6 +185,15 @@ bool SteppedRun::find_shapes() {
     }
     books_.summary().shapes.push_back(std::move(found));
     return true;
+}
+
+// Enters the next stage; false if there is none, if the run is to stop here, or if the stage cannot start.
+bool SteppedRun::go_on() {
+    if (stages_->is_last()) return false;
+    if (request_.until.empty() || stages_->name() != request_.until) return enter_next_stage();
+    interrupt();
+    books_.summary().stopped_as_asked = true;
+    return false;
 }
 
 // False, and the reason is kept, if it cannot start.

@@ -84,6 +84,7 @@ class SteppedRun {
     bool take_first();
     bool find_next_step();
     void note_end();
+    bool go_on();
     bool enter_next_stage();
     void begin_path();
     bool enter_next_branch();
