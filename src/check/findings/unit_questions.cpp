@@ -19,13 +19,25 @@ struct Unit {
     double size;  // in the unit of the SI
 };
 
-constexpr std::array<Unit, 7> lengths{
-    {{"m", 1.0}, {"mm", 1e-3}, {"cm", 1e-2}, {"km", 1e3}, {"um", 1e-6}, {"in", 0.0254}, {"ft", 0.3048}}};
-constexpr std::array<Unit, 5> masses{
-    {{"kg", 1.0}, {"g", 1e-3}, {"t", 1e3}, {"mg", 1e-6}, {"lb", 0.45359237}}};
-constexpr std::array<Unit, 5> forces{
-    {{"N", 1.0}, {"kN", 1e3}, {"MN", 1e6}, {"mN", 1e-3}, {"lbf", 4.4482216152605}}};
-constexpr std::array<Unit, 4> times{{{"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}, {"min", 60.0}}};
+constexpr std::array<Unit, 9> lengths{{{"m", 1.0},
+                                       {"mm", 1e-3},
+                                       {"cm", 1e-2},
+                                       {"dm", 0.1},
+                                       {"km", 1e3},
+                                       {"µm", 1e-6},
+                                       {"um", 1e-6},
+                                       {"in", 0.0254},
+                                       {"ft", 0.3048}}};
+constexpr std::array<Unit, 6> masses{
+    {{"kg", 1.0}, {"g", 1e-3}, {"mg", 1e-6}, {"t", 1e3}, {"slug", 14.59390294}, {"lbm", 0.45359237}}};
+constexpr std::array<Unit, 7> forces{{{"N", 1.0},
+                                      {"kN", 1e3},
+                                      {"MN", 1e6},
+                                      {"mN", 1e-3},
+                                      {"lbf", 4.4482216152605},
+                                      {"kip", 4448.2216152605},
+                                      {"dyn", 1e-5}}};
+constexpr std::array<Unit, 4> times{{{"s", 1.0}, {"ms", 1e-3}, {"min", 60.0}, {"h", 3600.0}}};
 
 template <std::size_t count>
 std::optional<double> find_unit(const std::array<Unit, count>& units, std::string_view word) {

@@ -71,7 +71,7 @@ class Results:
 
     def sweeps(self):
         """Modes that stages have followed over a number of the deck."""
-        return [read_sweep(stage) for stage in self.results.stages.values() if "values" in stage]
+        return [read_sweep(stage, self.results.units) for stage in self.results.stages.values() if "values" in stage]
 
     @property
     def history_names(self):

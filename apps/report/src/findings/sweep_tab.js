@@ -16,18 +16,35 @@ export class SweepTab {
     this.element = make("div", {}, ...sweeps.map((sweep) => this.makeSweep(sweep)));
   }
 
+  // What a sweep is drawn over: revolutions a minute and Hz if it turns and time is in seconds, else the number and ω.
+  scalesOf(sweep) {
+    const steps = sweep.speeds.slice(1).map((speed, i) => speed - sweep.speeds[i]);
+    const turns = steps.length > 0 && (steps.every((step) => step > 0) || steps.every((step) => step < 0));
+    const hasSeconds = this.units?.time?.length === 1 && this.units.time[0][0] === "s";
+    if (!turns || !hasSeconds) return { up: 1, upName: `ω, ${unitOf("angle/time", this.units)}`, across: sweep.values, acrossName: sweep.key, place: (value) => value };
+    const across = sweep.speeds.map((speed) => (speed * 30) / Math.PI);
+    const order = sweep.values.map((value, i) => [value, across[i]]).sort((a, b) => a[0] - b[0]);
+    const place = (value) => {
+      const next = Math.max(1, order.findIndex(([at]) => at >= value));
+      const [[a, left], [b, right]] = [order[next - 1], order[next]];
+      return left + ((right - left) * (value - a)) / (b - a);
+    };
+    return { up: 1 / (2 * Math.PI), upName: "frequency, Hz", across, acrossName: "speed, rpm", place };
+  }
+
   makeSweep(sweep) {
+    const scales = this.scalesOf(sweep);
     const growth = sweep.growth.map((list, mode) =>
       list.map((value, i) => (value === null ? NaN : Math.abs(value) > roundOff * Math.hypot(value, sweep.omega[mode][i]) ? value : 0)),
     );
     const colourOf = (mode) => (theme) => theme.series[mode % theme.series.length];
     const drawn = sweep.words.map((words, mode) => ({ name: String(mode + 1), words, colour: colourOf(mode), isHidden: false }));
-    const parts = [{ up: `ω, ${unitOf("angle/time", this.units)}`, lists: sweep.omega.map((list) => list.map((value) => value ?? NaN)), isGrowth: false }];
+    const parts = [{ up: scales.upName, lists: sweep.omega.map((list) => list.map((value) => (value ?? NaN) * scales.up)), isGrowth: false }];
     if (growth.some((list) => list.some((value) => value !== 0 && Number.isFinite(value)))) parts.push({ up: `growth, ${unitOf("1/time", this.units)}`, lists: growth, isGrowth: true });
     const bodies = parts.map(() => make("div", { className: "figure" }));
     const plots = bodies.map((body) => new Plot(body, noAttention, () => []));
     this.plots.push(...plots);
-    const across = { name: sweep.key, symbol: sweep.key, values: sweep.values };
+    const across = { name: scales.acrossName, symbol: scales.acrossName, values: scales.across };
     const show = () =>
       parts.forEach(({ up, lists, isGrowth }, i) =>
         plots[i].show(
@@ -35,8 +52,8 @@ export class SweepTab {
             across,
             up,
             curves: drawn.map((curve, mode) => ({ ...curve, values: lists[mode] })),
-            speeds: isGrowth ? [] : sweep.speeds,
-            onsets: sweep.onsets.map(({ value, omega }) => ({ value, name: "", height: isGrowth ? null : omega })),
+            speeds: isGrowth ? [] : sweep.speeds.map((speed) => speed * scales.up),
+            onsets: sweep.onsets.map(({ value, omega }) => ({ value: scales.place(value), name: "", height: isGrowth ? null : omega * scales.up })),
           }),
         ),
       );
