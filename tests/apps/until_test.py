@@ -22,7 +22,7 @@ fix = "all"
 [[support]]
 at = "cord.end"
 fix = "position"
-stages = ["hang", "tones"]
+stages = "hang"
 [[stage]]
 name = "hang"
 kind = "static"
@@ -52,7 +52,7 @@ def read(path):
 class Until(ProgramTest):
     def setUp(self):
         super().setUp()
-        self.write("swing.toml", SWING.replace('stages = ["hang", "tones"]', 'stages = "hang"'))
+        self.write("swing.toml", SWING)
         self.gxrod("run", "swing.toml", "-o", "whole.vtkhdf")
 
     def stop_and_resume(self, stage, rows):

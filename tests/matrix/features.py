@@ -403,6 +403,23 @@ def copies(deck, draw):
     deck["connect"] = deck.get("connect", []) + [{"points": ["beam.end", "arm.start"], "copies": "arm"}]
 
 
+@feature("brace")
+def hinged_brace(deck, draw):
+    """A prop with hinges at both ends, from the middle of the beam to a post beneath it."""
+    foot = [0.3, 0, draw.uniform(-0.4, -0.2)]
+    deck["rod"]["prop"] = {"section": "bar", "line": {"from": foot, "to": [0.5, 0, 0]}, "elements": 2, "order": 2, "y_axis": [0, 1, 0],
+                           "hinges": ["start", "end"]}
+    deck["rod"]["post"] = {"section": "bar", "line": {"from": [0.3, 0, -0.6], "to": foot}, "elements": 1, "order": 2, "y_axis": [0, 1, 0]}
+    deck["support"].append({"at": "post.start", "fix": "all"})
+    deck["connect"] = deck.get("connect", []) + [{"points": "coincident", "on": ["beam", "p*"]}]
+
+
+@feature("part")
+def part_load(deck, draw):
+    """A load along the second half of the beam, by its elements."""
+    add_load(deck, on="b*", where="x > 0.5", force_per_length=[0, f"{draw.uniform(0.05, 0.2)}*P", 0])
+
+
 def put_on_joint(deck, **joint):
     deck["support"] = [support for support in deck["support"] if support["at"] != "beam.start"]
     deck["joint"] = {"root": {"between": ["ground", "beam.start"], **joint}}
