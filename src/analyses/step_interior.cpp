@@ -1,5 +1,6 @@
 #include "analyses/step_interior.hpp"
 
+#include "analyses/shown_surroundings.hpp"
 #include "assembly/contact/contacts.hpp"
 #include "assembly/system_measures.hpp"
 #include "assembly/system_values.hpp"
@@ -172,6 +173,7 @@ Snapshot StepInterior::snapshot(double time,
     snapshot.tendons = tendons_;
     find_contacts(with_elements, watched_contacts);
     contact_record_.show_in(snapshot);
+    if (with_elements) show_surroundings(system_, between_, time, snapshot);
     return snapshot;
 }
 

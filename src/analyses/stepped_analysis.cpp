@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "analyses/shown_surroundings.hpp"
 #include "analyses/start_velocities.hpp"
 #include "assembly/contact/contacts.hpp"
 #include "assembly/lanes/frame_columns.hpp"
@@ -632,6 +633,7 @@ Snapshot SteppedAnalysis::snapshot(bool with_elements) {
     snapshot.tendons = tendon_values_;
     contact_record_ = record_contacts(system_, state_, state_.time, watched_contacts_, with_elements);
     contact_record_.show_in(snapshot);
+    if (with_elements) show_surroundings(system_, state_, state_.time, snapshot);
     return snapshot;
 }
 

@@ -6,20 +6,14 @@
 #include "assembly/lanes/rod_element_weights.hpp"
 #include "assembly/scatter.hpp"
 #include "loads/pressure.hpp"
+#include "loads/shape_functions.hpp"
+#include "model/sections/rods_in_fluid.hpp"
 
 namespace gxrod {
 
 namespace {
 
 constexpr Eigen::Index first_of(std::size_t node) { return static_cast<Eigen::Index>(6 * node); }
-
-// Of a node of an element of a rod; nullptr if water and air pass it by.
-const SectionInFluid* find_section(const Model& model, const Rod& rod, std::size_t entry) {
-    const Section& section = rod.has_varying_sections()
-                                 ? rod.varying.at_nodes[entry]
-                                 : model.sections[static_cast<std::size_t>(rod.section)];
-    return section.fluid ? &*section.fluid : nullptr;
-}
 
 Mat3 axes_of(const NodeMotion& motion, const Quat& triad) {
     return (motion.Lambda * triad).toRotationMatrix();
@@ -75,7 +69,7 @@ SurroundingsAssembly::SurroundingsAssembly(const Model& model, const ThreadTeam&
 void SurroundingsAssembly::add_rod(int index) {
     const Rod& rod = model_->rods[static_cast<std::size_t>(index)];
     const auto nodes = static_cast<std::size_t>(rod.order) + 1;
-    if (find_section(*model_, rod, 0) == nullptr) return;
+    if (fluid_section_at(*model_, rod, 0) == nullptr) return;
     first_element_[static_cast<std::size_t>(index)] = static_cast<std::ptrdiff_t>(elements_.size());
     for (int e = 0; e < rod.element_count(); ++e) {
         const std::size_t first = static_cast<std::size_t>(e) * nodes;
@@ -89,7 +83,7 @@ void SurroundingsAssembly::add_rod(int index) {
             const double length = weights.lengths[i - first];
             element.nodes.push_back(rod.element_nodes[i]);
             element.triads.push_back(rod.triads[i]);
-            element.sections.push_back(find_section(*model_, rod, i));
+            element.sections.push_back(fluid_section_at(*model_, rod, i));
             element.piece_lengths.push_back(length);
             piece_end += length;
             element.piece_offsets.push_back(piece_end - 0.5 * length - rod.arc_length[i]);
@@ -101,14 +95,14 @@ void SurroundingsAssembly::add_rod(int index) {
 void SurroundingsAssembly::add_contacts(int index) {
     const Rod& rod = model_->rods[static_cast<std::size_t>(index)];
     const auto nodes = static_cast<std::size_t>(rod.order) + 1;
-    if (find_section(*model_, rod, 0) == nullptr) return;
+    if (fluid_section_at(*model_, rod, 0) == nullptr) return;
     std::map<int, std::size_t> found;  // of a node in contacts_
     for (int e = 0; e < rod.element_count(); ++e) {
         const RodElementWeights weights = compute_element_weights(*model_, rod, e);
         for (std::size_t i = 0; i < nodes; ++i) {
             const std::size_t entry = static_cast<std::size_t>(e) * nodes + i;
             const auto [at, is_new] = found.try_emplace(rod.element_nodes[entry], contacts_.size());
-            const double diameter = find_section(*model_, rod, entry)->diameter;
+            const double diameter = fluid_section_at(*model_, rod, entry)->diameter;
             if (is_new)
                 contacts_.push_back({.rod = index,
                                      .node = rod.element_nodes[entry],
@@ -400,6 +394,42 @@ PointSurroundings SurroundingsAssembly::compute_point_value(const State& state,
         }
     }
     return values;
+}
+
+std::span<const double> SurroundingsAssembly::compute_pressure_forces(const State& state, double time) const {
+    if (!has_rods_in_water(*model_)) return {};
+    const double gravity = model_->gravity(time).norm();
+    pressure_forces_.clear();
+    for (std::size_t r = 0; r < model_->rods.size(); ++r) {
+        const Rod& rod = model_->rods[r];
+        const ShapeValues shapes = find_shape_functions(rod.order)(0.0);
+        for (int e = 0; e < rod.element_count(); ++e) {
+            double force = 0.0;
+            const WetElement* wet = find_element(static_cast<int>(r), e);
+            for (std::size_t j = 0; wet != nullptr && j < wet->nodes.size(); ++j) {
+                const double z = state.trial[static_cast<std::size_t>(wet->nodes[j])].r.z();
+                force += shapes.value[j] *
+                         compute_pressure_force(*wet->sections[j], model_->surroundings.water, gravity, z);
+            }
+            pressure_forces_.push_back(force);
+        }
+    }
+    return pressure_forces_;
+}
+
+std::span<const Vec3> SurroundingsAssembly::compute_bed_forces(const State& state) const {
+    if (contacts_.empty()) return {};
+    bed_forces_.assign(model_->nodes.size(), Vec3::Zero());
+    std::vector<double> lengths(model_->nodes.size(), 0.0);
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+        const auto node = static_cast<std::size_t>(contacts_[c].node);
+        bed_forces_[node] += compute_contact(c, state).force;
+        lengths[node] += contacts_[c].length;
+    }
+    for (std::size_t node = 0; node < lengths.size(); ++node) {
+        if (lengths[node] > 0.0) bed_forces_[node] /= lengths[node];
+    }
+    return bed_forces_;
 }
 
 PointSurroundings SurroundingsAssembly::compute_body_value(const State& state,

@@ -62,6 +62,11 @@ class SurroundingsAssembly : public Contribution {
                                           double time,
                                           const RodPlace& place,
                                           const ShapeValues& shapes) const;
+    // Compute for frames p_i A_i − p_o A_o at the middle of each element of the model's rods, and the force of
+    // the ground per length at each of its nodes; zero where nothing presses, empty if nothing can. Both are
+    // valid until the next call.
+    std::span<const double> compute_pressure_forces(const State& state, double time) const;
+    std::span<const Vec3> compute_bed_forces(const State& state) const;
     PointSurroundings compute_body_value(const State& state, double time, std::size_t body) const;
 
   private:
@@ -135,6 +140,8 @@ class SurroundingsAssembly : public Contribution {
     std::unique_ptr<FluidField> field_;
     mutable std::vector<Around> around_;      // for each of places_
     mutable std::vector<LoadVector> forces_;  // for each of elements_
+    mutable std::vector<double> pressure_forces_;
+    mutable std::vector<Vec3> bed_forces_;
     mutable Vec3 gravity_ = Vec3::Zero();
     mutable double time_ = 0.0;
     mutable bool is_known_ = false;

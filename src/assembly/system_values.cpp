@@ -37,6 +37,16 @@ std::vector<PointSurroundings> SystemValues::compute_body_surroundings(const Sta
     return values;
 }
 
+std::span<const double> SystemValues::compute_pressure_forces(const State& state, double time) const {
+    if (!system_->surroundings_) return {};
+    return system_->surroundings_->compute_pressure_forces(state, time);
+}
+
+std::span<const Vec3> SystemValues::compute_bed_forces(const State& state) const {
+    if (!system_->surroundings_) return {};
+    return system_->surroundings_->compute_bed_forces(state);
+}
+
 void SystemValues::compute_points_of_element(const State& state,
                                              double time,
                                              std::span<const RodPlace> places,

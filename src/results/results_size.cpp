@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "model/sections/rods_in_fluid.hpp"
 #include "model/settings/analysis_traits.hpp"
 #include "model/settings/frame_interval.hpp"
 #include "results/tables/step_columns.hpp"
@@ -17,8 +18,10 @@ constexpr double numbers_of_cell = 4.0 * 3.0 + 1.0;
 double count_frame_numbers(const Model& model) {
     double cells = static_cast<double>(model.bodies.size());
     for (const Rod& rod : model.rods) cells += rod.element_count();
-    const double of_point = numbers_of_point + (model.contact.is_empty() ? 0.0 : 4.0);
-    return of_point * static_cast<double>(model.nodes.size()) + numbers_of_cell * cells;
+    const double of_point =
+        numbers_of_point + (model.contact.is_empty() ? 0.0 : 4.0) + (has_rods_on_ground(model) ? 3.0 : 0.0);
+    const double of_cell = numbers_of_cell + (has_rods_in_water(model) ? 1.0 : 0.0);
+    return of_point * static_cast<double>(model.nodes.size()) + of_cell * cells;
 }
 
 double count_history_numbers(const OutputSettings& output) {

@@ -31,7 +31,9 @@ constexpr Quantity rod_turn_lines[]{
         .turns(Turning::rotation_since_start, "unit quaternion w x y z: since t = 0, as seen from the axes of {}"),
     Quantity("orientation", "unit quaternion w x y z: section axes from the global axes", "1", Axes::observer,
              [](const Sight& see) { return see.point().axes(); })
-        .turns(Turning::attitude, "unit quaternion w x y z: section axes from the axes of {}")};
+        .turns(Turning::attitude, "unit quaternion w x y z: section axes from the axes of {}"),
+    Quantity("axis_x", "x axis of the section, which points along the rod", "1", Axes::observer,
+             [](const Sight& see) { return Vec3(see.point().axes() * Vec3::UnitX()); })};
 
 constexpr Quantity body_turn_lines[]{
     Quantity("rotation_vector",

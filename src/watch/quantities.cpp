@@ -29,7 +29,7 @@ const std::vector<WatchedKind>& list_kinds() {
                                &quantities_of_reactions, &quantities_of_bodies_around, &quantities_of_touching_bodies}},
             {"tendon", "tendon", {&quantities_of_tendons}},
             {"obstacle", "obstacle", {&quantities_of_obstacles}},
-            {"contact", "rod", {&quantities_of_touching_rods}}};
+            {"contact", "rod", {&quantities_of_touching_rods, &quantities_of_lying_rods}}};
         // clang-format on
         assert(all.size() + 1 == std::variant_size_v<Watched>);
         for (std::size_t kind = 0; kind < tie_kind_count; ++kind)
@@ -80,7 +80,8 @@ const Tables& list_quantity_tables() {
             if (std::ranges::find(all, table) == all.end()) all.push_back(table);
         }
         all.insert(all.end(), {&quantities_of_rods_around, &quantities_of_bodies_around, &quantities_of_tendons,
-                               &quantities_of_obstacles, &quantities_of_touching_rods, &quantities_of_touching_bodies});
+                               &quantities_of_obstacles, &quantities_of_touching_rods, &quantities_of_touching_bodies,
+                               &quantities_of_lying_rods});
         return all;
     }();
     return tables;

@@ -27,6 +27,7 @@ extern const QuantityTable quantities_of_tendons, quantities_of_joints, quantiti
 // The quantities of ties, kind by kind.
 extern const std::array<const QuantityTable*, tie_kind_count> quantities_of_ties;
 extern const QuantityTable quantities_of_rods_around, quantities_of_bodies_around;
+extern const QuantityTable quantities_of_lying_rods;
 extern const QuantityTable quantities_of_obstacles;
 extern const QuantityTable quantities_of_touching_rods, quantities_of_touching_bodies;
 

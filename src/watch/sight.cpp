@@ -115,6 +115,10 @@ const PointSurroundings& Sight::around() const {
     return now.bodies.empty() ? none : now.bodies[index<WatchedBody>()];
 }
 
+std::optional<GroundedPart> Sight::grounded_part() const {
+    return find_grounded_part(*of.model, std::get<WatchedContacts>(of.target).contact.rod, now.nodes);
+}
+
 Vec3 Sight::reaction_force() const {
     return now.reactions[static_cast<std::size_t>(node_of(of.target))].head<3>();
 }

@@ -2,6 +2,7 @@
 
 #include "cross_section/section_stress.hpp"
 #include "state/records/step_record.hpp"
+#include "watch/grounded_part.hpp"
 #include "watch/quantity.hpp"
 
 namespace gxrod {
@@ -58,6 +59,8 @@ struct Sight {
     SectionStress stress() const { return of.stress->find(section_resultants()); }
     double exposure() const { return of.stress->find_exposure(section_resultants()); }
     const PointSurroundings& around() const;  // of a point or a body
+    // Where a rod as a whole lies on the ground; nullopt if it does not.
+    std::optional<GroundedPart> grounded_part() const;
     Vec3 reaction_force() const;
     Vec3 reaction_moment() const;
     // The values of a tie that is an element: SpringValues of a spring.

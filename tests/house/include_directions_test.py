@@ -32,7 +32,7 @@ DIRECT = {
     "check": ["solvers", "cross_section"],
     "geometry": ["rotation", "numerics"],
     "mesh": ["model", "geometry", "machine", "cross_section"],
-    "watch": ["state", "cross_section"],
+    "watch": ["state", "cross_section", "environment"],
     "deck": ["watch", "mesh", "laws", "environment"],
     "results": ["watch", "machine"],
     "analyses": ["check"],

@@ -82,7 +82,8 @@ steps = 25
 name = "tip"
 at = "leg.end"
 quantities = ["position", "displacement", "rotation_vector", "orientation", "velocity", "angular_velocity",
-  "angular_velocity_material", "acceleration", "force", "moment", "force_spatial", "moment_spatial", "strain", "curvature"]
+  "angular_velocity_material", "acceleration", "force", "moment", "force_spatial", "moment_spatial", "strain", "curvature",
+  "shear_force", "bending_moment", "axis_x"]
 [[history]]
 name = "root"
 at = "arm.start"
@@ -291,6 +292,10 @@ name = "riser"
 at = "riser@0.4"
 quantities = ["effective_tension", "wall_tension", "water_velocity", "wet_fraction", "fluid_force", "bed_force"]
 [[history]]
+name = "lying"
+at = "riser"
+quantities = ["touch_down_start", "touch_down_end", "touch_down_start_position", "touch_down_end_position"]
+[[history]]
 name = "boom"
 at = "boom.start"
 point = [0.05, 0.03]
@@ -326,7 +331,7 @@ TEST_CASE("a turned model has the turned motion", "[study]") {
         REQUIRE(turned.runs.size() == 2);
         REQUIRE(turned.runs[1].is_whole());
         // Of a rotation's two forms one is followed.
-        CHECK(turned.series.size() == 14 + 2 + 5 + 6);
+        CHECK(turned.series.size() == 17 + 2 + 5 + 6);
         for (const SeriesReport& report : turned.series) {
             INFO(report.series.title());
             CHECK(report.scale > 0.0);

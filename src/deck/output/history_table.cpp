@@ -29,7 +29,7 @@ const TableSpec& history_table() {
         .key("name", &T::name, "The name of its group in the results: letters, digits, _ and -, each name once.")
             .required().also("id label")
         .key("at", &T::at, "A point of a rod, between nodes too, a body, a spring, a bushing, a joint, a gear, a "
-             "tendon or an obstacle; a rod, for what touches it.")
+             "tendon or an obstacle; a rod, for what touches it and where it lies on the ground.")
             .required().also("pos position node location where on")
         .key("with", &T::with, "Of a rod: the obstacle or the rod (itself, too) whose contact alone counts.")
             .otherwise("all that touches")
@@ -60,7 +60,9 @@ const TableSpec& history_table() {
              "force and moment (what A exerts on B, moment about the joint, global), force_a and moment_a (in the "
              "joint's axes on A, along its axis first), drive (moment or force of its motor, or its key drive), "
              "friction and gap. A gear has drive (moment or force on its second joint) and gap. effective_tension, "
-             "wall_tension, water_velocity and bed_force are a rod's; stress (xx, yy, zz, yz, xz, xy in section axes), "
+             "wall_tension, water_velocity, bed_force, shear_force, bending_moment and axis_x (along the rod) are a rod's; a "
+             "rod as a whole has touch_down_start and touch_down_end, the arc lengths where it lies on the ground "
+             "first and last, and their positions; stress (xx, yy, zz, yz, xz, xy in section axes), "
              "von_mises, principal_stress, exposure (1/(factor on the resultants at which the material fails)) and "
              "stress_place that of a rod whose section has a shape and no law. wet_fraction and fluid_force are those "
              "of what has a key fluid, forces per length of a rod and whole of a body.")
@@ -222,6 +224,13 @@ void set_contact(const HistoryKeys& table, HistoryRequest& request, const BuildC
     const int index = is_body ? static_cast<int>(model.rods.size()) + body->index : rod->contact.rod;
     const std::string& name = is_body ? model.bodies[static_cast<std::size_t>(body->index)].name
                                       : model.rods[static_cast<std::size_t>(index)].name;
+    const bool asks_contact =
+        asks_for(request, [](const Quantity& one) { return part_of(one) == SnapshotPart::contact; });
+    if (!is_body && !asks_contact) {
+        if (table.with) context.add_fault(table, table.with, "goes with contact quantities");
+        return;
+    }
+    if (model.contact.is_empty()) return;  // the quantities are refused
     if (!is_body && model.contact.radii[static_cast<std::size_t>(index)] == 0.0) {
         context.add_fault(table,
                           table.at,

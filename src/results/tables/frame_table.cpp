@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "model/sections/rods_in_fluid.hpp"
 #include "results/tables/frame_topology.hpp"
 #include "results/tables/link_table.hpp"
 #include "results/tables/rod_table.hpp"
@@ -45,6 +46,15 @@ const DatasetLabel contact_gap_label{
     "least gap of what touches next to the node; the skin where nothing does",
     "none",
     "length"};
+
+const DatasetLabel bed_force_label{
+    "bed_force", "force of the ground on the rods at the node, per length", "spatial", "force/length"};
+
+const DatasetLabel wall_tension_label{
+    "wall_tension",
+    "axial force of the wall at the element's middle: section force less pressures, p_o A_o - p_i A_i",
+    "none",
+    "force"};
 
 const std::array<DatasetLabel, 2> stress_labels{{
     {"von_mises",
@@ -148,6 +158,11 @@ void FrameTable::create_fields(const Hdf5Handle& root) {
         link_dataset(point_offsets_.id(), point_data_offsets, contact_gap_label.name);
     }
 
+    if (has_rods_on_ground(*model_)) {
+        points_.emplace_back(point_data, bed_force_label, vector_row, point_rows, point_chunks);
+        link_dataset(point_offsets_.id(), point_data_offsets, bed_force_label.name);
+    }
+
     const Hdf5Handle cell_data = require_group(group_, "CellData");
     const Hdf5Handle cell_data_offsets(
         H5Gopen2(steps_.id(), "CellDataOffsets", H5P_DEFAULT), H5Gclose, "opening a group");
@@ -159,6 +174,11 @@ void FrameTable::create_fields(const Hdf5Handle& root) {
     cells_.emplace_back(
         cell_data, cell_radius_label, scalar_row, cell_rows, chunks(mesh_.cell_count(), sizeof(double)));
     link_dataset(cell_offsets_.id(), cell_data_offsets, cell_radius_label.name);
+    if (has_rods_in_water(*model_)) {
+        cells_.emplace_back(
+            cell_data, wall_tension_label, scalar_row, cell_rows, chunks(mesh_.cell_count(), sizeof(double)));
+        link_dataset(cell_offsets_.id(), cell_data_offsets, wall_tension_label.name);
+    }
     if (stresses_ != nullptr) create_stresses(cell_data, cell_data_offsets, cell_rows);
     write_rod_places({root, point_data, point_data_offsets, cell_data, cell_data_offsets, part_offsets_.id()},
                      *model_);
@@ -222,6 +242,7 @@ void FrameTable::append_points(const Snapshot& snapshot) {
             points_[9].append(numbers(force));
             points_[10].append(snapshot.contact_gaps.empty() ? 0.0 : snapshot.contact_gaps[i]);
         }
+        if (has_rods_on_ground(*model_)) points_.back().append(numbers(snapshot.bed_forces[i]));
         flush_if_much(points_);
     }
 }
@@ -235,10 +256,15 @@ void FrameTable::append_cells(const Snapshot& snapshot) {
         cells_[2].append(numbers(section.strain));
         cells_[3].append(numbers(section.curvature));
         cells_[4].append(mesh_.cell_radius[i]);
+        std::size_t next = 5;
+        if (has_rods_in_water(*model_)) {
+            const bool is_rod = i < snapshot.pressure_forces.size();
+            cells_[next++].append(is_rod ? section.force.x() + snapshot.pressure_forces[i] : 0.0);
+        }
         if (stresses_ != nullptr) {
             const StressWatch::Largest largest = stresses_->find_largest(shapes_[i], section);
-            cells_[5].append(largest.von_mises);
-            cells_[6].append(largest.exposure);
+            cells_[next++].append(largest.von_mises);
+            cells_[next].append(largest.exposure);
         }
         flush_if_much(cells_);
     }

@@ -56,9 +56,9 @@ class FrameTable {
     AppendDataset<double> times_;
     AppendDataset<std::int64_t> part_offsets_, part_counts_, point_offsets_, cell_offsets_, topology_offsets_;
     std::vector<AppendDataset<double>> points_;  // Points, PointData in the order of point_labels, radius;
-                                                 // with contact its force, the last
+                                                 // with contact its force and gap, with ground its force
     std::vector<AppendDataset<double>>
-        cells_;               // CellData in the order of cell_labels, radius, with stresses those
+        cells_;  // CellData in the order of cell_labels, radius, with water wall tension, with stresses those
     Hdf5Handle frame_count_;  // Steps@NSteps
 };
 

@@ -74,6 +74,10 @@ struct Snapshot {
     std::span<const ContactTouch> touches = {};
     std::span<const Vec6> contact_forces = {};
     std::span<const double> contact_gaps = {};
+    // For frames: p_i A_i − p_o A_o at the middle of each element, of models with rods in water; the force of
+    // the ground per length of the rods at each node, of models with rods that it can touch.
+    std::span<const double> pressure_forces = {};
+    std::span<const Vec3> bed_forces = {};
 };
 
 }  // namespace gxrod

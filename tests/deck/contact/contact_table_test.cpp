@@ -241,8 +241,8 @@ TEST_CASE("Histories of what touches a rod", "[deck][touch]") {
     CHECK_THAT(faults(history("at = \"a.end\"\nwith = \"floor\"\nquantities = \"position\"\n")),
                Contains("with: goes with a rod as a whole as `at`"));
     CHECK_THAT(faults(history("at = \"a\"\nquantities = \"position\"\n")),
-               Contains("a rod as a whole has contact_force, contact_friction and least_gap only; expected a "
-                        "point of it, as in \"ROD@0.5\""));
+               Contains("a rod as a whole has contact and touch-down quantities only; expected a point of it, as in "
+                        "\"ROD@0.5\""));
     CHECK_THAT(faults(history("at = \"a.end\"\nquantities = \"contact_force\"\n")),
                Contains("only obstacles have it, and rods as a whole"));
     // Without contact a rod is not a point.
