@@ -7,10 +7,12 @@
 #include "results/export/contacts_export.hpp"
 #include "results/export/csv_export.hpp"
 #include "results/export/envelope_export.hpp"
+#include "results/export/range_export.hpp"
 #include "results/export/series_export.hpp"
 #include "results/file/guarded_reading.hpp"
 #include "say.hpp"
 #include "verbs.hpp"
+#include "window_options.hpp"
 
 namespace gxrod {
 
@@ -22,6 +24,9 @@ struct ExportArguments {
     std::string series;
     std::string along;
     std::string envelopes;
+    std::string ranges;
+    std::string rod;  // of ranges
+    WindowRequest window;
     std::string folder = ".";
     std::optional<double> time;
     bool contacts = false;
@@ -42,9 +47,10 @@ std::string export_along_rod(const ExportArguments& arguments, Existing existing
 
 int export_results(const ExportArguments& arguments) {
     if (arguments.csv.empty() && arguments.series.empty() && arguments.along.empty() &&
-        arguments.envelopes.empty()) {
+        arguments.envelopes.empty() && arguments.ranges.empty()) {
         throw CLI::ValidationError(
-            "export", "give --csv DIR, --series DIR, --along ROD, --envelopes DIR, or several of them");
+            "export",
+            "give --csv DIR, --series DIR, --along ROD, --envelopes DIR, --ranges DIR, or several of them");
     }
     const GuardedReading reading(arguments.results);
     if (!reading.doubt().empty()) say(stderr, "warning: {}: {}\n", arguments.results, reading.doubt());
@@ -69,6 +75,15 @@ int export_results(const ExportArguments& arguments) {
     if (!arguments.envelopes.empty()) {
         write([&] {
             return export_envelopes(arguments.results, arguments.envelopes, existing).string() + "\n";
+        });
+    }
+    if (!arguments.ranges.empty()) {
+        write([&] {
+            std::string written;
+            for (const auto& path : export_ranges(
+                     arguments.results, arguments.ranges, arguments.rod, arguments.window, existing))
+                written += path.string() + "\n";
+            return written;
         });
     }
     if (!arguments.along.empty()) write([&] { return export_along_rod(arguments, existing); });
@@ -101,6 +116,13 @@ void add_export_verb(CLI::App& program, int& exit_code) {
         arguments->envelopes,
         "Folder for envelopes.csv: the largest stresses of all steps along the rods, of runs with "
         "stresses in [output]");
+    CLI::Option* ranges = verb->add_option(
+        "--ranges",
+        arguments->ranges,
+        "Folder for a range_ROD.csv for each rod: least, largest and mean tension, shear, bending moment, "
+        "curvature and stress along it");
+    verb->add_option("--rod", arguments->rod, "Rod of --ranges [default: all]")->needs(ranges);
+    add_window_options(*verb, arguments->window);
     CLI::Option* along = verb->add_option(
         "--along",
         arguments->along,

@@ -175,7 +175,8 @@ Problem build_problem(const CheckedTable& deck, const DeckFiles& files, FaultLis
     check_contact(context);
     set_frame_intervals(context);
     problem.output = build_output(context);
-    problem.output.histories = build_histories(context);
+    const std::vector<HistoryRequest> asked = build_histories(context);
+    problem.output.histories.insert(problem.output.histories.begin(), asked.begin(), asked.end());
     problem.signals = build_signals(problem.output.histories, context);
     name_response_points(problem.output.histories, context);
     problem.stages = std::move(context.stages);

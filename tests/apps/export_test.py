@@ -327,7 +327,7 @@ steps = 2
             done = self.gxrod("export", "body.vtkhdf", option, folder.name, code=4)
             self.assertIn(f"{folder.name}/{name}: cannot be written (No such file or directory)", done.stderr)
         done = self.gxrod("export", "body.vtkhdf", code=2)
-        self.assertIn("give --csv DIR, --series DIR, --along ROD, --envelopes DIR, or several of them", done.stderr)
+        self.assertIn("give --csv DIR, --series DIR, --along ROD, --envelopes DIR, --ranges DIR, or several of them", done.stderr)
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "deck/output/line_ends.hpp"
 #include "deck/output/stress_criterion.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/table/table.hpp"
@@ -21,6 +22,7 @@ struct OutputTable : TableHead {
     std::optional<double> history_interval;
     Compression compression = OutputSettings{}.compression;
     std::optional<std::string> stresses;
+    std::optional<TableNames> line_ends;
 };
 
 }  // namespace
@@ -52,6 +54,10 @@ const TableSpec& output_table() {
              "which the material fails): \"von-mises\" with yield_stress of the material; \"tsai-wu\", \"hashin\" or "
              "\"max-stress\" with its strength, of materials without it von-mises.")
             .also("stress envelope envelopes criterion utilisation utilization")
+        .key("line_ends", &T::line_ends, "Rods whose two ends get a history each, ROD_start and ROD_end, with effective "
+             "and wall tension, shear force, bending moment, the axis there, force and moment. gxrod line-ends makes "
+             "a table of them.")
+            .otherwise("no rod").names_of({"rod"}).also("ends")
         .at_most_one_of({"every", "interval", "times"})
         .shown_by(
             "[output]\n"
@@ -154,6 +160,7 @@ void set_stresses(const OutputTable& table, const BuildContext& context, OutputS
 void set_output(const OutputTable& table, const BuildContext& context, OutputSettings& output) {
     output.compression = table.compression;
     set_stresses(table, context, output);
+    if (table.line_ends) add_line_ends(table, *table.line_ends, context, output.histories);
     if (!have_time(context.stages)) return refuse_times(table, context);
     check_interval(table, table.interval, context);
     check_interval(table, table.history_interval, context);

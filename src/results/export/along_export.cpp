@@ -62,7 +62,7 @@ class AlongTables {
           cells_(static_cast<hsize_t>(file.count("/VTKHDF/NumberOfCells"))),
           point_fields_(list_vectors(file, "/VTKHDF/PointData")),
           cell_fields_(list_vectors(file, "/VTKHDF/CellData")) {
-        for (const char* name : {"von_mises", "exposure"}) {
+        for (const char* name : {"wall_tension", "von_mises", "exposure"}) {
             const std::string path = std::string("/VTKHDF/CellData/") + name;
             if (file.has(path)) cell_numbers_.push_back({name, path});
         }
@@ -102,6 +102,8 @@ class AlongTables {
         for (const hsize_t frame : frames_) {
             const std::vector<Vectors> at_nodes = read(interpolated, frame, points_);
             const std::vector<Vectors> fields = read(cell_fields_, frame, cells_);
+            const std::vector<double> tensions =
+                file_.rows("/VTKHDF/CellData/force", frame * cells_, cells_, vector_width);
             std::vector<std::vector<double>> numbers;
             for (const Field& field : cell_numbers_)
                 numbers.push_back(file_.rows(field.path, frame * cells_, cells_, 1));
@@ -114,6 +116,7 @@ class AlongTables {
                     for (std::size_t i = 0; i < vector_width; ++i)
                         append_number(text, field.at(element.cell, i));
                 }
+                append_number(text, tensions.at(vector_width * element.cell));
                 for (const std::vector<double>& field : numbers) append_number(text, field.at(element.cell));
                 text.push_back('\n');
             }
@@ -184,7 +187,7 @@ class AlongTables {
     }
 
     std::string number_headings() const {
-        std::string text;
+        std::string text = ",effective_tension";
         for (const Field& field : cell_numbers_) text += "," + field.name;
         return text;
     }
@@ -214,7 +217,7 @@ class AlongTables {
     RodLine line_;
     hsize_t points_ = 0, cells_ = 0;
     std::vector<Field> point_fields_, cell_fields_;
-    std::vector<Field> cell_numbers_;  // stresses, if the file has them
+    std::vector<Field> cell_numbers_;  // wall tension and stresses, if the file has them
     std::vector<double> times_;
     std::vector<hsize_t> frames_;
 };

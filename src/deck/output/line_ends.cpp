@@ -1,0 +1,74 @@
+#include "deck/output/line_ends.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "deck/output/history_place.hpp"
+#include "deck/output/history_table.hpp"
+#include "deck/places/part.hpp"
+#include "deck/schema/schema_tables.hpp"
+#include "watch/quantities.hpp"
+
+namespace gxrod {
+namespace {
+
+// The quantities of an end that its section and surroundings have.
+std::vector<std::string> list_end_quantities(const Watched& target, const Model& model) {
+    std::vector<std::string> words{"effective_tension",
+                                   "wall_tension",
+                                   "shear_force",
+                                   "bending_moment",
+                                   "axis_x",
+                                   "force_spatial",
+                                   "moment_spatial"};
+    std::erase_if(words,
+                  [&](const std::string& word) { return !explain_missing(word, target, model).empty(); });
+    return words;
+}
+
+// Makes a name of a history: letters, digits, _ and -.
+std::string name_line_end(const std::string& rod, const char* end) {
+    std::string name = rod + "_" + end;
+    std::ranges::replace_if(
+        name,
+        [](char letter) { return letter != '-' && std::isalnum(static_cast<unsigned char>(letter)) == 0; },
+        '_');
+    return name;
+}
+
+bool has_history(const BuildContext& context, const std::string& name) {
+    return std::ranges::any_of(tables_of<HistoryKeys>(context.deck, history_table()),
+                               [&](const HistoryKeys& history) { return history.name == name; });
+}
+
+}  // namespace
+
+void add_line_ends(const TableHead& table,
+                   const TableNames& field,
+                   const BuildContext& context,
+                   std::vector<HistoryRequest>& histories) {
+    for (const Part& part : find_parts(table, field, context)) {
+        const std::string& rod = context.model.rods[static_cast<std::size_t>(part.rod)].name;
+        for (const char* end : {"start", "end"}) {
+            HistoryRequest request{.name = name_line_end(rod, end), .at = fmt::format("{}.{}", rod, end)};
+            if (has_history(context, request.name)) {
+                context.add_fault(
+                    table,
+                    field,
+                    fmt::format("a [[history]] has the name \"{}\" of this end of {}; give it another",
+                                request.name,
+                                rod));
+                continue;
+            }
+            const std::optional<Watched> target = find_watched(request.at, context);
+            if (!target) continue;
+            request.target = *target;
+            request.quantities = list_end_quantities(*target, context.model);
+            histories.push_back(std::move(request));
+        }
+    }
+}
+
+}  // namespace gxrod

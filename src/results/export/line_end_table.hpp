@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "results/export/csv_columns.hpp"
+#include "results/export/time_window.hpp"
+
+namespace gxrod {
+
+// A quantity at an end of a line: its value when time begins, in a run without time its last one, and its
+// range over a window. Angles are in degrees: the declination of the axis from start to end from the global
+// z axis, and its azimuth from x towards y, within half a turn of its first.
+struct LineEndRow {
+    std::string point;     // "riser.end"
+    std::string quantity;  // "effective_tension"
+    std::string dimension;
+    double at_rest = 0.0;  // NaN if there was no rest
+    RangeOfNumbers range;
+};
+
+// Reads the ends of lines that output.line_ends has recorded. Throws FileError if the results cannot be read
+// or have none, or no such stage or step in the window.
+std::vector<LineEndRow> read_line_ends(const std::filesystem::path& results, const WindowRequest& request);
+
+// Returns the columns of a CSV file.
+std::vector<CsvCells> make_columns(const std::vector<LineEndRow>& rows);
+
+// Returns a table to print, without digits that nobody reads.
+std::string print_line_ends(const std::vector<LineEndRow>& rows);
+
+}  // namespace gxrod

@@ -1,0 +1,215 @@
+"""What is known along lines and at their ends: touch-down, ranges, tensions of walls, forces of the ground; as a user sees it."""
+
+import csv
+import unittest
+
+import h5py
+import numpy as np
+
+from program import ProgramTest
+
+DEPTH, SPAN, LENGTH, WEIGHT, EA, DIAMETER, STIFFNESS = 100.0, 300.0, 335.0, 1000.0, 5e8, 0.14, 1e7
+DECK = """gravity = [0, 0, -9.81]
+[fluid]
+density = 1025
+surface = 0
+[seabed]
+z = -100
+stiffness = 1e7
+[section.chain]
+stiffness = { EA = 5e8, GAy = 2e8, GAz = 2e8, GJ = 10, EIy = 10, EIz = 10 }
+inertia = { rhoA = RHOA, rhoIy = 0.2, rhoIz = 0.2 }
+fluid = { outer_diameter = 0.14, drag = { normal = 1.3, tangential = 0.4 } }
+[rod.mooring]
+section = "chain"
+catenary = { from = [0, 0, -99.93], to = [300, 0, -2], length = 335, bed = true }
+elements = 120
+order = 2
+[[support]]
+at = "mooring.start"
+fix = ["position", "rx", "rz"]
+[[support]]
+at = "mooring.end"
+fix = ["y", "rx", "rz"]
+[[support]]
+at = "mooring.end"
+move = { x = "2*sin(0.6*t)*min(t/5, 1)^2" }
+fix = "z"
+stages = "sway"
+[[support]]
+at = "mooring.end"
+fix = ["x", "z"]
+stages = "hang"
+[output]
+line_ends = ["mooring"]
+[[history]]
+name = "ground"
+at = "mooring"
+quantities = ["touch_down_start", "touch_down_end", "touch_down_end_position"]
+[[history]]
+name = "middle"
+at = "mooring@0.004166666666666667"
+quantities = ["wall_tension", "effective_tension"]
+[[history]]
+name = "lies"
+at = "mooring@0.1"
+quantities = ["bed_force"]
+[[stage]]
+name = "hang"
+kind = "static"
+steps = 1
+[[stage]]
+name = "sway"
+kind = "dynamic"
+end_time = 6
+time_step = 0.1
+integrator = "generalized-alpha"
+""".replace("RHOA", repr(WEIGHT / 9.81 + 1025 * np.pi * 0.07**2))
+PLAIN = """[section.beam]
+stiffness = { EA = 1e4, GAy = 6e3, GAz = 5e3, GJ = 80, EIy = 100, EIz = 140 }
+[rod.beam]
+section = "beam"
+line = { from = [0, 0, 0], to = [2, 0, 0] }
+elements = 4
+[[support]]
+at = "beam.start"
+fix = "all"
+[[load]]
+at = "beam.end"
+force = [0, 3, -4]
+[analysis]
+kind = "static"
+steps = 2
+[output]
+line_ends = ["beam"]
+"""
+
+
+def lying_length():
+    """How much of an elastic line without bending lies on hard, smooth ground."""
+    height = DEPTH - 0.5 * DIAMETER - 2.0
+
+    def reach(horizontal, suspended):
+        vertical = WEIGHT * suspended
+        size = np.hypot(horizontal, vertical)
+        x = horizontal / WEIGHT * np.arcsinh(vertical / horizontal) + horizontal * suspended / EA
+        z = (size - horizontal) / WEIGHT + WEIGHT * suspended**2 / (2 * EA)
+        lying = LENGTH - suspended
+        return lying * (1 + horizontal / EA) + x, z
+
+    low, high = 50.0, LENGTH
+    for _ in range(200):  # the suspended length, with the force that reaches the span
+        suspended = 0.5 * (low + high)
+        weak, strong = 1e3, 1e8
+        for _ in range(200):
+            horizontal = np.sqrt(weak * strong)
+            weak, strong = (horizontal, strong) if reach(horizontal, suspended)[0] < SPAN else (weak, horizontal)
+        low, high = (suspended, high) if reach(horizontal, suspended)[1] < height else (low, suspended)
+    return LENGTH - suspended, horizontal
+
+
+class Lines(ProgramTest):
+    def run_deck(self, text, name="line"):
+        self.write(f"{name}.toml", text)
+        self.gxrod("run", f"{name}.toml", "--force")
+        file = h5py.File(self.folder / f"{name}.vtkhdf")
+        self.addCleanup(file.close)
+        return file
+
+    def read(self, name):
+        with open(self.folder / name, encoding="utf-8", newline="") as file:
+            return list(csv.DictReader(file))
+
+    def test_mooring(self):
+        file = self.run_deck(DECK)
+        times = file["histories/time"][()]
+        settled = np.flatnonzero(times <= 0)[-1]
+
+        lying, horizontal = lying_length()
+        end = file["histories/ground/touch_down_end"][()]
+        tension = file["histories/mooring_start/effective_tension"][settled]
+        self.assertAlmostEqual(tension / horizontal, 1.0, delta=1e-3)
+        # A line rises from where it is pressed in to the surface of the ground over √(2 H depth/w).
+        depth = WEIGHT / (STIFFNESS * DIAMETER)
+        self.assertAlmostEqual(end[settled] - np.sqrt(2 * horizontal * depth / WEIGHT), lying, delta=0.15)
+        self.assertTrue((file["histories/ground/touch_down_start"][()] == 0.0).all())
+        np.testing.assert_allclose(file["histories/ground/touch_down_end_position"][:, 2], -99.93, atol=1e-6)
+        # It follows the motion between nodes, 1.4 apart.
+        moving = np.diff(end[settled:])
+        self.assertGreater(np.ptp(end[settled:]), 5.0)
+        self.assertLess(np.abs(moving).max(), 1.39)
+        self.assertGreater((np.abs(moving) > 1e-9).mean(), 0.9)
+
+        # Frames have what histories have at the same places.
+        cells, points = int(file["VTKHDF/NumberOfCells"][0]), int(file["VTKHDF/NumberOfPoints"][0])
+        walls = file["VTKHDF/CellData/wall_tension"][()].reshape(-1, cells)
+        forces = file["VTKHDF/CellData/force"][()].reshape(-1, cells, 3)
+        frame_times = file["VTKHDF/Steps/Values"][()]
+        rows = [int(np.abs(times - time).argmin()) for time in frame_times[1:]]
+        pressure = file["histories/middle/wall_tension"][()] - file["histories/middle/effective_tension"][()]
+        np.testing.assert_allclose((walls - forces[..., 0])[1:, 0], pressure[rows], rtol=1e-9)
+        beds = file["VTKHDF/PointData/bed_force"][()].reshape(-1, points, 3)
+        node = int(np.flatnonzero(np.isclose(file["VTKHDF/PointData/arc_length"][()], 33.5))[0])
+        np.testing.assert_allclose(beds[1:, node], file["histories/lies/bed_force"][()][rows], rtol=1e-9, atol=1e-6)
+
+        # Tables say what the numbers say.
+        self.gxrod("export", "line.vtkhdf", "--ranges", "ranges", "--stage", "sway")
+        table = self.read("ranges/range_mooring.csv")
+        timed = frame_times >= 0
+        for name, values in (("effective_tension", forces[timed][..., 0]), ("wall_tension", walls[timed])):
+            column = lambda ending: [float(row[name + ending]) for row in table]
+            np.testing.assert_array_equal(column("_least"), values.min(axis=0))
+            np.testing.assert_array_equal(column("_largest"), values.max(axis=0))
+            np.testing.assert_allclose(column("_mean"), values.mean(axis=0), rtol=1e-12)
+            np.testing.assert_array_equal(column("_time_of_largest"), frame_times[timed][values.argmax(axis=0)])
+        told = self.gxrod("line-ends", "line.vtkhdf", "--csv", "ends.csv", "--from", "1", "--to", "4").stdout
+        self.assertIn("mooring.start", told)
+        window = (times >= 1 - 1e-9) & (times <= 4 + 1e-9)
+        rows = {(row["point"], row["quantity"]): row for row in self.read("ends.csv")}
+        top = file["histories/mooring_end"]
+        axis = top["axis_x"][()]
+        for quantity, values in (("effective_tension", top["effective_tension"][()]), ("shear_force", top["shear_force"][()]),
+                                 ("declination", np.degrees(np.arccos(axis[:, 2])))):
+            row = rows["mooring.end", quantity]
+            for key, number in (("static", values[settled]), ("least", values[window].min()), ("largest", values[window].max()),
+                                ("mean", values[window].mean()), ("time_of_largest", times[window][values[window].argmax()])):
+                self.assertAlmostEqual(float(row[key]), number, delta=1e-9 * max(1.0, abs(number)))
+        for quantity, component in (("shear_force", "force"), ("bending_moment", "moment")):
+            spatial = top[f"{component}_spatial"][()]
+            across = np.linalg.norm(spatial - (spatial * axis).sum(axis=1)[:, None] * axis, axis=1)
+            np.testing.assert_allclose(top[quantity][()], across, atol=1e-9 * np.abs(spatial).max())
+
+    def test_without_water(self):
+        file = self.run_deck(PLAIN)
+        self.assertNotIn("wall_tension", file["VTKHDF/CellData"])
+        self.assertNotIn("bed_force", file["VTKHDF/PointData"])
+        self.assertNotIn("wall_tension", file["histories/beam_start"])
+        self.gxrod("line-ends", "line.vtkhdf", "--csv", "ends.csv")
+        rows = {(row["point"], row["quantity"]): row for row in self.read("ends.csv")}
+        self.assertAlmostEqual(float(rows["beam.end", "shear_force"]["static"]), 5.0, delta=0.03)
+        self.assertAlmostEqual(float(rows["beam.start", "bending_moment"]["largest"]), 10.0, delta=0.05)
+        self.assertAlmostEqual(float(rows["beam.end", "azimuth"]["static"]), np.degrees(3 * 4 / 2 / 140), delta=0.01)
+
+    def test_faults(self):
+        def told(text):
+            self.write("wrong.toml", text)
+            return self.gxrod("check", "wrong.toml", code=2).stderr
+
+        self.assertIn('output.line_ends: no rod "bam"; did you mean "beam"?', told(PLAIN.replace('line_ends = ["beam"]', 'line_ends = "bam"')))
+        taken = PLAIN + '[[history]]\nname = "beam_end"\nat = "beam.end"\nquantities = ["position"]\n'
+        self.assertIn('output.line_ends: a [[history]] has the name "beam_end" of this end of beam; give it another', told(taken))
+        # Without water and ground a rod is not a thing of a history.
+        whole = PLAIN + '[[history]]\nname = "h"\nat = "beam"\nquantities = ["touch_down_end"]\n'
+        self.assertIn('history[0].at: "beam" is a rod; expected a point of it', told(whole))
+        self.assertIn("only rods as a whole have it", told(whole.replace('at = "beam"', 'at = "beam.end"')))
+        contact = DECK.replace('"touch_down_start", ', '"contact_force", ')
+        self.assertIn("the deck has no [contact]", told(contact))
+        self.write("beam.toml", PLAIN.replace('line_ends = ["beam"]', "every = 1"))
+        self.gxrod("run", "beam.toml", "--force")
+        self.assertIn("has no ends of lines (run it with line_ends", self.gxrod("line-ends", "beam.vtkhdf", code=4).stderr)
+        self.assertIn("has no step from 7 to 1", self.gxrod("export", "beam.vtkhdf", "--ranges", "r", "--from", "7", code=4).stderr)
+        self.assertIn("has no stage storm (its deck has no stages)", self.gxrod("export", "beam.vtkhdf", "--ranges", "r", "--stage", "storm", code=4).stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
