@@ -59,7 +59,7 @@ def test_notebooks_get_a_figure_once(runs, monkeypatch):
 
 def test_wrong_pictures_are_told(runs):
     results = gxrod.open_results(runs("plank"))
-    with pytest.raises(gxrod.Error, match="there is no picture 'shape'; there are shapes, histories, ledger, found, stress, section, all"):
+    with pytest.raises(gxrod.Error, match="there is no picture 'shape'; there are shapes, histories, ledger, found, stress, section, range, all"):
         results.plot("shape")
     with pytest.raises(gxrod.Error, match="there is no history 'tpi'"):
         results.plot("histories", history="tpi")

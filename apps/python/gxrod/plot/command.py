@@ -22,6 +22,7 @@ examples:
   gxrod-plot flyer.vtkhdf --what shapes --times 0 2.5 5 -o shapes.svg
   gxrod-plot frame.vtkhdf --what stress --measure exposure
   gxrod-plot frame.vtkhdf --what section --rod beam --at 1.5 --times 2 -o section.svg
+  gxrod-plot riser.vtkhdf --what range --rod riser --stage storm -o range.svg
   gxrod-plot flyer.vtkhdf --what histories --history tip root/moment
   gxrod-plot coarse.vtkhdf fine.vtkhdf --history tip/displacement
   gxrod-plot column.vtkhdf --x top/displacement/y --y load-factor --size 6 4 --no-title
@@ -51,8 +52,8 @@ def draw(request):
     output = output_path(request)
     warn_of_doubt(request.results)
     if is_comparison(request):
-        if request.what in ("stress", "section"):
-            raise UsageError("stresses need one file, without --x and --y")
+        if request.what in ("stress", "section", "range"):
+            raise UsageError(f"{request.what} needs one file, without --x and --y")
         if request.what == "shapes" or request.times or request.frames or request.view:
             raise UsageError("shapes need one file, without --x and --y")
         names = short_names(request.results)
@@ -82,9 +83,9 @@ def parse(arguments):
                         help="results file, also of a running or killed job; histories or energies of several files "
                              "are drawn in one figure, a colour for each file")
     parser.add_argument("-o", "--output", metavar="FILE", help="picture, .png, .svg or .pdf (RESULTS.png)")
-    parser.add_argument("--what", choices=("shapes", "histories", "ledger", "found", "stress", "section", "all"), default="all",
+    parser.add_argument("--what", choices=("shapes", "histories", "ledger", "found", "stress", "section", "range", "all"), default="all",
                         help="found: what stages of modes, buckling, eigenvalues and response found; stress: the largest of all steps "
-                             "along rods; section: the stresses in a section (both not in all)")
+                             "along rods; section: the stresses in a section; range: least, largest and mean values along rods (these three not in all)")
     parser.add_argument("--history", nargs="+", action="extend", metavar="NAME", default=[],
                         help="histories to draw, NAME or NAME/QUANTITY (all)")
     which = parser.add_mutually_exclusive_group()
@@ -92,11 +93,16 @@ def parse(arguments):
     which.add_argument("--frames", type=positive_integer, metavar="N", help="how many shapes to draw (12)")
     parser.add_argument("--view", choices=("xy", "xz", "yz", "3d"),
                         help="plane or space (by default space, or the plane that holds everything)")
-    parser.add_argument("--rod", nargs="+", action="extend", metavar="NAME", default=[], help="rods of stress and section (all)")
+    parser.add_argument("--rod", nargs="+", action="extend", metavar="NAME", default=[], help="rods of stress, section and range (all)")
     parser.add_argument("--at", type=float, metavar="S",
                         help="arc length of the section on its --rod, at the last frame or that of --times (by default where and when the "
                              "largest stress is)")
     parser.add_argument("--measure", choices=("von-mises", "exposure"), default="von-mises", help="of stress, and of the largest one (von-mises)")
+    parser.add_argument("--quantity", nargs="+", action="extend", metavar="NAME", default=[],
+                        help="quantities of range, as bending_moment, wall_tension, moment/y (tensions, bending moment and curvature)")
+    parser.add_argument("--from", dest="start", type=float, metavar="T", help="first time of range (of stages with time)")
+    parser.add_argument("--to", dest="end", type=float, metavar="T", help="last time of range")
+    parser.add_argument("--stage", metavar="NAME", help="stage of range, instead of times")
     parser.add_argument("--x", metavar="NAME", help="what to draw over instead of time: time, ledger/ENERGY, or "
                                                     "NAME/QUANTITY/COMPONENT of a history; COMPONENT is w, x, y, z or magnitude")
     parser.add_argument("--y", nargs="+", action="extend", metavar="NAME", default=[],
@@ -110,6 +116,9 @@ def parse(arguments):
                         help="draw the figures of the rubin2007 study from DIR/fig*.csv")
     parser.add_argument("--format", choices=("png", "svg", "pdf"), default="png", help="format of --figures (png)")
     request = parser.parse_args(arguments)
+    request.window = (request.start, request.end, request.stage)
+    if request.what != "range" and (request.quantity or request.window != (None, None, None)):
+        parser.error("--quantity, --from, --to and --stage go with --what range")
     if bool(request.results) == bool(request.figures):
         parser.error("give a results file, or --figures DIR")
     return request

@@ -9,6 +9,8 @@ from .histories import draw_histories, history_panels, row_count
 from .ledger import draw_ledger, panel_count
 from .path import draw_paths, path_curves
 from .path import section_height as path_section_height
+from .ranges import HEIGHT as RANGE_HEIGHT
+from .ranges import draw_ranges, read_ranges
 from .response import HEIGHT, draw_response
 from .results import choose_histories
 from .shapes import choose_frames, draw_shapes, fitting_size, prepare_shapes
@@ -45,6 +47,10 @@ def draw_page(results, request):
         if not results.results.sections:
             raise FileFault(f"{file}: has no stresses; stresses = \"von-mises\" in [output] of the deck writes them")
         return draw_sections(results, request, [stress_section(results, request)], NARROW_WIDTH)
+    if request.what == "range":
+        rows = read_ranges(results, request)
+        width = NARROW_WIDTH if len(rows) == 1 else WIDTH
+        return draw_sections(results, request, [(RANGE_HEIGHT * len(rows[0]), lambda figure: draw_ranges(figure, results, rows))], width)
     found = [found_section(results, request, each) for each in results.found()] if request.what in ("all", "found") else []
     if request.what in ("all", "found"):
         found += [response_section(each) for each in results.responses()]

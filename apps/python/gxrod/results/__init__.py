@@ -11,6 +11,7 @@ from . import frames
 from .contacts import Contacts
 from .display import Shown
 from .frames import STILL, Frames, Rod, find_rod, read_rod_table
+from .ranges import line_end_rows
 from .records import History, Named, Record, SampledHistory, attributes_of
 from .source import Source, plain
 from .stages import Stage, read_stages
@@ -218,6 +219,15 @@ class Results(Shown):
         """The rod of this name: `r.rod("arm").moment(frame=-1)` [e,3], at the middles of its elements from start to end."""
         return find_rod(self._source, name)
 
+    def line_ends(self, start: float | None = None, end: float | None = None, stage: str | None = None) -> Table:
+        """A table of the ends of lines that the deck's `output.line_ends` names: a row for each end and quantity.
+
+        Columns: `name` (the point), `quantity` (tensions, shear force, bending moment; declination and azimuth of the axis from start to end,
+        in degrees), `unit`, `static` (before time begins), `least`, `time_of_least`, `largest`, `time_of_largest`, `mean` over
+        the times from start to end, or of a stage; by default all stages with time.
+        """
+        return line_end_rows(self._source, dict(self.histories.items()), start, end, stage)
+
     # Stresses, of decks with `stresses` in [output].
 
     @property
@@ -309,7 +319,7 @@ class Results(Shown):
     def plot(self, what: str = "shapes", **options: Any) -> matplotlib.figure.Figure:
         """A matplotlib Figure, as gxrod-plot draws it: see `gxrod.plot.draw`.
 
-        what: "shapes", "histories", "ledger", "found" (modes, buckling, answers), "stress", "section" or "all".
+        what: "shapes", "histories", "ledger", "found" (modes, buckling, answers), "stress", "section", "range" or "all".
         """
         from ..plot import draw
 

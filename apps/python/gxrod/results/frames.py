@@ -13,7 +13,17 @@ from .display import Shown, shape_text
 from .records import Quantity
 from .source import Source, plain, read_column
 
+if TYPE_CHECKING:
+    from .ranges import Range
+
 NODES, ELEMENTS = "VTKHDF/PointData", "VTKHDF/CellData"
+# Of rods, by what the file has of their elements: name, description, dimension, value.
+DERIVED = {
+    "effective_tension": ("force", "axial section force, in water the effective tension", "force", lambda values: values[..., 0]),
+    "shear_force": ("force", "size of the shear force", "force", lambda values: np.linalg.norm(values[..., 1:], axis=-1)),
+    "bending_moment": ("moment", "size of the bending moment", "force·length", lambda values: np.linalg.norm(values[..., 1:], axis=-1)),
+    "bending_curvature": ("curvature", "size of the bending curvature", "angle/length", lambda values: np.linalg.norm(values[..., 1:], axis=-1)),
+}
 STILL = ("rod", "element", "arc_length", "section")  # have one row a node or element for all frames
 
 
@@ -272,7 +282,27 @@ class Rod(Shown):
     def names(self) -> list[str]:
         """Names of the quantities."""
         frames = Frames(self._source)
-        return [name for name in dict.fromkeys([*frames.names, *frames.elements.names]) if name not in STILL]
+        return [name for name in dict.fromkeys([*frames.names, *frames.elements.names, *DERIVED]) if name not in STILL]
+
+    def describe(self, name: str) -> Quantity:
+        """What a quantity is: a `Quantity` with description, frame, dimension, unit and shape."""
+        if name not in self.names:
+            raise unknown_name(f"quantity of rod {self.name}", name, self.names)
+        frames = Frames(self._source)
+        if name not in DERIVED:
+            return (frames if name in frames else frames.elements).describe(name)
+        _, description, dimension, _ = DERIVED[name]
+        return Quantity(name, f"{description}, at the element's middle", "none", dimension, self._source.unit(dimension), (self._source.cells,))
+
+    def range(self, quantity: str, start: float | None = None, end: float | None = None, stage: str | None = None) -> Range:
+        """The least, largest and mean value along the rod: `r.rod("riser").range("effective_tension").largest` [e].
+
+        quantity: a name, of vectors with a component, "moment/y"; without one their size. start, end: times, in statics load factors; stage: the
+        name of one instead. Without any: all frames of stages with time, in statics all.
+        """
+        from .ranges import find_range
+
+        return find_range(self, quantity, start, end, stage)
 
     def read(self, name: str, frame: int | slice = -1, time: float | None = None) -> Array:
         """A quantity by its name, [n,3] or [e,3]: what `rod.moment(frame)` reads.
@@ -282,6 +312,9 @@ class Rod(Shown):
         """
         if name not in self.names:
             raise unknown_name(f"quantity of rod {self.name}", name, self.names)
+        if name in DERIVED:
+            source, *_, value = DERIVED[name]
+            return value(self.read(source, frame, time))
         frames = Frames(self._source)
         chosen = frames.nearest(time) if time is not None else frames[frame]
         if name in frames:
@@ -291,11 +324,8 @@ class Rod(Shown):
     def __getattr__(self, name: str) -> Callable[..., Array]:
         if name.startswith("_"):
             raise AttributeError(name)
-        if name not in self.names:
-            raise unknown_name(f"quantity of rod {self.name}", name, self.names)
-        frames = Frames(self._source)
-        is_of_nodes = name in frames
-        what = (frames if is_of_nodes else frames.elements).describe(name)
+        what = self.describe(name)
+        is_of_nodes = name in Frames(self._source)
 
         def quantity(frame=-1, time=None):
             return self.read(name, frame, time)
