@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "environment/flow_profile.hpp"
 #include "model/evaluation_error.hpp"
 
 namespace gxrod {
@@ -72,6 +73,11 @@ FlowAt Current::at(const Vec3& place, const FormulaHeight& height, bool gradient
 
 FlowAt Current::find_profile(const FormulaHeight& height) const {
     const SpeedProfile& profile = *flow_->profile;
+    if (width_of(profile) > 1) {
+        const auto [velocity, by_height] = interpolate_turning(profile, height.z);
+        const Mat3 changes = by_height * height.gradient.transpose();
+        return {factor_ * velocity, factor_rate_ * velocity, factor_ * changes, factor_rate_ * changes};
+    }
     const auto [speed, slope] = interpolate(profile, height.z);
     const Mat3 gradient = slope * profile.direction * height.gradient.transpose();
     return {factor_ * speed * profile.direction,

@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "environment/flow_profile.hpp"
 #include "model/ties/ties.hpp"
 
 namespace gxrod {
@@ -103,7 +104,15 @@ MagneticField turn(const Quat& rotation, const MagneticField& field) {
 }
 
 Flow turn(const Quat& rotation, Flow flow) {
-    if (flow.profile) flow.profile->direction = rotation * flow.profile->direction;
+    if (flow.profile) {
+        SpeedProfile& profile = *flow.profile;
+        profile.direction = rotation * profile.direction;
+        for (std::size_t i = 0; width_of(profile) == 3 && i < profile.speeds.size(); i += 3) {
+            const Vec3 turned =
+                rotation * Vec3(profile.speeds[i], profile.speeds[i + 1], profile.speeds[i + 2]);
+            std::copy_n(turned.data(), 3, &profile.speeds[i]);
+        }
+    }
     if (!flow.field) return flow;
     const Mat3 R = rotation.toRotationMatrix();
     flow.field = [R, own = flow.field](double time, const Vec3& position) -> Vec3 {

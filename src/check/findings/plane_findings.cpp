@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "environment/flow_profile.hpp"
 #include "model/ties/ties.hpp"
 
 namespace gxrod {
@@ -110,9 +111,25 @@ std::string find_inner_push(const Model& model, int normal) {
     return "";
 }
 
+// A flow whose direction changes turns about z through all between, or has components.
+bool leaves_plane(const SpeedProfile& profile, int normal) {
+    for (std::size_t row = 0; row < profile.heights.size(); ++row) {
+        const Vec3 velocity = velocity_at_row(profile, row);
+        if (std::abs(velocity[normal]) > in_plane * velocity.norm()) return true;
+        if (width_of(profile) == 2 && normal != 2 && row > 0 &&
+            profile.speeds[2 * row + 1] != profile.speeds[2 * row - 1])
+            return true;
+    }
+    return false;
+}
+
 // A field by where the nodes are, at some times.
 bool pushes_out(const Flow& flow, const std::vector<Node>& nodes, int normal) {
-    if (flow.profile && std::abs(flow.profile->direction[normal]) > in_plane) return true;
+    if (flow.profile && width_of(*flow.profile) == 1) {
+        if (std::abs(flow.profile->direction[normal]) > in_plane) return true;
+    } else if (flow.profile && leaves_plane(*flow.profile, normal)) {
+        return true;
+    }
     if (!flow.field) return false;
     return std::ranges::any_of(std::array{0.0, 0.5, 1.0}, [&](double time) {
         return std::ranges::any_of(nodes, [&](const Node& node) {

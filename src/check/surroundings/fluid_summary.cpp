@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "check/surroundings/line_words.hpp"
+#include "environment/flow_profile.hpp"
 #include "environment/sea.hpp"
 #include "rotation/vector_text.hpp"
 
@@ -78,6 +79,13 @@ std::string describe_on_ground(const Model& model, const std::vector<const Secti
 }
 
 std::string describe_profile(const SpeedProfile& profile) {
+    if (width_of(profile) > 1) {
+        const auto describe_end = [&](std::size_t row) {
+            return fmt::format(
+                "{} at z = {:.6g}", in_parentheses(velocity_at_row(profile, row)), profile.heights[row]);
+        };
+        return describe_end(0) + " to " + describe_end(profile.heights.size() - 1);
+    }
     return fmt::format("{:.6g} at z = {:.6g} to {:.6g} at z = {:.6g}, along {}",
                        profile.speeds.front(),
                        profile.heights.front(),

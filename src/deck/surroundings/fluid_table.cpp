@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "deck/drives/place_field.hpp"
 #include "deck/schema/schema_tables.hpp"
@@ -18,10 +20,12 @@ TableSpec flow_table(const char* path, const char* what) {
     // clang-format off
     return Table<T>(path, "")
         .key("table", &T::table,
-             "Rows of a height z and the speed there, z rising from row to row: linear between them, constant beyond.")
+             "Rows of a height z and the flow there, z rising from row to row: linear between them, constant beyond. "
+             "[z, speed] along `direction`; [z, speed, degrees], the direction to which it flows, from x towards y, "
+             "turning by the shorter way from row to row; or [z, vx, vy, vz].")
             .unit("length, length/time").also("profile rows")
         .key("direction", &T::direction, "Where it flows to, of any length.")
-            .unit("1").required().only_with("table")
+            .unit("1").otherwise("with rows [z, speed] required").only_with("table")
         .key("velocity", &T::velocity, "By time and place, global components.")
             .unit("length/time").also("v speed")
         .key("factor", &T::factor, factor_sentence(what))
@@ -92,28 +96,57 @@ const TableSpec& air_table() {
 
 namespace {
 
+// The key `direction` goes with rows of 2; null with a fault where it is missing or too much.
+std::optional<Vec3> find_direction(const FlowTable& given, const BuildContext& context) {
+    const bool has_own = given.table->width() > 2;
+    if (has_own && given.direction)
+        context.add_fault(given, given.direction, "goes with rows [z, speed]; these rows have directions");
+    if (has_own) return Vec3::UnitX();
+    if (!given.direction) {
+        context.add_fault(
+            given,
+            given.table,
+            "rows [z, speed] need the key direction, where it flows to; or give rows [z, speed, "
+            "degrees]");
+        return std::nullopt;
+    }
+    if (!given.direction->isZero(0.0)) return given.direction->stableNormalized();
+    context.add_fault(given, given.direction, "expected a direction, found a vector of zero length");
+    return std::nullopt;
+}
+
+// Appends a row as environment/flow_profile.hpp has it; the direction turns by the shorter way.
+void add_flow_row(const std::vector<double>& row, SpeedProfile& profile) {
+    profile.heights.push_back(row[0]);
+    const bool has_turn = row.size() == 3;
+    double turn = has_turn ? row[2] * std::numbers::pi / 180.0 : 0.0;
+    if (has_turn && !profile.speeds.empty()) {
+        const double last = profile.speeds.back();
+        turn = last + std::remainder(turn - last, 2.0 * std::numbers::pi);
+    }
+    profile.speeds.insert(profile.speeds.end(), row.begin() + 1, row.end());
+    if (has_turn) profile.speeds.back() = turn;
+}
+
 std::optional<SpeedProfile> find_profile(const FlowTable& given,
                                          const Acting& acting,
                                          const BuildContext& context) {
-    const CheckedPairs& pairs = *given.table;
-    SpeedProfile profile{.heights = {}, .speeds = {}, .direction = given.direction};
-    for (std::size_t i = 0; i < pairs.rows.size(); ++i) {
-        const auto& [height, speed] = pairs.rows[i];
+    const FlowRows& table = *given.table;
+    SpeedProfile profile{.heights = {}, .speeds = {}};
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        const double height = table.rows[i][0];
         if (i > 0 && height <= profile.heights.back()) {
             context.faults.add(
-                pairs.places[i],
+                table.places[i],
                 fmt::format("{}[{}]", given.path_of(&given.table), i),
                 fmt::format("z must rise from row to row: {} follows {}", height, profile.heights.back()));
             return std::nullopt;
         }
-        profile.heights.push_back(height);
-        profile.speeds.push_back(speed);
+        add_flow_row(table.rows[i], profile);
     }
-    if (profile.direction.isZero(0.0)) {
-        context.add_fault(given, given.direction, "expected a direction, found a vector of zero length");
-        return std::nullopt;
-    }
-    profile.direction.stableNormalize();
+    const std::optional<Vec3> direction = find_direction(given, context);
+    if (!direction) return std::nullopt;
+    profile.direction = *direction;
     profile.factor = acting.apply(TimeFunction(1.0));
     return profile;
 }

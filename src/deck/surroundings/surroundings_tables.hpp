@@ -1,14 +1,15 @@
 #pragma once
 
 #include "deck/loads/acting.hpp"
+#include "deck/surroundings/flow_rows.hpp"
 
 // The tables [fluid], [air], [[wave]] and [seabed].
 namespace gxrod {
 
 // A current or a wind.
 struct FlowTable : ActingTable {
-    std::optional<CheckedPairs> table;
-    Vec3 direction = Vec3::Zero();
+    std::optional<FlowRows> table;
+    std::optional<Vec3> direction;
     std::optional<FieldVector> velocity;
 };
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "deck/surroundings/surroundings_decks.hpp"
 #include "deck/surroundings/surroundings_files.hpp"
@@ -139,6 +140,18 @@ TEST_CASE("Water with a surface needs gravity that acts down", "[deck]") {
                Contains("x.toml:1:") && Contains("gravity[2]") && Contains("waves take a number"));
 }
 
+TEST_CASE("A current turns by the shorter way from row to row", "[deck]") {
+    const auto speeds = [](const std::string& rows) {
+        return around(read(tube_deck() + water_deck + "current = { table = " + rows + " }\n"), 0)
+            .water->current.profile->speeds;
+    };
+    const std::vector<double> turning = speeds("[[-9, 1, 350], [-5, 2, 10], [0, 3, 190]]");
+    REQUIRE(turning.size() == 6);
+    CHECK(std::abs(turning[3] - turning[1] - 20.0 * std::numbers::pi / 180.0) < 1e-14);
+    CHECK(std::abs(std::abs(turning[5] - turning[3]) - std::numbers::pi) < 1e-14);
+    CHECK(speeds("[[-9, 1, 2, 3], [0, 4, 5, 6]]") == std::vector<double>{1, 2, 3, 4, 5, 6});
+}
+
 TEST_CASE("What is wrong with currents and winds is said where it stands", "[deck]") {
     const auto current = [](const std::string& keys) {
         return faults(water_deck + "current = { " + keys + " }\n");
@@ -148,7 +161,13 @@ TEST_CASE("What is wrong with currents and winds is said where it stands", "[dec
                    Contains("z must rise from row to row: 0 follows 0"));
     CHECK_THAT(current("table = [[0, 1]], direction = [0, 0, 0]"),
                Contains("fluid.current.direction") && Contains("zero length"));
-    CHECK_THAT(current("table = [[0, 1]]"), Contains("fluid.current.direction: missing"));
+    CHECK_THAT(current("table = [[0, 1]]"),
+               Contains("fluid.current.table: rows [z, speed] need the key direction"));
+    CHECK_THAT(current("table = [[0, 1, 90]], direction = [1, 0, 0]"),
+               Contains("fluid.current.direction: goes with rows [z, speed]"));
+    CHECK_THAT(current("table = [[0, 1, 90], [1, 2]]"),
+               Contains("fluid.current.table[1]: expected 3 numbers as in the first row, found 2"));
+    CHECK_THAT(current("table = [[0, 1, 2, 3, 4]]"), Contains("fluid.current.table[0]: expected a row"));
     CHECK_THAT(current("velocity = [0, 0, 0], table = [[0, 1]], direction = [1, 0, 0]"),
                Contains("only one of them can be"));
     CHECK_THAT(current("velocity = [\"vx\", 0, 0]"), Contains("fluid.current.velocity[0]"));
