@@ -18,7 +18,7 @@
 #include "check/summaries/memory_estimate.hpp"
 #include "check/summaries/model_summary.hpp"
 #include "deck/problem.hpp"
-#include "deck/text/fault.hpp"
+#include "deck/reading/input_uses.hpp"
 #include "exit_code.hpp"
 #include "job.hpp"
 #include "machine/file_error.hpp"
@@ -60,7 +60,8 @@ struct CheckText {
 
 CheckText describe_problem(const Problem& problem) {
     CheckText text;
-    text.lists = list_model(problem.model);
+    const DeckRecord& record = problem.record;
+    text.lists = list_model(problem.model, find_input_uses(read_toml(record.text, record.name)));
     text.rest = describe_total(problem.model);
     for (const StagePlan& stage : problem.stages) {
         if (!stage.name.empty()) text.rest += "stage " + stage.name + ": ";

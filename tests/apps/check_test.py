@@ -91,8 +91,8 @@ accuracy = 1e-3
         self.write("beam.toml", BEAM + 'fix = "all"\n[input.pull]\nvalue = 3\n[input.idle]\nvalue = 1\n'
                    '[tendon.t]\non = "beam"\noffset = [0, 0.01]\ntension = "2*pull"\n')
         done = self.gxrod("check", "beam.toml").stdout
-        self.assertIn("tendon t: in rod beam, tension changes with t, 6 at t = 1\n", done)
-        self.assertIn("input pull: 3 at t = 0, between two values a step\n", done)
+        self.assertIn("tendon t: in rod beam, at (y, z) = (0, 0.01), 4 long; tension changes with t, 6 at t = 1\n", done)
+        self.assertIn("input pull: 3 at t = 0, between two values a step; read by tendon.t.tension\n", done)
         self.assertIn("note: input.idle: nothing uses it", done)
         self.assertNotIn("note: input.pull", done)
 

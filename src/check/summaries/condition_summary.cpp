@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "check/summaries/tendon_summary.hpp"
 #include "check/surroundings/fluid_summary.hpp"
 #include "model/evaluation_error.hpp"
 #include "rotation/vector_text.hpp"
@@ -102,36 +103,6 @@ std::string describe_velocities(const Model& model, const std::string& name, con
                        is_rigid ? "" : fmt::format(", stretched and sheared at up to {:.3g}", strain_rate));
 }
 
-// "tension 3", or "shortening …", "length …".
-std::string describe_drive(const Tendon& tendon) {
-    const auto describe = [](const char* word, const TimeFunction& function) {
-        if (function.is_constant()) return fmt::format("{} {:.6g}", word, function(0.0));
-        return fmt::format("{} changes with t, {:.6g} at t = 1", word, function(1.0));
-    };
-    if (!tendon.winch) return describe("tension", tendon.tension);
-    if (tendon.winch->is_released) return "released";
-    return tendon.winch->length ? describe("length", *tendon.winch->length)
-                                : describe("shortening", tendon.winch->shortening);
-}
-
-std::string describe_tendon(const Model& model, const Tendon& tendon) {
-    const Rod& rod = model.rods[static_cast<std::size_t>(tendon.rod)];
-    const bool is_whole = tendon.from == 0.0 && tendon.to == rod.length;
-    return fmt::format("tendon {}: in rod {}{}, {}{}\n",
-                       tendon.name,
-                       rod.name,
-                       is_whole ? "" : fmt::format(" from s = {:.6g} to {:.6g}", tendon.from, tendon.to),
-                       describe_drive(tendon),
-                       tendon.friction ? fmt::format(", friction {:.6g}", tendon.friction->coefficient) : "");
-}
-
-std::string describe_input(const Input& input) {
-    return fmt::format("input {}: {:.6g} at t = 0, between two values {}\n",
-                       input.name(),
-                       input(0.0),
-                       input.hold() == InputHold::step ? "a step" : "a straight line");
-}
-
 std::string describe_gravity(const Model& model) {
     constexpr std::array<double, 4> times{0.0, 0.11, 0.37, 0.83};
     constexpr double near = 1e-12;
@@ -153,7 +124,7 @@ std::string describe_gravity(const Model& model) {
 
 }  // namespace
 
-std::vector<ItemList> list_conditions(const Model& model) {
+std::vector<ItemList> list_conditions(const Model& model, const InputUses& uses) {
     ItemList supports{"supports", {}};
     if (model.plane) {
         std::vector<std::string_view> held;
@@ -175,14 +146,16 @@ std::vector<ItemList> list_conditions(const Model& model) {
     for (const DistributedLoad& load : model.distributed_loads) {
         loads.items.push_back(describe_load(model, load));
     }
-    ItemList tendons{"tendons", {}};
-    for (const Tendon& tendon : model.tendons) tendons.items.push_back(describe_tendon(model, tendon));
-    ItemList inputs{"inputs", {}};
-    for (const std::shared_ptr<Input>& input : model.inputs) inputs.items.push_back(describe_input(*input));
     ItemList gravity{"fields", {}};
     if (!model.gravity.is_zero()) gravity.items.push_back(describe_gravity(model));
     for (const std::string& text : list_surroundings(model.surroundings)) gravity.items.push_back(text);
-    return {list_connections(model), supports, velocities, loads, tendons, inputs, gravity};
+    return {list_connections(model),
+            supports,
+            velocities,
+            loads,
+            list_tendons(model),
+            list_inputs(model, uses),
+            gravity};
 }
 
 }  // namespace gxrod

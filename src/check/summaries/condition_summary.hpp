@@ -2,12 +2,13 @@
 
 #include <vector>
 
-#include "check/summaries/item_list.hpp"
+#include "check/summaries/tendon_summary.hpp"
 #include "model/model.hpp"
 
 namespace gxrod {
 
-// Lists connections, supports, initial velocities, loads and gravity of a model, in lines.
-std::vector<ItemList> list_conditions(const Model& model);
+// Lists connections, supports, initial velocities, loads, tendons, inputs and gravity of a model, in lines.
+// `uses` adds to each input what reads it.
+std::vector<ItemList> list_conditions(const Model& model, const InputUses& uses = {});
 
 }  // namespace gxrod

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "check/summaries/item_list.hpp"
+#include "check/summaries/tendon_summary.hpp"
 #include "model/model.hpp"
 #include "model/settings/settings.hpp"
 #include "model/settings/signal_plan.hpp"
@@ -12,7 +12,7 @@
 namespace gxrod {
 
 // Lines about a run of the model: parts, constants and conditions; masses and unknowns; analysis; output.
-std::vector<ItemList> list_model(const Model& model);
+std::vector<ItemList> list_model(const Model& model, const InputUses& uses = {});
 std::string describe_total(const Model& model);
 std::string describe_analysis(const AnalysisSettings& settings);
 // A line for each signal.
