@@ -19,25 +19,25 @@ struct Unit {
     double size;  // in the unit of the SI
 };
 
-constexpr std::array<Unit, 9> lengths{{{"m", 1.0},
-                                       {"mm", 1e-3},
-                                       {"cm", 1e-2},
-                                       {"dm", 0.1},
-                                       {"km", 1e3},
-                                       {"µm", 1e-6},
-                                       {"um", 1e-6},
-                                       {"in", 0.0254},
-                                       {"ft", 0.3048}}};
-constexpr std::array<Unit, 6> masses{
+constexpr std::array<Unit, 9> length_units{{{"m", 1.0},
+                                            {"mm", 1e-3},
+                                            {"cm", 1e-2},
+                                            {"dm", 0.1},
+                                            {"km", 1e3},
+                                            {"µm", 1e-6},
+                                            {"um", 1e-6},
+                                            {"in", 0.0254},
+                                            {"ft", 0.3048}}};
+constexpr std::array<Unit, 6> mass_units{
     {{"kg", 1.0}, {"g", 1e-3}, {"mg", 1e-6}, {"t", 1e3}, {"slug", 14.59390294}, {"lbm", 0.45359237}}};
-constexpr std::array<Unit, 7> forces{{{"N", 1.0},
-                                      {"kN", 1e3},
-                                      {"MN", 1e6},
-                                      {"mN", 1e-3},
-                                      {"lbf", 4.4482216152605},
-                                      {"kip", 4448.2216152605},
-                                      {"dyn", 1e-5}}};
-constexpr std::array<Unit, 4> times{{{"s", 1.0}, {"ms", 1e-3}, {"min", 60.0}, {"h", 3600.0}}};
+constexpr std::array<Unit, 7> force_units{{{"N", 1.0},
+                                           {"kN", 1e3},
+                                           {"MN", 1e6},
+                                           {"mN", 1e-3},
+                                           {"lbf", 4.4482216152605},
+                                           {"kip", 4448.2216152605},
+                                           {"dyn", 1e-5}}};
+constexpr std::array<Unit, 4> time_units{{{"s", 1.0}, {"ms", 1e-3}, {"min", 60.0}, {"h", 3600.0}}};
 
 template <std::size_t count>
 std::optional<double> find_unit(const std::array<Unit, count>& units, std::string_view word) {
@@ -45,17 +45,17 @@ std::optional<double> find_unit(const std::array<Unit, count>& units, std::strin
     return found == units.end() ? std::nullopt : std::optional(found->size);
 }
 
-struct Bounds {
+struct UsualRange {
     double least;
     double most;
 
     bool hold(double value) const { return value >= least && value <= most; }
 };
 
-constexpr Bounds gravities{0.05, 100.0};    // of moons and planets, in m/s²
-constexpr Bounds wave_speeds{0.05, 3e4};    // of stretching, from gels to diamond, in m/s
-constexpr Bounds densities{0.5, 2.5e5};     // from foams to platinum, and ten times as much, in kg/m³
-constexpr double steel_wave_speed = 5.2e3;  // m/s
+constexpr UsualRange gravities{0.05, 100.0};  // of moons and planets, in m/s²
+constexpr UsualRange wave_speeds{0.05, 3e4};  // of stretching, from gels to diamond, in m/s
+constexpr UsualRange densities{0.5, 2.5e5};   // from foams to platinum, and ten times as much, in kg/m³
+constexpr double steel_wave_speed = 5.2e3;    // m/s
 
 class UnitQuestions {
   public:
@@ -136,10 +136,10 @@ std::optional<DeckUnits> read_units(const std::string& text) {
         const auto take = [&](std::optional<double>& unit, const auto& units) {
             if (!unit) unit = find_unit(units, word);
         };
-        take(length, lengths);
-        take(time, times);
-        take(mass, masses);
-        take(force, forces);
+        take(length, length_units);
+        take(time, time_units);
+        take(mass, mass_units);
+        take(force, force_units);
     }
     if (!length) return std::nullopt;
     DeckUnits units{*length, time.value_or(1.0), mass};

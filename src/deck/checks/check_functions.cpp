@@ -143,7 +143,7 @@ void check_pull(const TendonTable& tendon, const std::vector<double>& times, con
 
 void check_functions(const BuildContext& context) {
     const std::vector<double> times = sample_times(context.analysis(), most_samples);
-    if (const auto& gravity = top_level_of(context.deck).gravity) {
+    if (const CheckedTimeVector* gravity = find_gravity(context.deck)) {
         for (const CheckedTimeFunction& component : *gravity) check(component, times, context);
     }
     for (const TableSpec* spec : {&load_table(), &tendon_table(), &actuation_table(), &magnetic_table()}) {

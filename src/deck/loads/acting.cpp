@@ -7,6 +7,7 @@
 #include "deck/expressions/load_factor.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
+#include "deck/schema/top_level.hpp"
 #include "deck/surroundings/surroundings_tables.hpp"
 #include "model/settings/analysis_traits.hpp"
 
@@ -250,6 +251,9 @@ void check_stage_names(const BuildContext& context) {
                                   &wave_table()}) {
         for (const ActingTable& table : tables_of<ActingTable>(context.deck, *spec))
             check_stage_names(table, context);
+    }
+    if (const auto& given = top_level_of(context.deck).gravity) {
+        if (const auto* gravity = std::get_if<GravityTable>(&*given)) check_stage_names(*gravity, context);
     }
     for (const FluidTable& fluid : tables_of<FluidTable>(context.deck, fluid_table())) {
         if (fluid.current) check_stage_names(*fluid.current, context);

@@ -248,8 +248,8 @@ void add_load(const LoadTable& given, const Acting& acting, BuildContext& contex
 }  // namespace
 
 void build_loads(BuildContext& context) {
-    if (const auto& gravity = top_level_of(context.deck).gravity) {
-        const Acting acting = find_acting(context);
+    if (const CheckedTimeVector* gravity = find_gravity(context.deck)) {
+        const Acting acting = find_gravity_acting(context);
         std::array<TimeFunction, 3> components;
         for (std::size_t i = 0; i < 3; ++i) components[i] = acting.apply((*gravity)[i].function);
         context.model.gravity = TimeVector(std::move(components));

@@ -62,10 +62,10 @@ void add_line_ends(const TableHead& table,
                                 rod));
                 continue;
             }
-            const std::optional<Watched> target = find_watched(request.at, context);
-            if (!target) continue;
-            request.target = *target;
-            request.quantities = list_end_quantities(*target, context.model);
+            const std::vector<WatchedText> found = find_watched(request.at, context);
+            if (found.empty()) continue;
+            request.target = found.front().thing;
+            request.quantities = list_end_quantities(request.target, context.model);
             histories.push_back(std::move(request));
         }
     }

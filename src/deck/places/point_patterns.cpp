@@ -11,19 +11,13 @@ namespace gxrod {
 namespace {
 
 // A point and its arc length.
-struct Candidate {
+struct PlaceCandidate {
     PlacedPoint point;
     double s = 0.0;
 };
 
-// Whether the tangents of two elements differ where they meet.
-bool is_corner(const Quat& before, const Quat& after) {
-    constexpr double same_direction = 1e-6;
-    return (before * Vec3::UnitX() - after * Vec3::UnitX()).norm() > same_direction;
-}
-
 // The ends and corners of a rod, and the nodes between the elements of its mesh.
-void add_candidates(int index, const BuildContext& context, std::vector<Candidate>& candidates) {
+void add_rod_places(int index, const BuildContext& context, std::vector<PlaceCandidate>& candidates) {
     const auto i = static_cast<std::size_t>(index);
     const Rod& rod = context.model.rods[i];
     const std::vector<int>& nodes = context.rod_nodes[i];
@@ -45,7 +39,7 @@ void add_candidates(int index, const BuildContext& context, std::vector<Candidat
     for (std::size_t entry = 0; entry < rod.element_nodes.size(); entry += per_element) {
         const std::size_t last = entry + per_element - 1;
         const bool is_first = entry == 0 || is_meshed;
-        if (is_first || is_corner(rod.triads[entry - 1], rod.triads[entry])) add(entry);
+        if (is_first || is_corner(rod, entry)) add(entry);
         if (last + 1 == rod.element_nodes.size() || is_meshed) add(last);
     }
 }
@@ -58,13 +52,13 @@ double arc_length_of(const PlacedPoint& point, const Model& model) {
     return rod.arc_length[static_cast<std::size_t>(entry)];
 }
 
-std::vector<Candidate> list_candidates(const std::optional<PointPatterns>& at,
-                                       bool takes_rods,
-                                       const BuildContext& context) {
-    std::vector<Candidate> candidates;
+std::vector<PlaceCandidate> list_place_candidates(const std::optional<PointPatterns>& at,
+                                                  bool takes_rods,
+                                                  const BuildContext& context) {
+    std::vector<PlaceCandidate> candidates;
     const auto add_rods = [&](const std::string& pattern) {
         const std::vector<int> rods = context.names.find_rods(pattern);
-        for (const int rod : rods) add_candidates(rod, context, candidates);
+        for (const int rod : rods) add_rod_places(rod, context, candidates);
         return !rods.empty();
     };
     if (!at) add_rods("*");
@@ -82,9 +76,9 @@ std::vector<Candidate> list_candidates(const std::optional<PointPatterns>& at,
 }
 
 // "x 0 to 6, y 0 to 0, z 0 to 3.5".
-std::string describe_range(const std::vector<Candidate>& candidates, const Model& model) {
+std::string describe_range(const std::vector<PlaceCandidate>& candidates, const Model& model) {
     Eigen::AlignedBox3d box;
-    for (const Candidate& one : candidates)
+    for (const PlaceCandidate& one : candidates)
         box.extend(model.nodes[static_cast<std::size_t>(one.point.node)].position);
     return fmt::format("x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}",
                        box.min()[0],
@@ -106,15 +100,23 @@ bool satisfies(const PlaceCondition& where, const Vec3& position, double s, cons
 
 }  // namespace
 
+bool is_corner(const Rod& rod, std::size_t entry) {
+    constexpr double same_direction = 1e-6;
+    if (entry == 0) return false;
+    const Vec3 before = rod.triads[entry - 1] * Vec3::UnitX(), after = rod.triads[entry] * Vec3::UnitX();
+    return (before - after).norm() > same_direction;
+}
+
 std::vector<PlacedPoint> find_points(const TableHead& table,
                                      const std::optional<PointPatterns>& at,
                                      const std::optional<PlaceCondition>& where,
                                      const BuildContext& context) {
-    std::vector<Candidate> candidates = list_candidates(at, where.has_value(), context);
+    std::vector<PlaceCandidate> candidates = list_place_candidates(at, where.has_value(), context);
     std::set<int> nodes;
-    std::erase_if(candidates, [&](const Candidate& one) { return !nodes.insert(one.point.node).second; });
+    std::erase_if(candidates,
+                  [&](const PlaceCandidate& one) { return !nodes.insert(one.point.node).second; });
     std::vector<PlacedPoint> points;
-    for (const Candidate& one : candidates) {
+    for (const PlaceCandidate& one : candidates) {
         const Vec3& position = context.model.nodes[static_cast<std::size_t>(one.point.node)].position;
         if (!where || satisfies(*where, position, one.s, context)) points.push_back(one.point);
     }

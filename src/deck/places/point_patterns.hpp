@@ -19,6 +19,10 @@ std::vector<PlacedPoint> find_points(const TableHead& table,
                                      const std::optional<PlaceCondition>& where,
                                      const BuildContext& context);
 
+// Returns whether the tangent of a rod jumps where the element begins whose first entry in
+// Rod::element_nodes this is.
+bool is_corner(const Rod& rod, std::size_t entry);
+
 // Selects the elements of a rod whose middle satisfies a condition, by index.
 std::vector<bool> select_elements(const Rod& rod, const PlaceCondition& where, const BuildContext& context);
 

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <set>
 
+#include "deck/places/point_patterns.hpp"
 #include "deck/rods/rod_table.hpp"
 
 namespace gxrod {
 namespace {
 
 // A node between elements.
-struct Candidate {
+struct JoinCandidate {
     JoinedPoint point;
     Vec3 position;
     double along = 0.0;     // the direction by which candidates are sorted
@@ -20,13 +21,7 @@ struct Candidate {
 // Oblique, so that few points of a frame have the same component.
 const Vec3 sorting_direction = Vec3(1.0, 0.61803, 0.36788).normalized();
 
-// Whether the tangents of two elements differ where they meet.
-bool is_corner(const Quat& before, const Quat& after) {
-    constexpr double same_direction = 1e-6;
-    return (before * Vec3::UnitX() - after * Vec3::UnitX()).norm() > same_direction;
-}
-
-void add_candidates(int index, const BuildContext& context, std::vector<Candidate>& candidates) {
+void add_join_candidates(int index, const BuildContext& context, std::vector<JoinCandidate>& candidates) {
     const auto i = static_cast<std::size_t>(index);
     const Rod& rod = context.model.rods[i];
     const auto per_element = static_cast<std::size_t>(rod.order) + 1;
@@ -49,17 +44,19 @@ void add_candidates(int index, const BuildContext& context, std::vector<Candidat
     };
     for (std::size_t entry = 0; entry < rod.element_nodes.size(); entry += per_element) {
         const bool is_first = entry == 0;
-        add(entry, is_first || is_corner(rod.triads[entry - 1], rod.triads[entry]));
+        add(entry, is_first || is_corner(rod, entry));
         add(entry + per_element - 1, entry + per_element == rod.element_nodes.size());
     }
 }
 
 // The candidates that coincide with the first of those that are sorted; itself included.
-std::vector<Candidate*> take_group(std::vector<Candidate>& sorted, std::size_t first, double tolerance) {
-    std::vector<Candidate*> group;
+std::vector<JoinCandidate*> take_group(std::vector<JoinCandidate>& sorted,
+                                       std::size_t first,
+                                       double tolerance) {
+    std::vector<JoinCandidate*> group;
     for (std::size_t k = first; k < sorted.size() && sorted[k].along - sorted[first].along <= tolerance;
          ++k) {
-        Candidate& other = sorted[k];
+        JoinCandidate& other = sorted[k];
         if (!other.is_grouped && (other.position - sorted[first].position).norm() <= tolerance)
             group.push_back(&other);
     }
@@ -82,17 +79,18 @@ JoinedPoint make_joined(std::string name, const PlacedPoint& point, const BuildC
 std::vector<std::vector<JoinedPoint>> find_coincident_points(const std::vector<int>& rods,
                                                              double tolerance,
                                                              const BuildContext& context) {
-    std::vector<Candidate> candidates;
-    for (const int rod : rods) add_candidates(rod, context, candidates);
-    std::ranges::stable_sort(candidates, {}, &Candidate::along);
+    std::vector<JoinCandidate> candidates;
+    for (const int rod : rods) add_join_candidates(rod, context, candidates);
+    std::ranges::stable_sort(candidates, {}, &JoinCandidate::along);
     std::vector<std::vector<JoinedPoint>> groups;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         if (candidates[i].is_grouped) continue;
-        const std::vector<Candidate*> group = take_group(candidates, i, tolerance);
-        const bool has_point = std::ranges::any_of(group, [](const Candidate* one) { return one->is_point; });
+        const std::vector<JoinCandidate*> group = take_group(candidates, i, tolerance);
+        const bool has_point =
+            std::ranges::any_of(group, [](const JoinCandidate* one) { return one->is_point; });
         if (group.size() < 2 || !has_point) continue;
         std::vector<JoinedPoint>& joined = groups.emplace_back();
-        for (Candidate* one : group) {
+        for (JoinCandidate* one : group) {
             one->is_grouped = true;
             joined.push_back(one->point);
         }

@@ -241,8 +241,8 @@ Lying find_lying(const std::optional<TableName>& section, const BuildContext& co
     const double diameter = found->fluid->diameter;
     const auto fluids = tables_of<FluidTable>(deck, fluid_table());
     const double density = fluids.empty() ? 0.0 : fluids.front().get().density;
-    const auto& given = top_level_of(deck).gravity;
-    const double gravity = given ? -(*given)[2].function(1.0) : 0.0;
+    const CheckedTimeVector* given = find_gravity(deck);
+    const double gravity = given != nullptr ? -(*given)[2].function(1.0) : 0.0;
     const double weight = gravity * (found->mass(0, 0) - density * found->fluid->area);
     const double stiffness = tables_of<SeabedTable>(deck, seabed_table()).front().get().stiffness;
     return {0.5 * diameter, std::max(weight, 0.0) / (stiffness * diameter)};

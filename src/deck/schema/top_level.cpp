@@ -116,7 +116,7 @@ const TableSpec& deck_schema() {
             .also("name description")
         .key("units", &T::units, "A label that results carry; the numbers are in any consistent units.")
             .may_change()
-        .key("gravity", &T::gravity, "Acceleration that acts on every mass, global components.")
+        .key("gravity", &T::gravity, gravity_table(), "Acceleration that acts on every mass, global components.")
             .unit("length/time²").otherwise("[0, 0, 0]")
             .also("g gravity_vector gravitation acceleration_of_gravity")
         .key("plane", &T::plane, "The plane in which the model stays: displacements across it and rotations out of it "

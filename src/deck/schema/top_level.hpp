@@ -2,7 +2,9 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 
+#include "deck/loads/gravity_table.hpp"
 #include "deck/reading/checked_deck.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/table/table_head.hpp"
@@ -13,7 +15,7 @@ namespace gxrod {
 struct TopLevelTable : TableHead {
     std::string title;
     std::string units;
-    std::optional<CheckedTimeVector> gravity;
+    std::optional<std::variant<CheckedTimeVector, GravityTable>> gravity;
     std::optional<PlaneAcross> plane;
 };
 

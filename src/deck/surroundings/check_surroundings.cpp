@@ -64,8 +64,8 @@ void check_ground(const BuildContext& context) {
 }
 
 bool acts_down(const CheckedTable& deck) {
-    const auto& given = top_level_of(deck).gravity;
-    if (!given) return false;
+    const CheckedTimeVector* given = find_gravity(deck);
+    if (given == nullptr) return false;
     const CheckedTimeVector& gravity = *given;
     const TimeFunction& down = gravity[2].function;
     return gravity[0].function.is_zero() && gravity[1].function.is_zero() &&

@@ -177,9 +177,9 @@ std::vector<WaveTrain> make_waves(std::size_t index,
 }
 
 // Gravity under which waves run; nullopt with a fault.
-std::optional<double> find_gravity(const BuildContext& context) {
-    const auto& gravity = top_level_of(context.deck).gravity;
-    if (!gravity) return std::nullopt;  // of the surface a fault already
+std::optional<double> find_wave_gravity(const BuildContext& context) {
+    const CheckedTimeVector* gravity = find_gravity(context.deck);
+    if (gravity == nullptr) return std::nullopt;  // of the surface a fault already
     const CheckedTimeFunction& down = (*gravity)[2];
     if (down.function.is_constant())
         return down.function(0.0) < 0.0 ? std::optional(-down.function(0.0)) : std::nullopt;
@@ -237,7 +237,7 @@ void check_waves(const BuildContext& context) {
 void set_waves(const SurroundingsFiles& files, Water& water, const BuildContext& context) {
     const auto waves = waves_of(context);
     if (!water.surface || waves.empty()) return;
-    const std::optional<double> gravity = find_gravity(context);
+    const std::optional<double> gravity = find_wave_gravity(context);
     if (!gravity) return;
     const double before = find_time_before(context);
     water.ramp_start = -before;
