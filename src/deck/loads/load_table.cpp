@@ -1,7 +1,4 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <memory>
 
 #include "deck/loads/acting.hpp"
 #include "deck/loads/loads.hpp"
@@ -245,7 +242,28 @@ void add_load(const LoadTable& given, const Acting& acting, BuildContext& contex
     if (given.on || (is_along && !given.at)) add_distributed_loads(given, acting, context);
 }
 
+bool is_fixed_in_space(const LoadTable& given) {
+    return given.at && given.force && given.frame == Frame::spatial &&
+           std::ranges::none_of(*given.force, [](const CheckedMotionFunction& one) {
+               return static_cast<bool>(one.expression.by_motion);
+           });
+}
+
 }  // namespace
+
+std::vector<SteadyLoad> list_steady_loads(const BuildContext& context) {
+    const double time = is_timed(context.stages.front().analysis) ? 0.0 : 1.0;
+    std::vector<SteadyLoad> loads;
+    for (const LoadTable& given : tables_of<LoadTable>(context.deck, load_table())) {
+        const Acting acting = find_acting(given, context);
+        if (acting.is_absent || !is_fixed_in_space(given)) continue;
+        SteadyLoad load{given.at->word, Vec3::Zero()};
+        for (int i = 0; i < 3; ++i)
+            load.force[i] = rest_of((*given.force)[static_cast<std::size_t>(i)], acting)(time);
+        loads.push_back(std::move(load));
+    }
+    return loads;
+}
 
 void build_loads(BuildContext& context) {
     if (const CheckedTimeVector* gravity = find_gravity(context.deck)) {

@@ -6,10 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "deck/rods/still_water.hpp"
 #include "deck/schema/schema_tables.hpp"
-#include "deck/schema/top_level.hpp"
-#include "deck/surroundings/build_seabed.hpp"
-#include "deck/surroundings/surroundings_tables.hpp"
 #include "geometry/helix_curve.hpp"
 #include "geometry/hung_line.hpp"
 #include "geometry/line_curve.hpp"
@@ -79,7 +77,7 @@ const TableSpec& catenary_table() {
             .unit("length").required()
         .key("to", &T::to, "Where it ends.")
             .unit("length").required()
-        .key("length", &T::length, "Of the rod, more than there is between its ends.")
+        .key("length", &T::length, "Of the rod, free of stress: more than there is between its ends, if it has one section.")
             .unit("length").above(0).required()
         .key("bed", &T::bed, "Whether what hangs below a horizontal [seabed] lies on it.")
             .otherwise("false");
@@ -101,8 +99,10 @@ const Table<CurveTable>& curve_keys() {
         .key("spline", &T::spline,
              "The natural cubic spline through points, its parameter the length of the chords.")
             .unit("length")
-        .key("catenary", &T::catenary, catenary_table(), "As a line hangs between two points, z up. A rod that starts "
-             "so is straight and without twist where it is free of stress, if `rest` does not say otherwise.");
+        .key("catenary", &T::catenary, catenary_table(), "As a line hangs between two points, z up. With several "
+             "sections, or bodies and loads at points of the rod, it hangs by its weights in still water, and "
+             "stretches. A rod that starts so is straight and without twist where it is free of stress, if `rest` does "
+             "not say otherwise.");
     // clang-format on
     return table;
 }
@@ -225,55 +225,21 @@ bool are_apart(const std::vector<CheckedVector>& points, const BuildContext& con
     return true;
 }
 
-// How a rod lies on the ground: from its line to what touches, and how deep it sinks in by its weight in
-// water.
-struct Lying {
-    double radius = 0.0;
-    double depth = 0.0;
-};
-
-Lying find_lying(const std::optional<TableName>& section, const BuildContext& context) {
-    if (!section) return {};
+// The section that a rod has everywhere; nullptr if there is none.
+const Section* find_section_everywhere(const std::optional<TableName>& name, const BuildContext& context) {
+    if (!name) return nullptr;
     const auto& sections = context.model.sections;
-    const auto found = std::ranges::find(sections, section->word, &Section::name);
-    if (found == sections.end() || !found->fluid) return {};
-    const CheckedTable& deck = context.deck;
-    const double diameter = found->fluid->diameter;
-    const auto fluids = tables_of<FluidTable>(deck, fluid_table());
-    const double density = fluids.empty() ? 0.0 : fluids.front().get().density;
-    const CheckedTimeVector* given = find_gravity(deck);
-    const double gravity = given != nullptr ? -(*given)[2].function(1.0) : 0.0;
-    const double weight = gravity * (found->mass(0, 0) - density * found->fluid->area);
-    const double stiffness = tables_of<SeabedTable>(deck, seabed_table()).front().get().stiffness;
-    return {0.5 * diameter, std::max(weight, 0.0) / (stiffness * diameter)};
-}
-
-// The height on which a hung line lies: nullopt, with a fault, if there is none and the table asks for one.
-std::optional<double> find_bed(const CatenaryTable& catenary, const BuildContext& context) {
-    if (!catenary.bed) return std::nullopt;
-    std::optional<double> bed = find_bed_height(context.deck);
-    if (!bed) {
-        context.add_fault(catenary,
-                          catenary.bed,
-                          context.deck.gives("seabed")
-                              ? "a line can be laid on horizontal ground only, and this [seabed] is not"
-                              : "the deck has no [seabed]; expected one with a height z");
-    }
-    return bed;
+    const auto found = std::ranges::find(sections, name->word, &Section::name);
+    return found == sections.end() ? nullptr : &*found;
 }
 
 Piece find_catenary(const CatenaryTable& given,
                     const std::optional<TableName>& section,
                     const BuildContext& context) {
-    HungLineEnds ends{.from = given.from, .to = given.to, .length = given.length};
-    ends.bed = find_bed(given, context);
-    if (ends.bed) {
-        // An end can be held a little lower, on the ground itself.
-        const Lying lying = find_lying(section, context);
-        const double lowest = std::min(ends.from.z(), ends.to.z());
-        *ends.bed += lying.radius - lying.depth;
-        if (lowest < *ends.bed && lowest > *ends.bed - 4.0 * lying.radius) ends.bed = lowest;
-    }
+    const HungLineEnds ends{.from = given.from,
+                            .to = given.to,
+                            .length = given.length,
+                            .bed = find_line_bed(given, find_section_everywhere(section, context), context)};
     try {
         return std::make_unique<HungLine>(ends);
     } catch (const std::invalid_argument& error) {

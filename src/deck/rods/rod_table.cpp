@@ -10,6 +10,7 @@
 #include "deck/rods/build_nets.hpp"
 #include "deck/rods/build_rods.hpp"
 #include "deck/rods/element_turn.hpp"
+#include "deck/rods/sectioned_catenary.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/sections/rest_shape.hpp"
 #include "deck/sections/rod_sections.hpp"
@@ -332,8 +333,14 @@ void build_line(const RodTable& table,
                 BuildContext& context) {
     const std::vector<double> jumps = find_jumps(along.stations);
     points.insert(points.end(), jumps.begin(), jumps.end());
-    const std::optional<Centreline> line = find_centreline(table, context, table.section);
-    const std::optional<RestCurve> rest = find_rest_curve(table, along.twist, context);
+    const std::vector<HungWeight> weights =
+        table.catenary ? list_hung_weights(index, context) : std::vector<HungWeight>{};
+    const bool is_sectioned = table.catenary && (along.stations.size() > 1 || !weights.empty());
+    const std::optional<Centreline> line =
+        is_sectioned ? find_sectioned_catenary(table, along.stations, weights, context)
+                     : find_centreline(table, context, table.section);
+    std::optional<RestCurve> rest = find_rest_curve(table, along.twist, context);
+    if (is_sectioned && line && !table.rest) rest = make_straight_rest(line->length(), along.twist);
     RodBreaks breaks{points, line ? line->corners() : std::vector<double>{}, find_grading(table)};
     if (rest) add_corners(rest->line.corners(), breaks);
     const std::vector<double> fractions = find_fractions(table, breaks, context);

@@ -7,6 +7,7 @@
 #include "deck/rods/element_turn.hpp"
 #include "deck/sections/rod_sections.hpp"
 #include "deck/sections/section_axes.hpp"
+#include "geometry/line_curve.hpp"
 #include "rotation/rotation_map.hpp"
 
 namespace gxrod {
@@ -108,6 +109,12 @@ std::optional<RestCurve> find_rest_curve(const RodTable& table,
     const std::optional<Quat> axes = find_rest_axes(rest, table, line->start_tangent(), context);
     if (!axes) return std::nullopt;
     return RestCurve{std::move(*line), *axes, rest.twist ? SectionTwist(*rest.twist) : twist};
+}
+
+RestCurve make_straight_rest(double length, const SectionTwist& twist) {
+    std::vector<std::unique_ptr<Curve>> pieces;
+    pieces.push_back(std::make_unique<LineCurve>(Vec3::Zero(), length * Vec3::UnitX()));
+    return {Centreline(std::move(pieces)), Quat::Identity(), twist};
 }
 
 void add_corners(const std::vector<double>& corners, RodBreaks& breaks) {

@@ -30,6 +30,9 @@ std::optional<RestCurve> find_rest_curve(const RodTable& table,
                                          const SectionTwist& twist,
                                          BuildContext& context);
 
+// Makes the straight rest of a line that is drawn as it stretches.
+RestCurve make_straight_rest(double length, const SectionTwist& twist);
+
 // Adds the corners of the rest shape to the corners of the start.
 void add_corners(const std::vector<double>& corners, RodBreaks& breaks);
 

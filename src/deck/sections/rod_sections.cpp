@@ -194,6 +194,15 @@ class SectionsAlong {
     const BuildContext& context_;
 };
 
+// Whether a rod has one section from one fraction of its length to another, between two stations.
+bool has_one_section(const std::vector<Station>& stations, double inside, const BuildContext& context) {
+    const auto after = std::ranges::upper_bound(stations, inside, {}, &Station::fraction);
+    if (stations.size() == 1 || after == stations.begin() || after == stations.end()) return true;
+    const Station& before = *(after - 1);
+    return before.of_file == nullptr && before.section == after->section &&
+           !varies_along_rod(context.deck.tables("section")[static_cast<std::size_t>(before.section)]);
+}
+
 // Where one section has a law, all have one. The mean has the first that is not the stiffness alone.
 void set_laws(std::vector<Section>& sections, Section& mean) {
     const auto first = std::ranges::find_if(sections, [](const Section& one) { return one.law != nullptr; });
@@ -236,6 +245,35 @@ std::vector<double> find_jumps(const std::vector<Station>& stations) {
         if (is_inside && are_one(fraction, stations[i - 1].fraction)) jumps.push_back(fraction);
     }
     return jumps;
+}
+
+std::vector<SectionPart> list_section_parts(const std::vector<Station>& stations,
+                                            const Rod& rod,
+                                            std::vector<double> fractions,
+                                            const BuildContext& context) {
+    constexpr int parts_of_varying = 16;
+    const SectionsAlong profile(stations, rod, context);
+    for (const Station& station : stations) fractions.push_back(station.fraction);
+    fractions.insert(fractions.end(), {0.0, 1.0});
+    std::ranges::sort(fractions);
+    std::vector<SectionPart> parts;
+    double first = 0.0;
+    for (const double last : fractions) {
+        if (last - first <= 2.0 * same_fraction) continue;
+        const bool is_one = has_one_section(stations, 0.5 * (first + last), context);
+        const int count = is_one ? 1 : parts_of_varying;
+        for (int i = 0; i < count; ++i) {
+            const double begin = first + (last - first) * i / count;
+            const double end = i + 1 == count ? last : first + (last - first) * (i + 1) / count;
+            const double middle = 0.5 * (begin + end);
+            parts.push_back(
+                {begin,
+                 end,
+                 stations.size() == 1 ? section_of(stations.front(), context) : profile.at(middle, middle)});
+        }
+        first = last;
+    }
+    return parts;
 }
 
 void set_sections(const std::vector<Station>& stations,

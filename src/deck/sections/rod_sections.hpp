@@ -24,6 +24,18 @@ std::vector<Station> find_stations(const RodTable& rod, const SectionFile* file,
 // Finds fractions at which the section jumps, so that a node has to be there.
 std::vector<double> find_jumps(const std::vector<Station>& stations);
 
+// A part of a rod with one section, or the middle of a part so short that its section may stand for it.
+struct SectionPart {
+    double first, last;  // fractions of the length
+    Section section;
+};
+
+// Cuts a rod into such parts, and at these fractions.
+std::vector<SectionPart> list_section_parts(const std::vector<Station>& stations,
+                                            const Rod& rod,
+                                            std::vector<double> fractions,
+                                            const BuildContext& context);
+
 // Lists the force points of an element, as fractions of its length.
 std::vector<double> list_force_points(int order);
 
