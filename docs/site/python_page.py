@@ -26,6 +26,7 @@ GROUPS = [
     ("Simulations", "", {"simulation": ["Simulation", "Step", "Summary", "State", "Elements", "Values", "Records", "Inputs"], "_core": ["Checkpoint"]}),
     ("Derivatives", "Derivatives by the `sensitivities` of a `Simulation` are carried along with it; `sim[\"tip\"].derivative` of `Values` reads them "
                     "([theory](theory/sensitivities.md)).", {"gradients": ["check_gradient"]}),
+    ("Functions of PyTorch and JAX", "Each needs the package of its name.", {"torch": ["torch_run"], "jax": ["jax_run"]}),
     ("Many runs", "", {"mapping": ["map"], "batches": ["batch", "read_batch"]}),
     ("Results of runs", "", {"results": ["open_results", "Results"], "results/records": ["Record", "History", "SampledHistory", "Quantity", "Named"],
                      "results/frames": ["Frames", "Frame", "Fields", "Rod"], "results/stresses": ["SectionStress", "Envelope", "ResultSection"], "results/contacts": ["Contacts", "ContactFrame"], "results/tables": ["Table"],
@@ -36,11 +37,11 @@ GROUPS = [
                                                       "importers/sections": ["from_sectionproperties"]}),
     ("Mooring lines of other programs", "", {"importers/moordyn": ["read_moordyn"], "importers/mooring_deck": ["write_mooring"], "importers/mooring": ["Mooring", "Line", "LineType", "Place", "Body"],
                                              "importers/moorprops": ["read_moorprops", "write_section"]}),
-    ("Environments to learn in", "Needs gymnasium.", {"gym": ["RodEnv"]}),
+    ("Environments to learn in", "Needs gymnasium.", {"gym": ["RodEnv", "RodVectorEnv"]}),
     ("Errors", "", {"errors": ["Error", "DeckError", "Fault", "ConvergenceError", "EvaluationError", "FileError", "UnknownNameError"]}),
 ]
-CONSTRUCTED = {"Deck": "gxrod.Deck", "SNCurve": "gxrod.fatigue.SNCurve", "Simulation": "gxrod.Simulation", "RodEnv": "gxrod.gym.RodEnv"}  # by users; others are handed out
-PREFIXES = {"gym": "gxrod.gym.", "fatigue": "gxrod.fatigue.", "plot": "gxrod.plot.", **dict.fromkeys(("importers/formats", "importers/writing", "importers/section_writing", "importers/windio_layup", "importers/sections", "importers/moordyn", "importers/mooring_deck", "importers/moorprops"), "gxrod.importers.")}
+CONSTRUCTED = {"Deck": "gxrod.Deck", "SNCurve": "gxrod.fatigue.SNCurve", "Simulation": "gxrod.Simulation", "RodEnv": "gxrod.gym.RodEnv", "RodVectorEnv": "gxrod.gym.RodVectorEnv"}  # by users; others are handed out
+PREFIXES = {"gym": "gxrod.gym.", "torch": "gxrod.torch.", "jax": "gxrod.jax.", "fatigue": "gxrod.fatigue.", "plot": "gxrod.plot.", **dict.fromkeys(("importers/formats", "importers/writing", "importers/section_writing", "importers/windio_layup", "importers/sections", "importers/moordyn", "importers/mooring_deck", "importers/moorprops"), "gxrod.importers.")}
 NAMES = {name for _, _, modules in GROUPS for names in modules.values() for name in names}
 TYPES = {"Array": "array", "WholeArray": "array of int", "NDArray[np.complex128]": "complex array"}
 

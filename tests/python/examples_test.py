@@ -48,7 +48,7 @@ def is_stated(name, printed):
 
 def test_each_has_page_picture_and_command():
     folders = [path for path in FOLDER.iterdir() if path.is_dir()]
-    assert len(folders) == 7
+    assert len(folders) == 9
     guide = (SOURCE / "docs" / "guide" / "python.md").read_text(encoding="utf-8")
     for folder in folders:
         name = folder.name
@@ -159,3 +159,19 @@ def test_gradients(run):
 
 if __name__ == "__main__":
     sys.exit(pytest.main([__file__]))
+
+
+def test_jax_identify(run):
+    pytest.importorskip("jax")
+    done = run("jax_identify")
+    assert is_stated("jax_identify", done.printed)
+    assert done.distance < 1e-5  # the gradient from that of differences
+    assert (np.abs(done.numbers - done.TRUE) < 3 * done.deviations).all()
+
+
+def test_torch_control(run):
+    pytest.importorskip("torch")
+    done = run("torch_control")
+    assert is_stated("torch_control", done.printed)
+    assert done.exact == pytest.approx(done.difference, rel=1e-5)
+    assert done.worst < 0.012 and done.misses[-1] < 0.05 * done.misses[0]

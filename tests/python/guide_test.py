@@ -47,8 +47,8 @@ lowest = { history = "tip", quantity = "displacement", component = "z", take = "
 @pytest.mark.parametrize("number", range(len(BLOCKS)))
 def test_blocks(number, runs, tmp_path, monkeypatch, capsys):
     block = BLOCKS[number]
-    for module in ("pandas", "gymnasium"):
-        if {"pandas": "table", "gymnasium": "gym"}[module] in block:
+    for module in ("pandas", "gymnasium", "torch"):
+        if {"pandas": "table", "gymnasium": "gym", "torch": "gxrod.torch"}[module] in block:
             pytest.importorskip(module)
     monkeypatch.chdir(tmp_path)
     shutil.copy(runs("robot_arm"), tmp_path)
@@ -56,7 +56,7 @@ def test_blocks(number, runs, tmp_path, monkeypatch, capsys):
     (tmp_path / "sweep.toml").write_text(SWEEP)
     (tmp_path / "arm.toml").write_text(ARM)
     if not gxrod._has_core():
-        if any(word in block for word in ("sim.summary", "sensitivities", "adjoint")):
+        if any(word in block for word in ("sim.summary", "sensitivities", "adjoint", "torch_run", "RodVectorEnv")):
             pytest.skip("needs the compiled part")
         monkeypatch.setitem(vars(gxrod), "Deck", lambda path: Deck(**{"parameters.height": 0.05}))
         monkeypatch.setitem(vars(gxrod), "Simulation", Simulation)
@@ -72,7 +72,7 @@ def test_blocks(number, runs, tmp_path, monkeypatch, capsys):
 
 
 def test_every_block_is_seen():
-    assert len(BLOCKS) == 9
+    assert len(BLOCKS) == 11
 
 
 STRESSED = """[section.post]

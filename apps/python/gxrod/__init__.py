@@ -5,11 +5,12 @@
     sim = gxrod.Simulation(gxrod.Deck("arm.toml").build())
     gxrod.Section.profile("IPE 200", steel)     a cross-section: stiffness, centres, stresses
     gxrod.map(deck, cases, collect)             many runs, a row each
-    gxrod.gym.RodEnv("arm.toml", …)             an environment to learn in
+    gxrod.gym.RodEnv("arm.toml", …)             an environment to learn in; gxrod.gym.RodVectorEnv: many at once
+    gxrod.torch.torch_run("arm.toml", …)     a run as a function with derivatives, of PyTorch or, by gxrod.jax, of JAX
     gxrod.fatigue.rainflow(stress)              cycles; damage, equivalent loads
     gxrod.importers.read_blade("blade.htc")     a blade of another program, for a deck
 
-NumPy is needed; h5py by results; pandas, xarray, matplotlib and gymnasium by what is named after them.
+NumPy is needed; h5py by results; pandas, xarray, matplotlib, gymnasium, torch and jax by what is named after them.
 """
 
 import importlib as _importlib
@@ -25,12 +26,12 @@ except ImportError:  # in the source tree, which CMake has not configured
 
 # Where names are that are imported when they are asked for.
 _HOMES = {"open_results": "results", "Results": "results", "batch": "batches", "read_batch": "batches", "map": "mapping"}
-_MODULES = ("batches", "fatigue", "gym", "importers", "mapping", "plot", "program", "results")
+_MODULES = ("batches", "fatigue", "gym", "importers", "jax", "mapping", "plot", "program", "results", "torch")
 # What needs the compiled part, and where it is.
 _COMPILED = {**dict.fromkeys(("Checkpoint", "Deck", "Model", "Section", "Simulation", "Step", "Summary", "schema"), "simulation"), "check_gradient": "gradients", "fatigue": "fatigue"}
 
 if _typing.TYPE_CHECKING:  # the same names, for editors and type checkers
-    from . import batches as batches, fatigue as fatigue, gym as gym, importers as importers, mapping as mapping, plot as plot, program as program, results as results
+    from . import batches as batches, fatigue as fatigue, gym as gym, importers as importers, jax as jax, mapping as mapping, plot as plot, program as program, results as results, torch as torch
     from .batches import batch as batch, read_batch as read_batch
     from .decks import Deck as Deck, Model as Model, Section as Section, schema as schema
     from .gradients import check_gradient as check_gradient
