@@ -228,7 +228,9 @@ void find_idle_loads(const Model& model, std::vector<Finding>& findings) {
                 return support.node == load.node && (!load.has_force() || support.holds_all(0)) &&
                        (!load.has_moment() || support.holds_all(3));
             });
-        if (!is_idle) continue;
+        // What flows through a rod pushes on its ends whether they are held or not.
+        const bool is_flow = load.key.ends_with(".fluid.contents.velocity");
+        if (!is_idle || is_flow) continue;
         findings.push_back({Severity::warning,
                             fmt::format("{} acts at {}, where a support holds all that it drives; only the "
                                         "reaction feels it",

@@ -108,6 +108,83 @@ def lying_length():
     return LENGTH - suspended, horizontal
 
 
+PIPE = """[parameters]
+v = 1.0
+[section.pipe]
+stiffness = { EA = 1e7, GAy = 1e7, GAz = 1e7, GJ = 1, EIy = 1, EIz = 1 }
+inertia = { rhoA = RHOA, rhoIy = 1e-9, rhoIz = 1e-9 }
+fluid = { outer_diameter = 0.02, contents = { density = DENSITY, inner_diameter = 0.01, velocity = "v" } }
+[rod.pipe]
+section = "pipe"
+line = { from = [0, 0, 0], to = [1, 0, 0] }
+elements = 16
+order = 3
+SUPPORTS
+[[stage]]
+name = "flow"
+kind = "static"
+[[stage]]
+name = "onset"
+kind = "eigenvalues"
+count = 2
+sweep = { key = "parameters.v", from = FROM, to = TO, count = 9 }
+"""
+PINNED = """[[support]]
+at = "pipe.start"
+fix = ["position", "rx", "ry"]
+[[support]]
+at = "pipe.end"
+fix = ["y", "z", "rx", "ry"]
+"""
+CLAMPED = '[[support]]\nat = "pipe.start"\nfix = "all"\n'
+INLET = CLAMPED + '[[history]]\nname = "inlet"\nat = "pipe.start"\nquantities = ["reaction_force"]\n'
+ROPE = """[section.rope]
+stiffness = { EA = 5e4, GAy = 2e4, GAz = 2e4, GJ = 10, EIy = 10, EIz = 10 }
+inertia = { rhoA = 1, rhoIy = 1e-4, rhoIz = 1e-4 }
+law = { tension_strain = { TABLE } }
+[rod.rope]
+section = "rope"
+line = { from = [0, 0, 0], to = [10, 0, 0] }
+elements = 4
+[[support]]
+at = "rope.start"
+fix = "all"
+[[support]]
+at = "rope.end"
+fix = ["y", "z", "rx", "ry", "rz"]
+[[load]]
+at = "rope.end"
+force = ["1500*sin(pi*min(2*t, 1)) - 0.01*t", 0, 0]
+[analysis]
+kind = "static"
+steps = 40
+[[history]]
+name = "end"
+at = "rope.end"
+quantities = ["force", "strain"]
+"""
+TABLE = "table = [[0, 0], [0.01, 200], [0.03, 1000], [0.04, 2000]]"
+
+
+def pipe(supports, mass, own, first, last):
+    return PIPE.replace("SUPPORTS", supports).replace("DENSITY", repr(4 * mass / np.pi / 0.01**2)).replace("RHOA", repr(own)).replace(
+        "FROM", repr(first)).replace("TO", repr(last))
+
+
+def flutter_of_cantilever(beta, speed, omega):
+    """Where w'''' + u² w'' + 2 √β u iω w' - ω² w = 0 of a cantilever has a real ω: (u, ω), from a guess."""
+    def determinant(x):
+        r = np.roots([1, 0, x[0]**2, 2j * np.sqrt(beta) * x[0] * x[1], -x[1]**2])
+        return np.linalg.det(np.array([np.ones(4), r, r**2 * np.exp(r), r**3 * np.exp(r)])) / np.prod([r[i] - r[j] for i in range(4) for j in range(i)])
+
+    x = np.array([speed, omega], float)
+    for _ in range(50):
+        columns = [(determinant(x + h) - determinant(x - h)) / 2e-6 for h in 1e-6 * np.eye(2)]
+        value = determinant(x)
+        x -= np.linalg.solve([[c.real for c in columns], [c.imag for c in columns]], [value.real, value.imag])
+    return x
+
+
 class Lines(ProgramTest):
     def run_deck(self, text, name="line"):
         self.write(f"{name}.toml", text)
@@ -189,6 +266,46 @@ class Lines(ProgramTest):
         self.assertAlmostEqual(float(rows["beam.end", "shear_force"]["static"]), 5.0, delta=0.03)
         self.assertAlmostEqual(float(rows["beam.start", "bending_moment"]["largest"]), 10.0, delta=0.05)
         self.assertAlmostEqual(float(rows["beam.end", "azimuth"]["static"]), np.degrees(3 * 4 / 2 / 140), delta=0.01)
+
+    def onset(self, text):
+        onset = self.run_deck(text, "pipe")["stages/onset/onset"]
+        return onset["value"][0], onset["omega"][0]
+
+    def test_flow_in_pipes(self):
+        speed, _ = self.onset(pipe(PINNED, 2.0, 1.0, 1.0, 2.6))
+        self.assertAlmostEqual(speed / (np.pi / np.sqrt(2)), 1.0, delta=1e-6)
+        for beta, guess in ((0.2, (5.6, 13.7)), (0.5, (9.3, 26.5))):
+            exact, omega = flutter_of_cantilever(beta, *guess)
+            speed, found = self.onset(pipe(CLAMPED, beta, 1 - beta, 0.9 * guess[0] / np.sqrt(beta), 1.1 * guess[0] / np.sqrt(beta)))
+            self.assertAlmostEqual(speed * np.sqrt(beta) / exact, 1.0, delta=1e-5)
+            self.assertAlmostEqual(found / omega, 1.0, delta=1e-5)
+
+    def test_thrust_of_flow(self):
+        # The support of a quarter bend, held at its inlet, turns the momentum m v² from x to y.
+        bend = pipe(INLET, 2.0, 1.0, 1.0, 2.0).split("[[stage]]")[0] + '[analysis]\nkind = "static"\nsteps = 2\n'
+        bend = bend.replace("v = 1.0", "v = 0.01").replace(
+            "line = { from = [0, 0, 0], to = [1, 0, 0] }", "arc = { centre = [0, 1, 0], from = [0, 0, 0], angle = 1.5707963267948966, axis = [0, 0, 1] }")
+        force = self.run_deck(bend, "bend")["histories/inlet/reaction_force"][-1]
+        np.testing.assert_allclose(force, [-2e-4, 2e-4, 0], atol=1e-7)
+
+    def test_ropes(self):
+        file = self.run_deck(ROPE.replace("TABLE", TABLE))
+        strain, force = file["histories/end/strain"][:, 0], file["histories/end/force"][:, 0]
+        np.testing.assert_allclose(force, np.interp(strain, [-1, 0, 0.01, 0.03, 0.04], [-2e4, 0, 200, 1000, 2000]), atol=1e-9)
+        self.assertAlmostEqual(file["ledger/dissipated_energy"][-1], 0.0, delta=1e-9)
+        stretched = self.run_deck(ROPE.replace("TABLE", TABLE + ", unloading_stiffness = 1.5e5"), "stretched")
+        strain, force = stretched["histories/end/strain"][:, 0], stretched["histories/end/force"][:, 0]
+        top = int(force.argmax())
+        np.testing.assert_allclose(force[top:20], force[top] - 1.5e5 * (strain[top] - strain[top:20]), atol=1e-6)
+        # All of the work but that of unloading stays in the rope: per length ∫ N dε - N²/2E.
+        work = 1.0 + 12.0 + 0.5 * (strain[top] - 0.03) * (1000 + force[top])
+        self.assertAlmostEqual(stretched["ledger/dissipated_energy"][-1], 10 * (work - 0.5 * force[top]**2 / 1.5e5), delta=1e-6)
+        for table, fault in (("table = [[0, 0]]", "table[0]: expected a row of positive strain after this one"),
+                             ("table = [[0.01, 1], [0.02, 2]]", "table[0]: expected a row [0, 0]"),
+                             ("table = [[0, 0], [0.01, 10], [0.02, 5]]", "the tension must not fall from row to row: 5 follows 10"),
+                             (TABLE + ", unloading_stiffness = 10", "the steepest slope of the table")):
+            self.write("wrong.toml", ROPE.replace("TABLE", table))
+            self.assertIn(fault, self.gxrod("check", "wrong.toml", code=2).stderr)
 
     def test_faults(self):
         def told(text):

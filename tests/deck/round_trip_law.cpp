@@ -6,6 +6,7 @@
 #include "laws/layered_law.hpp"
 #include "laws/moment_curvature_law.hpp"
 #include "laws/plastic_law.hpp"
+#include "laws/stretch_law.hpp"
 #include "laws/trapeze_law.hpp"
 #include "laws/viscoelastic_law.hpp"
 
@@ -78,6 +79,17 @@ std::vector<RoundTrip> law_trips() {
     std::vector<RoundTrip> trips = curve_trips();
     trips.push_back(layer_trip());
     trips.push_back(plastic_trip());
+    const std::string rows = "tension_strain = { table = [[-0.1, -50], [0, 0], [0.1, 60], [0.2, 80]]";
+    trips.push_back({"section.NAME.law.tension_strain.table",
+                     with_law(rows + " }"),
+                     sees<StretchLaw>([](const StretchLaw& law) {
+                         return law.curve().pulled.at(0.2).value == 80.0 &&
+                                law.curve().pushed.at(0.1).value == 50.0 && !law.curve().unloading;
+                     })});
+    trips.push_back(
+        {"section.NAME.law.tension_strain.unloading_stiffness",
+         with_law(rows + ", unloading_stiffness = 700 }"),
+         sees<StretchLaw>([](const StretchLaw& law) { return *law.curve().unloading == 700.0; })});
     const std::string key = "section.NAME.law.viscoelastic.";
     trips.push_back({key + "prony",
                      with_law("viscoelastic = { prony = [[0.5, 0.2], [\"3/10\", 2]] }"),

@@ -9,6 +9,7 @@
 #include "laws/moved_law.hpp"
 #include "laws/plastic_law.hpp"
 #include "laws/shape_layers.hpp"
+#include "laws/stretch_law.hpp"
 #include "laws/trapeze_law.hpp"
 #include "laws/viscoelastic_law.hpp"
 #include "tools/random_values.hpp"
@@ -101,6 +102,17 @@ void add_layers(std::vector<NamedLaw>& laws) {
          scale_of(0.01, 0.02)});
 }
 
+void add_ropes(std::vector<NamedLaw>& laws) {
+    const PiecewiseLine pulled({{0.0, 0.0}, {0.1, 0.2}, {0.2, 0.7}, {0.3, 0.8}});
+    const PiecewiseLine pushed({{0.0, 0.0}, {0.1, 0.1}, {0.2, 0.3}});
+    const Mat6 C = some_stiffness({0});
+    const Vec6 scale = scale_of(0.2, 0.3);
+    laws.push_back({"rope", std::make_shared<StretchLaw>(C, StretchCurve{pulled, pushed}), scale});
+    laws.push_back({"rope that stays longer",
+                    std::make_shared<StretchLaw>(C, StretchCurve{pulled, pushed, 7.0}),
+                    scale});
+}
+
 void add_curves(std::vector<NamedLaw>& laws) {
     const PiecewiseLine curve({{0.0, 0.0}, {0.1, 0.5}, {0.2, 0.7}, {0.4, 0.8}});
     const PiecewiseLine stiffening({{0.0, 0.0}, {0.1, 0.2}, {0.2, 0.7}, {0.3, 0.8}});
@@ -182,6 +194,7 @@ std::vector<NamedLaw> every_law() {
     std::vector<NamedLaw> laws;
     add_layers(laws);
     add_curves(laws);
+    add_ropes(laws);
     add_plastic(laws);
     add_viscoelastic(laws);
     add_combined(laws);

@@ -225,6 +225,16 @@ def moment_table(deck, draw):
     section(deck)["law"] = {"moment_curvature": {"table": [[0, 0], [0.2, 0.3], [0.6, 0.6]]}}
 
 
+@feature("law", kinked=True)
+def tension_table(deck, draw):
+    section(deck)["law"] = {"tension_strain": {"table": [[0, 0], [0.01, draw.uniform(5, 20)], [0.03, 60]]}}
+
+
+@feature("law", follows_load=True, kinked=True)
+def stretched_rope(deck, draw):
+    section(deck)["law"] = {"tension_strain": {"table": [[0, 0], [0.01, draw.uniform(5, 20)], [0.03, 60]], "unloading_stiffness": 5000}}
+
+
 @feature("law", follows_load=True, kinked=True)
 def hysteresis(deck, draw):
     section(deck)["law"] = {"moment_curvature": {"table": [[0, 0], [0.2, 0.3], [0.6, 0.6]], "hysteresis": "kinematic"}}
@@ -545,6 +555,11 @@ def wave(deck, draw):
     deck["fluid"] = {"density": 100.0, "surface": 0.5, "depth": 10}
     deck["gravity"] = [0, 0, -1]
     deck["wave"] = [{"airy": {"height": draw.uniform(0.05, 0.2), "period": 1.0}}]
+
+
+@feature("contents", sudden=True)
+def flowing_contents(deck, draw):
+    wet(deck, contents={"density": 500, "inner_diameter": 0.02, "velocity": draw.uniform(-2, 2)})
 
 
 @feature("contents", sudden=True)

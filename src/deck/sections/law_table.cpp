@@ -13,6 +13,7 @@
 #include "laws/moment_curvature_law.hpp"
 #include "laws/moved_law.hpp"
 #include "laws/plastic_law.hpp"
+#include "laws/stretch_law.hpp"
 #include "laws/trapeze_law.hpp"
 #include "laws/viscoelastic_law.hpp"
 
@@ -53,6 +54,23 @@ const TableSpec& moment_curvature_table() {
         .at_least_one_of({"table", "y", "z"})
         .at_most_one_of({"table", "y"})
         .at_most_one_of({"table", "z"});
+    // clang-format on
+    return table;
+}
+
+const TableSpec& tension_strain_table() {
+    using T = TensionStrainTable;
+    // clang-format off
+    static const TableSpec table = Table<T>("section.NAME.law.tension_strain", "")
+        .key("table", &T::table, "Rows [strain, tension], both rising, with the row [0, 0]; linear in between and "
+             "beyond. Rows of negative strain say what shortening takes; without them it takes the first slope of "
+             "stretching. EA is not used then.")
+            .unit("1, force").required()
+        .key("unloading_stiffness", &T::unloading_stiffness, "Force per strain with which the tension falls below "
+             "that at the largest strain so far, and returns to it: a stretched rope stays longer. Not less than "
+             "any slope of the table.")
+            .unit("force").above(0).otherwise("the tension follows the table back")
+            .also("dynamic_stiffness unloading");
     // clang-format on
     return table;
 }
@@ -122,7 +140,8 @@ const TableSpec& law_table() {
         .key("plastic", &T::plastic, plastic_table(), "Resultants that yield and harden.")
         .key("viscoelastic", &T::viscoelastic, viscoelastic_table(),
              "Resultants that relax: a generalised Maxwell model.")
-        .exactly_one_of({"layers", "moment_curvature", "plastic", "viscoelastic"});
+        .key("tension_strain", &T::tension_strain, tension_strain_table(), "The axial force by a table: ropes.")
+        .exactly_one_of({"layers", "moment_curvature", "plastic", "viscoelastic", "tension_strain"});
     // clang-format on
     return table;
 }
@@ -258,6 +277,69 @@ SharedLaw make_curve_law(const MomentCurvatureTable& given, const Mat6& C, const
     return std::make_shared<MomentCurvatureLaw>(C, std::move(curves));
 }
 
+// The rows of one side, from (0, 0) on; with the other signs those of shortening.
+std::vector<std::pair<double, double>> take_side(const CheckedPairs& rows, double sign) {
+    std::vector<std::pair<double, double>> side;
+    for (const auto& [strain, tension] : rows.rows) {
+        if (sign * strain >= 0.0) side.emplace_back(sign * strain, sign * tension);
+    }
+    std::ranges::sort(side);
+    return side;
+}
+
+// Returns whether the rows are a curve through (0, 0); a fault where not.
+bool check_stretch_rows(const TensionStrainTable& given, const BuildContext& context) {
+    const KeyRows rows{given, &given.table, given.table};
+    const auto& pairs = given.table.rows;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const auto& [strain, tension] = pairs[i];
+        std::string fault;
+        if (i > 0 && strain <= pairs[i - 1].first)
+            fault = fmt::format(
+                "the strain must rise from row to row: {} follows {}", strain, pairs[i - 1].first);
+        else if (i > 0 && tension < pairs[i - 1].second)
+            fault = fmt::format(
+                "the tension must not fall from row to row: {} follows {}", tension, pairs[i - 1].second);
+        else if ((strain == 0.0) != (tension == 0.0) && strain >= 0.0)
+            fault = fmt::format(
+                "expected no tension at strain 0 and some above, found [{}, {}]", strain, tension);
+        if (fault.empty()) continue;
+        rows.add_fault(i, std::move(fault), context);
+        return false;
+    }
+    const bool has_origin = std::ranges::find(pairs, std::pair(0.0, 0.0)) != pairs.end();
+    if (has_origin && pairs.back().first > 0.0) return true;
+    rows.add_fault(has_origin ? pairs.size() - 1 : 0,
+                   has_origin ? "expected a row of positive strain after this one" : "expected a row [0, 0]",
+                   context);
+    return false;
+}
+
+SharedLaw make_stretch_law(const TensionStrainTable& given, const Mat6& C, const BuildContext& context) {
+    if (!check_stretch_rows(given, context)) return nullptr;
+    constexpr std::array<int, 1> axial{0};
+    if (couples(C, axial)) {
+        context.add_fault(given,
+                          given.table,
+                          "the stiffness couples stretch with another strain, which a table of tensions "
+                          "cannot; expected a stiffness without, such as stiffness = { … }");
+        return nullptr;
+    }
+    const PiecewiseLine pulled(take_side(given.table, 1.0));
+    auto shortening = take_side(given.table, -1.0);
+    if (shortening.size() < 2) shortening = {{0.0, 0.0}, {1.0, pulled.slope(0)}};
+    double steepest = 0.0;
+    for (std::size_t i = 0; i < pulled.piece_count(); ++i) steepest = std::max(steepest, pulled.slope(i));
+    if (given.unloading_stiffness && *given.unloading_stiffness < steepest) {
+        context.add_fault(given,
+                          given.unloading_stiffness,
+                          fmt::format("expected at least {}, the steepest slope of the table", steepest));
+        return nullptr;
+    }
+    return std::make_shared<StretchLaw>(
+        C, StretchCurve{pulled, PiecewiseLine(std::move(shortening)), given.unloading_stiffness});
+}
+
 // A factor on limits over plastic strain; nullopt without one, or with a fault.
 std::optional<PiecewiseLine> find_isotropic(const PlasticTable& given, const BuildContext& context) {
     if (const auto* rows = std::get_if<CheckedPairs>(&given.isotropic))
@@ -336,6 +418,7 @@ SharedLaw make_law(const LawTable& law, const ShapeLawSource& source) {
     if (law.gives(law.layers)) return make_layered_law(law.layers, C, source.at, source.context);
     if (law.moment_curvature) return make_curve_law(*law.moment_curvature, C, source.context);
     if (law.plastic) return make_plastic_law(*law.plastic, source);
+    if (law.tension_strain) return make_stretch_law(*law.tension_strain, C, source.context);
     return make_viscoelastic_law(*law.viscoelastic, C, source.context);
 }
 

@@ -67,6 +67,11 @@ struct MomentCurvatureTable : TableHead {
     Hysteresis hysteresis = Hysteresis::none;
 };
 
+struct TensionStrainTable : TableHead {
+    CheckedPairs table;
+    std::optional<double> unloading_stiffness;
+};
+
 struct YieldTable : TableHead {
     std::array<std::optional<ArcNumber>, 6> limits;
 };
@@ -88,6 +93,7 @@ struct LawTable : TableHead {
     std::optional<MomentCurvatureTable> moment_curvature;
     std::optional<PlasticTable> plastic;
     std::optional<ViscoelasticTable> viscoelastic;
+    std::optional<TensionStrainTable> tension_strain;
 };
 
 struct CoefficientsTable : TableHead {
@@ -98,6 +104,7 @@ struct ContentsTable : TableHead {
     ArcNumber density;
     double pressure = 0.0;
     std::optional<ArcNumber> inner_diameter;
+    std::optional<CheckedTimeFunction> velocity;
 };
 
 struct SectionFluidTable : TableHead {

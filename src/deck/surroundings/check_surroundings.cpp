@@ -5,6 +5,7 @@
 #include "deck/bodies/body_table.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/top_level.hpp"
+#include "deck/sections/section_tables.hpp"
 #include "deck/surroundings/build_waves.hpp"
 
 namespace gxrod {
@@ -19,10 +20,11 @@ void check_parts(const BuildContext& context) {
         std::ranges::any_of(surroundings, [&](const char* key) { return deck.gives(key); });
     bool takes_part = false;
     constexpr const char* nothing_around = "the deck has no [fluid], [air] or [seabed]";
-    for (const CheckedTable& section : deck.tables("section")) {
-        if (!section.gives("fluid")) continue;
+    for (const SectionTable& section : tables_of<SectionTable>(deck, section_table())) {
+        if (!section.fluid) continue;
         takes_part = true;
-        if (!is_around) context.add_fault(section, "fluid", nothing_around);
+        const bool flows = section.fluid->contents && section.fluid->contents->velocity;
+        if (!is_around && !flows) context.add_fault(section, section.fluid, nothing_around);
     }
     for (const BodyTable& body : tables_of<BodyTable>(deck, body_table())) {
         if (!body.fluid) continue;

@@ -43,7 +43,10 @@ const TableSpec& contents_table() {
              "At the surface of the water, or at z = 0; below, its own weight adds to it.")
             .unit("mass/(length·time²)")
         .key("inner_diameter", &T::inner_diameter, "Of what it fills.")
-            .unit("length").above(0).otherwise("of a tube, twice inner_radius; else required").also("diameter id");
+            .unit("length").above(0).otherwise("of a tube, twice inner_radius; else required").also("diameter id")
+        .key("velocity", &T::velocity, "With which it flows along the rod, from its start to its end: it presses outwards "
+             "in bends by m v² κ and resists turning by 2 m v ω. Of rods of one section without a law.")
+            .unit("length/time").otherwise("0; it rests").also("speed flow_velocity");
     // clang-format on
     return table;
 }

@@ -266,6 +266,16 @@ std::vector<RoundTrip> wet_section_trips() {
         trip(path + "contents.inner_diameter",
              with(contents),
              [](const Problem& p) { return is_near(section_of(p).contents_area, M_PI * 0.15 * 0.15); }),
+        trip(path + "contents.velocity",
+             with("contents = { density = 900, inner_diameter = 0.3, velocity = 2 }"),
+             [](const Problem& p) {
+                 const auto flows = [](const auto& one) {
+                     return one.key == "section.s.fluid.contents.velocity";
+                 };
+                 return std::ranges::count_if(p.model.loads, flows) == 2 &&
+                        std::ranges::count_if(p.model.actuations, flows) == 1 &&
+                        std::ranges::count_if(p.model.distributed_loads, flows) == 1;
+             }),
         trip(path + "poisson", with("poisson = 0.3"), [](const Problem& p) {
             return section_of(p).poisson == 0.3;
         })};
