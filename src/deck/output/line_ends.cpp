@@ -9,24 +9,10 @@
 #include "deck/output/history_table.hpp"
 #include "deck/places/part.hpp"
 #include "deck/schema/schema_tables.hpp"
-#include "watch/quantities.hpp"
+#include "watch/line_end_words.hpp"
 
 namespace gxrod {
 namespace {
-
-// The quantities of an end that its section and surroundings have.
-std::vector<std::string> list_end_quantities(const Watched& target, const Model& model) {
-    std::vector<std::string> words{"effective_tension",
-                                   "wall_tension",
-                                   "shear_force",
-                                   "bending_moment",
-                                   "axis_x",
-                                   "force_spatial",
-                                   "moment_spatial"};
-    std::erase_if(words,
-                  [&](const std::string& word) { return !explain_missing(word, target, model).empty(); });
-    return words;
-}
 
 // Makes a name of a history: letters, digits, _ and -.
 std::string name_line_end(const std::string& rod, const char* end) {
@@ -62,10 +48,10 @@ void add_line_ends(const TableHead& table,
                                 rod));
                 continue;
             }
-            const std::vector<WatchedText> found = find_watched(request.at, context);
-            if (found.empty()) continue;
-            request.target = found.front().thing;
-            request.quantities = list_end_quantities(request.target, context.model);
+            const std::optional<Watched> target = find_watched(request.at, context);
+            if (!target) continue;
+            request.target = *target;
+            request.quantities = list_line_end_words(*target, context.model);
             histories.push_back(std::move(request));
         }
     }

@@ -203,6 +203,11 @@ std::vector<RoundTrip> analysis_trips() {
         {"output.stresses",
          shaped + "[output]\nstresses = \"hashin\"",
          [](const Problem& p) { return p.output.stresses == "hashin"; }},
+        {"output.line_ends",
+         shaped + "[output]\nline_ends = \"r\"",
+         [](const Problem& p) {
+             return p.output.histories.size() == 2 && p.output.histories[1].at == "r.end";
+         }},
         {"history.point",
          shaped + "[[history]]\nname = \"n\"\nat = \"r.end\"\npoint = [0.01, -0.02]\nquantities = \"stress\"",
          [](const Problem& p) {
