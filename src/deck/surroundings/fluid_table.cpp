@@ -97,7 +97,7 @@ const TableSpec& air_table() {
 namespace {
 
 // The key `direction` goes with rows of 2; null with a fault where it is missing or too much.
-std::optional<Vec3> find_direction(const FlowTable& given, const BuildContext& context) {
+std::optional<Vec3> find_flow_direction(const FlowTable& given, const BuildContext& context) {
     const bool has_own = given.table->width() > 2;
     if (has_own && given.direction)
         context.add_fault(given, given.direction, "goes with rows [z, speed]; these rows have directions");
@@ -144,7 +144,7 @@ std::optional<SpeedProfile> find_profile(const FlowTable& given,
         }
         add_flow_row(table.rows[i], profile);
     }
-    const std::optional<Vec3> direction = find_direction(given, context);
+    const std::optional<Vec3> direction = find_flow_direction(given, context);
     if (!direction) return std::nullopt;
     profile.direction = *direction;
     profile.factor = acting.apply(TimeFunction(1.0));

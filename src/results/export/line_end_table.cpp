@@ -14,7 +14,7 @@ namespace gxrod {
 namespace {
 
 constexpr const char* end_quantities[]{"effective_tension", "wall_tension", "shear_force", "bending_moment"};
-constexpr double degrees = 180.0 / std::numbers::pi;
+constexpr double degrees_of_radian = 180.0 / std::numbers::pi;
 constexpr double least_level = 1e-9;  // of an axis of length 1; below, it is upright and has no azimuth
 
 struct WindowRows {
@@ -51,7 +51,7 @@ LineEndRow make_row(const WindowRows& window, const std::vector<double>& values)
 std::vector<double> find_declinations(const std::vector<double>& axes) {
     std::vector<double> angles;
     for (std::size_t i = 0; i + 2 < axes.size(); i += 3)
-        angles.push_back(degrees * std::atan2(std::hypot(axes[i], axes[i + 1]), axes[i + 2]));
+        angles.push_back(degrees_of_radian * std::atan2(std::hypot(axes[i], axes[i + 1]), axes[i + 2]));
     return angles;
 }
 
@@ -64,7 +64,7 @@ std::vector<double> find_azimuths(const std::vector<double>& axes) {
             angles.push_back(std::numeric_limits<double>::quiet_NaN());
             continue;
         }
-        const double angle = degrees * std::atan2(axes[i + 1], axes[i]);
+        const double angle = degrees_of_radian * std::atan2(axes[i + 1], axes[i]);
         if (!first) first = angle;
         angles.push_back(angle - 360.0 * std::round((angle - *first) / 360.0));
     }

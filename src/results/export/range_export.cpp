@@ -38,10 +38,10 @@ struct RangeWindow {
     hsize_t cells = 0;  // of a frame
 };
 
-std::vector<RangeOfNumbers> find_ranges(const Hdf5Reader& file,
-                                        const Measure& measure,
-                                        const RodLine& line,
-                                        const RangeWindow& window) {
+std::vector<RangeOfNumbers> find_rod_ranges(const Hdf5Reader& file,
+                                            const Measure& measure,
+                                            const RodLine& line,
+                                            const RangeWindow& window) {
     const std::string path = fmt::format("/VTKHDF/CellData/{}", measure.dataset);
     const std::size_t first = line.elements.front().cell;
     std::vector<RangeOfNumbers> ranges(line.elements.size());
@@ -67,7 +67,7 @@ std::vector<CsvCells> make_range_columns(const Hdf5Reader& file,
     columns.push_back(make_cells(std::vector<std::string>{"element"}, numbers));
     for (const Measure& measure : measures) {
         if (!file.has(fmt::format("/VTKHDF/CellData/{}", measure.dataset))) continue;
-        const std::vector<RangeOfNumbers> ranges = find_ranges(file, measure, line, window);
+        const std::vector<RangeOfNumbers> ranges = find_rod_ranges(file, measure, line, window);
         const auto add = [&](const char* ending, const auto& take) {
             std::vector<double> values;
             for (const RangeOfNumbers& range : ranges) values.push_back(take(range));

@@ -12,13 +12,13 @@ namespace gxrod {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double same_time = 1e-9;  // relative
+constexpr double same_window_time = 1e-9;  // relative
 
 // The times of a stage, with that at which it starts.
-TimeWindow find_stage(const Hdf5Reader& file,
-                      const std::filesystem::path& results,
-                      const std::string& stage,
-                      const std::vector<double>& times) {
+TimeWindow find_stage_window(const Hdf5Reader& file,
+                             const std::filesystem::path& results,
+                             const std::string& stage,
+                             const std::vector<double>& times) {
     const std::string path = "/stages/" + stage;
     if (!file.has("/stages") || !file.has(path)) {
         const std::vector<std::string> known =
@@ -52,7 +52,7 @@ TimeWindow find_window(const Hdf5Reader& file,
     if (times.empty()) throw FileError(results, "has no complete step yet");
     TimeWindow window{times.front(), times.back()};
     if (!request.stage.empty())
-        window = find_stage(file, results, request.stage, times);
+        window = find_stage_window(file, results, request.stage, times);
     else if (!is_of_load_factors(file) && window.first < 0.0 && window.last > 0.0)
         window.first = 0.0;
     window.first = request.from.value_or(window.first);
@@ -66,7 +66,7 @@ TimeWindow find_window(const Hdf5Reader& file,
 }
 
 std::vector<std::size_t> list_rows(const std::vector<double>& times, const TimeWindow& window) {
-    const double slack = same_time * (std::abs(window.first) + std::abs(window.last));
+    const double slack = same_window_time * (std::abs(window.first) + std::abs(window.last));
     std::vector<std::size_t> rows;
     for (std::size_t row = 0; row < times.size(); ++row) {
         if (times[row] >= window.first - slack && times[row] <= window.last + slack) rows.push_back(row);
