@@ -97,7 +97,7 @@ class Deck:
         if "arc" in rod:
             return self._arc(rod["arc"])
         if "catenary" in rod:
-            return self._catenary(rod["catenary"])
+            return self._wave(rod) if "sections" in rod else self._catenary(rod["catenary"])
         if "helix" in rod:
             return self._helix(rod["helix"])
         if "spline" in rod:
@@ -162,6 +162,37 @@ class Deck:
         x, z = (hang if line.get("bed") else swing)(high)
         along = np.append(way[:2] / span, 0.0)
         return start + x[:, None] * along + z[:, None] * np.array([0.0, 0.0, 1.0])
+
+    def _wave(self, rod):
+        """Of a line of several sections that lies on the bed from its start to its touch-down, V = 0 there."""
+        line = rod["catenary"]
+        start, way = self.vector(line["from"]), self.vector(line["to"]) - self.vector(line["from"])
+        span, s = np.hypot(way[0], way[1]), np.linspace(0.0, self.number(line["length"]), 2000)
+        stations = [(self.number(at), self.weight(name)) for at, name in rod["sections"]]
+        weight = np.interp(s / s[-1], [at + 1e-9 * i for i, (at, _) in enumerate(stations)], [w for _, w in stations])
+        load, step = np.cumsum(weight) * s[1], s[1]
+
+        def hang(level, lying):
+            upright = np.where(s > lying, load - np.interp(lying, s, load), 0.0)
+            tension = np.hypot(level, upright)
+            return np.cumsum(level / tension) * step, np.cumsum(upright / tension) * step
+
+        def bisect(is_high, low, high):
+            for _ in range(60):
+                middle = 0.5 * (low + high)
+                low, high = (low, middle) if is_high(middle) else (middle, high)
+            return low
+
+        lift = lambda level: bisect(lambda lying: hang(level, lying)[1][-1] < way[2], 0.0, s[-1])
+        level = np.exp(bisect(lambda log: hang(np.exp(log), lift(np.exp(log)))[0][-1] > span, -5.0, np.log(1e3 * np.abs(load).max())))
+        x, z = hang(level, lift(level))
+        return start + x[::40, None] * np.append(way[:2] / span, 0.0) + z[::40, None] * np.array([0.0, 0.0, 1.0])
+
+    def weight(self, name):
+        """Of a section per length, in water if there is some."""
+        section, gravity = self.tree["section"][name], -self.vector(self.tree["gravity"])[2]
+        displaced = 0.25 * np.pi * self.number(section["fluid"]["outer_diameter"]) ** 2 if "fluid" in section else 0.0
+        return gravity * (self.number(section["inertia"]["rhoA"]) - self.number(self.tree.get("fluid", {}).get("density", 0.0)) * displaced)
 
     def _arc(self, arc):
         if "through" in arc:
