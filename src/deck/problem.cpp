@@ -165,6 +165,7 @@ Problem build_problem(const CheckedTable& deck, const DeckFiles& files, FaultLis
     build_connections(context);
     build_bodies(context);
     for (const ElementTieTable& tie : element_tie_tables) tie.build(context);
+    build_yielding_supports(context);
     build_joints(context);
     build_gears(context);
     build_sleeves(context);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "model/ties/yielding_supports.hpp"
 #include "rotation/rotation_map.hpp"
 #include "watch/quantity_tables.hpp"
 
@@ -7,9 +8,10 @@ namespace gxrod {
 namespace {
 
 std::string lacks_support(const Watched& target, const Model& model) {
-    const bool is_supported =
-        std::ranges::find(model.supports, node_of(target), &Support::node) != model.supports.end();
-    return is_supported ? "" : "only a supported point has it; no [[support]] is at this one";
+    const int node = node_of(target);
+    const bool is_held = std::ranges::find(model.supports, node, &Support::node) != model.supports.end();
+    return is_held || yields_at(model, node) ? ""
+                                             : "only a supported point has it; no [[support]] is at this one";
 }
 
 // clang-format off

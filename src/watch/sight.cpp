@@ -2,6 +2,7 @@
 
 #include "model/sections/section_at.hpp"
 #include "model/ties/ties.hpp"
+#include "model/ties/yielding_supports.hpp"
 #include "watch/quantity_tables.hpp"
 
 #include <algorithm>
@@ -58,6 +59,10 @@ Subject::Subject(const Model& its_model, const std::vector<HistoryRequest>& requ
     else if (node >= 0)
         start_axes = section_axes(*model, std::get<WatchedPoint>(target).place, node);
     if (node >= 0) start = model->nodes[static_cast<std::size_t>(node)].position;
+    for (std::size_t i = 0; node >= 0 && i < model->bushings.size(); ++i) {
+        const Bushing& bushing = model->bushings[i];
+        if (is_support(bushing) && bushing.ends[1].node == node) support_springs.push_back(i);
+    }
     if (const auto* point = std::get_if<WatchedPoint>(&target)) {
         const bool has_stress = std::ranges::any_of(
             requests[index].quantities, [](const std::string& word) { return is_stress_quantity(word); });
@@ -115,20 +120,26 @@ const PointSurroundings& Sight::around() const {
     return now.bodies.empty() ? none : now.bodies[index<WatchedBody>()];
 }
 
-std::optional<GroundedPart> Sight::grounded_part() const {
-    return find_grounded_part(*of.model, std::get<WatchedContacts>(of.target).contact.rod, now.nodes);
+// A spring exerts the opposite of what the node exerts on it.
+Vec6 Sight::reaction() const {
+    const int node = node_of(of.target);
+    Vec6 sum = now.reactions[static_cast<std::size_t>(node)];
+    for (const std::size_t spring : of.support_springs) {
+        const BushingValues& values = now.ties->of<BushingValues>()[spring];
+        sum.head<3>() -= values.axes * values.force;
+        sum.tail<3>() -= values.axes * values.moment;
+    }
+    return sum;
 }
 
-Vec3 Sight::reaction_force() const {
-    return now.reactions[static_cast<std::size_t>(node_of(of.target))].head<3>();
-}
+Vec3 Sight::reaction_force() const { return reaction().head<3>(); }
 
 // M + (r − about) × F of the force F and the moment M on the node at r.
 Vec3 Sight::reaction_moment() const {
+    const Vec6 acting = reaction();
+    if (!of.about) return acting.tail<3>();
     const auto node = static_cast<std::size_t>(node_of(of.target));
-    const Vec6& reaction = now.reactions[node];
-    if (!of.about) return reaction.tail<3>();
-    return reaction.tail<3>() + (now.nodes[node].r - *of.about).cross(reaction.head<3>());
+    return acting.tail<3>() + (now.nodes[node].r - *of.about).cross(acting.head<3>());
 }
 
 const JointValues& Sight::joint() const {

@@ -43,9 +43,10 @@ struct Subject {
     std::optional<Vec3> about;
     Vec3 start = Vec3::Zero();  // place of a node at t = 0
     Quat start_axes = Quat::Identity();
-    std::size_t point_row = 0;                 // index in Snapshot::points
-    std::size_t contact_row = 0;               // index in Snapshot::watched_contacts
-    std::optional<WatchedStress> stress = {};  // of a point of a rod whose section has a shape on cells
+    std::vector<std::size_t> support_springs = {};  // in Model::bushings, by which a support there yields
+    std::size_t point_row = 0;                      // index in Snapshot::points
+    std::size_t contact_row = 0;                    // index in Snapshot::watched_contacts
+    std::optional<WatchedStress> stress = {};       // of a point of a rod whose section has a shape on cells
 };
 
 // The thing of a history at a step: where its quantities find their values.
@@ -79,6 +80,8 @@ struct Sight {
         return static_cast<std::size_t>(std::get<Thing>(of.target).index);
     }
     SeenPoint point_by_itself() const;
+    // Returns the force and the moment that the support at the node exerts on it, springs included.
+    Vec6 reaction() const;
     Vec6 section_resultants() const;
 };
 

@@ -8,6 +8,7 @@
 #include "assembly/scatter.hpp"
 #include "linear/eigen/quadratic_problem.hpp"
 #include "linear/suite_sparse/complex_solver.hpp"
+#include "model/ties/yielding_supports.hpp"
 
 namespace gxrod {
 
@@ -39,6 +40,12 @@ ComplexVectors spread(const Eigen::VectorXcd& solution, const EquationNumbers& e
     return nodal;
 }
 
+// Springs by which supports yield are left out, so that their forces are out of balance, too.
+Model without_springs(Model model) {
+    std::erase_if(model.bushings, is_support);
+    return model;
+}
+
 class ResponseFinder {
   public:
     ResponseFinder(const System& system,
@@ -51,7 +58,7 @@ class ResponseFinder {
               system,
               frame ? frame->compute_matrices(state, time) : compute_state_matrices(system, state, time))),
           solver_(system.pattern()),
-          free_model_(without_supports(system.model())),
+          free_model_(without_springs(without_supports(system.model()))),
           free_system_(free_model_, system.team(), touching_groups_of(system)),
           force_(gather_complex(excitation, system.equations())),
           free_force_(gather_complex(excitation, free_system_.equations())) {
@@ -110,6 +117,7 @@ class ResponseFinder {
         ComplexVectors reactions = spread(forces, free_system_.equations());
         const EquationNumbers& equations = system_.equations();
         for (int node = 0; node < static_cast<int>(equations.node_count()); ++node) {
+            if (yields_at(system_.model(), node)) continue;
             const auto numbers = equations.of_node(node);
             for (std::vector<Vec6>* part : {&reactions.real, &reactions.imaginary}) {
                 Vec6& force = (*part)[static_cast<std::size_t>(node)];

@@ -8,6 +8,7 @@
 #include "check/summaries/joint_summary.hpp"
 #include "model/spring_law.hpp"
 #include "model/ties/ties.hpp"
+#include "model/ties/yielding_supports.hpp"
 
 namespace gxrod {
 
@@ -45,7 +46,17 @@ std::string describe_diagonal(const Mat6& matrix) {
     return text.empty() ? "none" : text;
 }
 
+std::string describe_yielding(const Model& model, const Bushing& bushing) {
+    std::string text = fmt::format("support at {}: yields, stiffness {}, damping {}",
+                                   describe_anchor(model, bushing.ends[1]),
+                                   describe_diagonal(bushing.stiffness),
+                                   describe_diagonal(bushing.damping));
+    if (!bushing.axes.isApprox(Quat::Identity(), 0.0)) text += ", in its own axes";
+    return text + "\n";
+}
+
 std::string describe_tie(const Model& model, const Bushing& bushing) {
+    if (is_support(bushing)) return describe_yielding(model, bushing);
     static constexpr std::array<const char*, 4> carriers{
         "", ", axes that turn with A", ", axes that turn with B", ", axes fixed in space"};
     return fmt::format("bushing {}: between {} and {}{}, stiffness {}, damping {}\n",

@@ -81,10 +81,29 @@ void merge_support(const SupportTable& table, NodeSupport& merged, const BuildCo
     if (table.fix) {
         for (const CheckedWord& word : table.fix->words) fix(table, word, merged, context);
     }
-    if (!table.move) return;
     for (std::size_t i = 0; i < 6; ++i) {
+        if (table.yields(i) && merged.springs[i] == nullptr) merged.springs[i] = &table;
+        if (!table.move) continue;
         const std::optional<CheckedTimeFunction>& component = table.move->components[i];
         if (component) move(table, i, *component, merged, context);
+    }
+}
+
+void check_yielding(const NodeSupport& merged, const BuildContext& context) {
+    for (std::size_t i = 0; i < 6; ++i) {
+        if (merged.springs[i] == nullptr || merged.holders[i] == nullptr) continue;
+        const SupportTable& spring = *merged.springs[i];
+        const SupportTable& holder = *merged.holders[i];
+        const bool is_same = &spring == &holder;
+        const bool is_stiff = spring.stiffness && spring.stiffness->values[i] > 0.0;
+        const ComponentNumbers& numbers = is_stiff ? *spring.stiffness : *spring.damping;
+        context.add_fault(
+            numbers,
+            numbers.values[i],
+            fmt::format("{} {} {} here too; a component is fixed, moved or yields; expected it in one place",
+                        is_same ? "this support" : holder.path,
+                        merged.support.fixed[i] ? "fixes" : "moves",
+                        component_names[i]));
     }
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <string_view>
 
 #include "deck/loads/acting.hpp"
 #include "deck/reading/copies.hpp"
+#include "deck/supports/component_numbers.hpp"
 #include "deck/table/place_kinds.hpp"
 
 namespace gxrod {
@@ -34,8 +36,16 @@ struct SupportTable : ActingTable {
     std::optional<PlaceCondition> where;
     std::optional<WordList> fix;
     std::optional<MoveTable> move;
+    std::optional<ComponentNumbers> stiffness, damping;
     std::optional<Mat3> axes;
     Copies copies;
+
+    bool yields() const { return stiffness || damping; }
+    // Whether a component has stiffness or damping.
+    bool yields(std::size_t component) const {
+        return (stiffness && stiffness->values[component] > 0.0) ||
+               (damping && damping->values[component] > 0.0);
+    }
 };
 
 // The supports of a deck at one node, together.
@@ -44,10 +54,18 @@ struct NodeSupport {
     std::vector<const SupportTable*> tables;
     std::array<const SupportTable*, 6>
         holders{};  // of each component: the first table that fixes or moves it
+    std::array<const SupportTable*, 6> springs{};  // of each component: the first table by which it yields
+
+    bool holds_any() const {
+        return std::ranges::any_of(holders, [](const SupportTable* holder) { return holder != nullptr; });
+    }
 };
 
 // Adds a table at the node to what supports it already. Faults: invalid axes or not those of another
-// table, a component that is fixed and moved, or moved twice.
+// table, a component that is fixed and moved, or moved twice, or yields too.
 void merge_support(const SupportTable& table, NodeSupport& merged, const BuildContext& context);
+
+// Adds faults of components that yield and are held at the same time.
+void check_yielding(const NodeSupport& merged, const BuildContext& context);
 
 }  // namespace gxrod

@@ -5,6 +5,7 @@
 #include "deck/checks/check_moves.hpp"
 #include "deck/joints/ends.hpp"
 #include "deck/loads/acting.hpp"
+#include "deck/places/axes.hpp"
 #include "deck/places/plane.hpp"
 #include "deck/places/point_patterns.hpp"
 #include "deck/schema/schema_tables.hpp"
@@ -12,15 +13,18 @@
 #include "deck/supports/build_supports.hpp"
 #include "deck/supports/components.hpp"
 #include "deck/supports/support_merge.hpp"
+#include "model/ties/yielding_supports.hpp"
 
 namespace gxrod {
 const TableSpec& support_table() {
     using T = SupportTable;
     static const TableSpec move = with_components(Table<MoveTable>("support.move", ""));
+    static const TableSpec stiffness = stiffness_components("support.stiffness");
+    static const TableSpec damping = damping_components("support.damping");
     // clang-format off
     static const TableSpec table = Table<T>("[[support]]",
-            "Components of a point that are fixed or move as prescribed. Of the rotations none, all three or exactly "
-            "two fixed: a hinge about the third axis. Supports of one point add up.")
+            "Components of a point that are fixed, move as prescribed or yield. Of the rotations none, all three or "
+            "exactly two fixed: a hinge about the third axis. Supports of one point add up.")
         .key("at", &T::at, "A point of a rod, or a body, or several; with `where`, rods too.")
             .also("pos position point node location")
         .key("where", &T::where, "At which of these points, as they are at t = 0; s is the arc length from the rod's "
@@ -33,19 +37,28 @@ const TableSpec& support_table() {
              "too, and exp of the vector (rx, ry, rz), of any size, is the rotation since t = 0. In a dynamic "
              "analysis 0 at t = 0.")
             .also("displacement motion prescribed prescribed_displacement")
+        .key("stiffness", &T::stiffness, stiffness, "By which the support yields: force per displacement and moment "
+             "per rotation since t = 0, of components that are not fixed.")
+            .also("k spring springs spring_constant elastic subgrade foundation")
+        .key("damping", &T::damping, damping, "Force and moment per rate, likewise.")
+            .also("c dashpot viscosity")
         .key("axes", &T::axes, "The support's own x, y and z directions, a row each: of length 1, at right angles, "
-             "right-handed (to 1e-6). fix and move are along them; they stay.")
+             "right-handed (to 1e-6). All else is along them; they stay.")
             .unit("1").otherwise("the global axes")
         .key("stages", &T::stages, "The stages in which the support holds. What it fixes it holds where that is; a "
              "move begins where the point is.")
             .otherwise("all").names_of({"stage"})
         .with(add_copies<T>)
         .at_least_one_of({"at", "where"})
-        .at_least_one_of({"fix", "move"})
+        .at_least_one_of({"fix", "move", "stiffness", "damping"})
         .shown_by(
             "[[support]]\n"
             "at  = \"gyroscope\"\n"
             "fix = \"position\"\n"
+            "\n"
+            "[[support]]\n"
+            "at        = \"flyer.start\"\n"
+            "stiffness = { z = 2e4, rx = 50 }\n"
             "\n"
             "[[support]]\n"
             "at   = \"tail.end\"\n"
@@ -128,6 +141,27 @@ void check_freedom(const std::vector<NodeSupport>& supports, const BuildContext&
     context.add_fault(first, first.fix, "every node of the deck is fixed; nothing can move");
 }
 
+// Whether what the table says of stiffness and damping makes a spring to the ground.
+bool can_yield(const SupportTable& given, const BuildContext& context) {
+    if (given.stages) {
+        context.add_fault(
+            given,
+            given.stages,
+            "a support that yields acts in all stages, as springs do; expected no stages, or fix "
+            "in a table of its own");
+        return false;
+    }
+    for (std::size_t i = 0; i < 6; ++i) {
+        if (given.yields(i)) return true;
+    }
+    const auto refuse = [&](const auto& field) {
+        context.add_fault(
+            given, field, "all components are 0; expected one that is not, such as { z = 1e6 }");
+    };
+    given.stiffness ? refuse(given.stiffness) : refuse(given.damping);
+    return false;
+}
+
 }  // namespace
 
 void build_supports(BuildContext& context) {
@@ -145,11 +179,33 @@ void build_supports(BuildContext& context) {
         }
     }
     for (NodeSupport& supported : supports) {
+        check_yielding(supported, context);
+        if (!supported.holds_any()) continue;
         if (context.model.plane) hold_plane(supported, context);
         check_rotations(supported, context);
         context.model.supports.push_back(supported.support);
     }
     check_freedom(supports, context);
+}
+
+void build_yielding_supports(BuildContext& context) {
+    std::size_t index = 0;
+    for (const SupportTable& given : tables_of<SupportTable>(context.deck, support_table())) {
+        const std::string name = fmt::format("{}{}]", support_prefix, index++);
+        if (!given.yields() || !can_yield(given, context)) continue;
+        Bushing bushing{
+            .name = name, .carrier = BushingAxes::ground, .axes = find_axes(given, given.axes, context)};
+        if (given.stiffness) bushing.stiffness.diagonal() = Vec6(given.stiffness->values.data());
+        if (given.damping) bushing.damping.diagonal() = Vec6(given.damping->values.data());
+        const std::vector<PlacedPoint> points = find_points(given, given.at, given.where, context);
+        for (const PlacedPoint& point : points) {
+            const Node& node = context.model.nodes[static_cast<std::size_t>(point.node)];
+            if (points.size() > 1) bushing.name = name + " at " + node.name;
+            bushing.ends[0].arm = node.position;
+            bushing.ends[1].node = point.node;
+            context.model.bushings.push_back(bushing);
+        }
+    }
 }
 
 }  // namespace gxrod

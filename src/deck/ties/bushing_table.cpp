@@ -3,6 +3,7 @@
 #include "deck/places/axes.hpp"
 #include "deck/reading/copies.hpp"
 #include "deck/sections/section_matrices.hpp"
+#include "deck/supports/component_numbers.hpp"
 #include "deck/ties/ties.hpp"
 
 namespace gxrod {
@@ -11,43 +12,22 @@ namespace {
 // Nodes nearer than this, relative to how far they are from the origin, are at one place.
 constexpr double same_place = 1e-9;
 
-// What a bushing resists, component by component.
-struct ComponentsTable : TableHead {
-    std::array<double, 6> values{};
-};
-
 struct BushingTable : TableHead {
     Ends between;
     std::optional<Vec3> at;
     std::optional<std::variant<Mat3, BushingAxes>> axes;
     std::optional<Mat3> directions;
-    std::optional<ComponentsTable> stiffness, damping;
+    std::optional<ComponentNumbers> stiffness, damping;
     std::optional<Mat6> stiffness_matrix, damping_matrix;
     Copies copies;
 };
-
-TableSpec components_table(const std::string& key, const char* along, const char* about) {
-    Table<ComponentsTable> table("bushing.NAME." + key, "");
-    for (std::size_t i = 0; i < component_names.size(); ++i) {
-        const std::string axis(1, component_names[i].back());
-        table
-            .key(
-                std::string(component_names[i]),
-                [i](auto& components) -> auto& { return components.values[i]; },
-                (i < 3 ? "Along " : "About ") + axis + ".")
-            .unit(i < 3 ? along : about)
-            .at_least(0);
-    }
-    return table;
-}
 
 }  // namespace
 
 const TableSpec& bushing_table() {
     using T = BushingTable;
-    static const TableSpec stiffness = components_table("stiffness", "force/length", "force·length/angle");
-    static const TableSpec damping =
-        components_table("damping", "force·time/length", "force·length·time/angle");
+    static const TableSpec stiffness = stiffness_components("bushing.NAME.stiffness");
+    static const TableSpec damping = damping_components("bushing.NAME.damping");
     // clang-format off
     static const TableSpec table = Table<T>("[bushing.NAME]",
             "Resists displacements and rotations of B against A in all directions: with stiffness about axes only, a "
@@ -127,7 +107,7 @@ std::optional<Vec3> find_bushing_place(const BushingTable& given,
 
 // Of the components, or of the full matrix, a field of the table.
 Mat6 find_matrix(const BushingTable& given,
-                 const std::optional<ComponentsTable>& components,
+                 const std::optional<ComponentNumbers>& components,
                  const std::optional<Mat6>& full,
                  const BuildContext& context) {
     Mat6 matrix = Mat6::Zero();

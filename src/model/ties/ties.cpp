@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "model/ties/yielding_supports.hpp"
+
 namespace gxrod {
 
 namespace {
@@ -86,7 +88,10 @@ bool is_strained(const Model& model, const Spring& spring) {
     return std::abs(force) > round_off * find_stiffness(spring) * size;
 }
 
-std::string key_of(const Tie& tie) { return fmt::format("{}.{}", card_of(tie.kind).table, *tie.name); }
+std::string key_of(const Tie& tie) {
+    if (tie.name->starts_with(support_prefix)) return *tie.name;
+    return fmt::format("{}.{}", card_of(tie.kind).table, *tie.name);
+}
 
 std::size_t number_of(const Model& model, TieKind kind, std::size_t index) {
     assert(kind >= TieKind::joint);

@@ -75,7 +75,8 @@ TEST_CASE("A component is fixed or moved, once", "[deck]") {
     CHECK(faults_of(support + "move = { y = \"t\" }\n[[support]]\nat = \"top\"\nmove = { y = \"t\" }\n") ==
           "x.toml:13:14: support[1].move.y: support[0] moves y here too");
     CHECK(faults_of(support + "move = {}\n") ==
-          "x.toml:8:1: support[0]: missing; expected fix or move = { … }");
+          "x.toml:8:1: support[0]: missing; expected fix or move = { … } or stiffness = { … } or damping = { "
+          "… }");
 }
 
 TEST_CASE("A rotation moves with the other two fixed or moved", "[deck]") {
