@@ -39,8 +39,16 @@ constexpr std::array<std::string_view, 5> listed_kinds{"connect", "load", "suppo
 // Values of these keys are turned about a point of the axis; those of the second list are directions.
 constexpr std::array<std::string_view, 9> place_keys{
     "from", "to", "through", "centre", "polyline", "spline", "at", "at_a", "at_b"};
-constexpr std::array<std::string_view, 9> direction_keys{
-    "axis", "axis_b", "y_axis", "axes", "directions", "velocity", "angular_velocity", "force", "moment"};
+constexpr std::array<std::string_view, 10> direction_keys{"axis",
+                                                          "axis_b",
+                                                          "y_axis",
+                                                          "z_axis",
+                                                          "axes",
+                                                          "directions",
+                                                          "velocity",
+                                                          "angular_velocity",
+                                                          "force",
+                                                          "moment"};
 constexpr std::array<std::string_view, 2> line_load_keys{"force_per_length", "moment_per_length"};
 // Texts of these keys name points or tables.
 constexpr std::array<std::string_view, 8> naming_keys{
@@ -329,8 +337,8 @@ class CopyMaker {
         if (kind == "rod") {
             refuse("mesh", "a rod of a mesh has no copies; expected line, arc, helix, polyline or spline");
             refuse("catenary", "a catenary has no copies; expected line, arc, helix, polyline or spline");
-            if (table.find("y_axis") == nullptr)
-                add_fault(table, path + ".copies", "copies need y_axis, which is turned with them");
+            if (table.find("y_axis") == nullptr && table.find("z_axis") == nullptr)
+                add_fault(table, path + ".copies", "copies need y_axis or z_axis, which is turned with them");
         }
         refuse("where", "a condition on the place is not turned with copies; name the points");
         if (kind == "load") {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+
 #include "deck/rods/element_turn.hpp"
 #include "deck/sections/section_axes.hpp"
 #include "geometry/curve.hpp"
@@ -21,14 +23,20 @@ std::string name_node(const std::string& rod, const NetPoints& points, int posit
     return fmt::format("{} node {}", rod, position);
 }
 
+// Whether a direction of the deck, not of zero length, is parallel to a tangent.
+bool is_parallel(const SectionDirections& axes, const Vec3& tangent, const BuildContext& context) {
+    const Vec3* vector = std::get_if<Vec3>(&*axes.given());
+    return vector != nullptr && !vector->isZero(0.0) && !project_axes(axes, tangent, context);
+}
+
 // The axes at the start of each chain; empty, with a fault, if one cannot be.
 std::vector<Quat> find_chain_axes(const RodTable& table, const RodNet& net, BuildContext& context) {
     std::vector<Quat> axes;
-    if (net.chains.size() > 1 && !table.y_axis) {
+    if (net.chains.size() > 1 && !table.axes.are_given()) {
         context.notes.push_back(fmt::format(
             "{}: not given; section y at the start of each of {} lines is from the global axis least aligned "
             "with it",
-            table.path_of(&table.y_axis),
+            table.path_of(&table.axes.y_axis),
             net.chains.size()));
         for (const NetChain& chain : net.chains) {
             axes.push_back(choose_axes(chain.elements.front().start_tangent));
@@ -37,21 +45,22 @@ std::vector<Quat> find_chain_axes(const RodTable& table, const RodNet& net, Buil
     }
     for (const NetChain& chain : net.chains) {
         const NetElement& first = chain.elements.front();
-        const bool is_given = table.y_axis && !table.y_axis->isZero(0.0);
-        if (is_given && net.chains.size() > 1 && !project_axes(first.start_tangent, *table.y_axis)) {
+        if (net.chains.size() > 1 && is_parallel(table.axes, first.start_tangent, context)) {
             const Vec3& at = net.positions[static_cast<std::size_t>(first.nodes.front())];
             context.add_fault(
                 table,
-                table.y_axis,
+                table.axes.given(),
                 fmt::format(
-                    "parallel to the line that starts at ({:.6g}, {:.6g}, {:.6g}), so that section y is "
-                    "not defined there; expected another direction, or rods of their own for its lines",
+                    "parallel to the line that starts at ({:.6g}, {:.6g}, {:.6g}), so that section {} is "
+                    "not defined there; expected another direction, \"up\", or rods of their own for its "
+                    "lines",
                     at[0],
                     at[1],
-                    at[2]));
+                    at[2],
+                    table.axes.z_axis ? 'z' : 'y'));
             return {};
         }
-        const std::optional<Quat> start = find_start_axes(table, table.y_axis, first.start_tangent, context);
+        const std::optional<Quat> start = find_start_axes(table, table.axes, first.start_tangent, context);
         if (!start) return {};
         axes.push_back(*start);
     }
@@ -60,8 +69,9 @@ std::vector<Quat> find_chain_axes(const RodTable& table, const RodNet& net, Buil
 
 struct NetBuilder {
     Rod& rod;
-    double twist;        // from start to end of each chain
-    double start = 0.0;  // arc length where the chain starts
+    double twist;                                                  // from start to end of each chain
+    std::function<std::optional<Quat>(const Vec3& tangent)> rule;  // of the axes of each element, if any
+    double start = 0.0;                                            // arc length where the chain starts
     double largest_turn = 0.0;
 
     void add_chain(const NetChain& chain, Quat axes) {
@@ -71,6 +81,7 @@ struct NetBuilder {
             if (e > 0) {
                 axes = smallest_rotation(chain.elements[e - 1].end_tangent, element.start_tangent) * axes;
             }
+            if (rule) axes = *rule(element.start_tangent);
             for (std::size_t i = 0; i < element.nodes.size(); ++i) {
                 const double at = s + element.arc_length[i];
                 rod.element_nodes.push_back(rod.nodes[static_cast<std::size_t>(element.nodes[i])]);
@@ -155,6 +166,22 @@ void add_member_hinges(const RodTable& table, const RodNet& net, int index, Buil
     }
 }
 
+// The rule for the axes of each element; empty if the deck has none.
+std::function<std::optional<Quat>(const Vec3&)> find_rule(const RodTable& table,
+                                                          const RodNet& net,
+                                                          BuildContext& context) {
+    if (!table.axes.has_rule()) return {};
+    std::size_t vertical = 0, all = 0;
+    for (const NetChain& chain : net.chains) {
+        for (const NetElement& element : chain.elements) {
+            ++all;
+            vertical += is_vertical(element.start_tangent, find_up(context)) ? 1 : 0;
+        }
+    }
+    note_vertical(table, table.axes, "elements", vertical, all, context);
+    return [&table, &context](const Vec3& tangent) { return project_axes(table.axes, tangent, context); };
+}
+
 }  // namespace
 
 void check_meshed_rod(const RodTable& table, const BuildContext& context) {
@@ -185,7 +212,7 @@ void build_net(const RodTable& table, const NamedNet& named, int index, BuildCon
     }
     const double* twist = std::get_if<double>(&table.twist);
     if (twist == nullptr) return;
-    NetBuilder builder{rod, *twist};
+    NetBuilder builder{rod, *twist, find_rule(table, net, context)};
     for (std::size_t i = 0; i < net.chains.size(); ++i) builder.add_chain(net.chains[i], axes[i]);
     if (table.hinges) add_member_hinges(table, net, index, context);
     check_element_turn(builder.largest_turn, net.order, table, &table.mesh, context);

@@ -58,6 +58,10 @@ const TableSpec& rod_mesh_table() {
     return table;
 }
 
+// The keys of section axes, of a rod and of its rest.
+constexpr auto y_axis_of = [](auto& table) -> auto& { return table.axes.y_axis; };
+constexpr auto z_axis_of = [](auto& table) -> auto& { return table.axes.z_axis; };
+
 const TableSpec& rest_table() {
     using T = RestTable;
     // clang-format off
@@ -67,11 +71,14 @@ const TableSpec& rest_table() {
              "straight and without twist.")
             .unit("angle/length")
         .keys_of(curve_keys())
-        .key("y_axis", &T::y_axis, "Section y at the start of a rest that is a curve, as in the rod itself.")
+        .key("y_axis", y_axis_of, "Section y at the start of a rest that is a curve, as in the rod itself.")
             .unit("1").otherwise("that of the rod")
+        .key("z_axis", z_axis_of, "Section z there, in its place.")
+            .unit("1").otherwise("by y_axis")
         .key("twist", &T::twist, "Of a rest that is a curve, as in the rod itself.")
             .unit("angle").otherwise("that of the rod")
-        .exactly_one_of({"curvature", "line", "arc", "helix", "polyline", "spline", "catenary"});
+        .exactly_one_of({"curvature", "line", "arc", "helix", "polyline", "spline", "catenary"})
+        .at_most_one_of({"y_axis", "z_axis"});
     // clang-format on
     return table;
 }
@@ -101,7 +108,7 @@ constexpr const char* rod_examples =
     "section  = \"laminate\"\n"
     "polyline = [[0, 0, 0], [0, 0, 2], [1, 0, 2]]\n"
     "elements = 6\n"
-    "y_axis   = [0, 1, 0]\n"
+    "z_axis   = \"up\"\n"
     "twist    = \"pi/2\"\n";
 
 }  // namespace
@@ -137,10 +144,15 @@ const TableSpec& rod_table() {
         .key("element", &T::element, "objective: rotations relative to a triad of the element interpolated (Crisfield "
              "and Jelenić 1999). simo: incremental rotation vectors interpolated (Simo and Vu-Quoc 1986).")
             .also("type element_type formulation")
-        .key("y_axis", &T::y_axis, "Section y at the start, projected perpendicular to the rod and carried along it "
-             "without twisting.")
+        .key("y_axis", y_axis_of, "Section y at the start, projected perpendicular to the rod and carried along it "
+             "without twisting. up: against gravity (without it along z, or the second axis of `plane`), anew after "
+             "each corner and in each element of a mesh; where the rod is vertical (sine below 1e-3) along global x "
+             "(y, if x is up).")
             .unit("1").otherwise("the global axis least aligned with the rod")
-            .also("y orientation up normal reference_axis")
+            .also("y orientation normal reference_axis")
+        .key("z_axis", z_axis_of, "Section z, in its place; with up, webs of profiles are vertical.")
+            .unit("1").otherwise("by y_axis")
+            .also("z up web web_direction depth")
         .key("twist", &T::twist, "Turn of the section about the tangent from start to end, even along the length, "
              "right-handed; free of stress. Or the turn at fractions of the length, linear between them, from y_axis "
              "on.")
@@ -158,6 +170,7 @@ const TableSpec& rod_table() {
                   "a [[load]] at a point of the rod, or on it, has its forces and moments")
         .exactly_one_of({"section", "sections"})
         .exactly_one_of({"line", "arc", "helix", "polyline", "spline", "catenary", "mesh"})
+        .at_most_one_of({"y_axis", "z_axis"})
         .shown_by(rod_examples);
     // clang-format on
     return table;
@@ -238,13 +251,13 @@ bool is_near_any(double fraction, const std::vector<double>& points) {
 class LineBuilder {
   public:
     LineBuilder(const Centreline& line,
-                const Quat& start_axes,
+                const std::vector<Quat>& piece_axes,
                 const SectionTwist& twist,
                 const std::vector<double>& points,
                 int index,
                 BuildContext& context)
         : line_(line),
-          start_axes_(start_axes),
+          piece_axes_(piece_axes),
           twist_(twist),
           points_(points),
           rod_(context.model.rods[static_cast<std::size_t>(index)]),
@@ -255,7 +268,7 @@ class LineBuilder {
     // The section axes on a piece of the line, at a fraction of its length.
     std::function<Quat(std::size_t, double)> axes() const {
         return [this](std::size_t piece, double fraction) {
-            return twisted(line_.transport(piece, fraction) * start_axes_, twist_.at(fraction));
+            return twisted(line_.transport(piece, fraction) * piece_axes_[piece], twist_.at(fraction));
         };
     }
 
@@ -310,7 +323,7 @@ class LineBuilder {
     }
 
     const Centreline& line_;
-    const Quat& start_axes_;
+    const std::vector<Quat>& piece_axes_;
     const SectionTwist& twist_;
     const std::vector<double>& points_;
     Rod& rod_;
@@ -345,7 +358,7 @@ void build_line(const RodTable& table,
     if (rest) add_corners(rest->line.corners(), breaks);
     const std::vector<double> fractions = find_fractions(table, breaks, context);
     if (!line) return;
-    const std::optional<Quat> axes = find_start_axes(table, table.y_axis, line->start_tangent(), context);
+    const auto axes = find_piece_axes(table, table.axes, *line, context);
     if (!axes || fractions.empty()) return;
     const auto order = static_cast<int>(table.order);
     Rod& rod = context.model.rods[static_cast<std::size_t>(index)];

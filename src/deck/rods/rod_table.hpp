@@ -8,6 +8,7 @@
 
 #include "deck/reading/copies.hpp"
 #include "deck/rods/curve_table.hpp"
+#include "deck/sections/section_axes.hpp"
 #include "deck/sections/section_tables.hpp"
 #include "deck/table/kinds.hpp"
 
@@ -27,7 +28,7 @@ struct RodMeshTable : TableHead {
 
 struct RestTable : CurveTable {
     std::optional<CheckedPlaceVector> curvature;
-    std::optional<Vec3> y_axis;
+    SectionDirections axes;
     std::optional<NumberAlong> twist;
 };
 
@@ -39,7 +40,7 @@ struct RodTable : CurveTable {
     std::optional<CheckedProfile> spacing;
     long order = Rod{}.order;
     ElementKind element = Rod{}.kind;
-    std::optional<Vec3> y_axis;
+    SectionDirections axes;
     NumberAlong twist = 0.0;
     std::optional<RestTable> rest;
     std::optional<WordList> hinges;

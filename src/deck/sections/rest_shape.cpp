@@ -43,17 +43,21 @@ std::optional<Vec3> find_rest_curvature(const CheckedPlaceVector* components,
     return curvature;
 }
 
-// From y_axis of the rest, or that of the rod.
-std::optional<Quat> find_rest_axes(const RestTable& rest,
-                                   const RodTable& rod,
-                                   const Vec3& tangent,
-                                   BuildContext& context) {
-    if (rest.y_axis || !rod.y_axis) return find_start_axes(rest, rest.y_axis, tangent, context);
-    if (rod.y_axis->isZero(0.0)) return std::nullopt;  // a fault of the rod
-    std::optional<Quat> axes = project_axes(tangent, *rod.y_axis);
-    if (!axes)
-        context.add_fault(rest, rest.y_axis, "missing; that of the rod is parallel to the start of the rest");
-    return axes;
+// From the direction that the rest gives, or that of the rod.
+std::optional<std::vector<Quat>> find_rest_axes(const RestTable& rest,
+                                                const RodTable& rod,
+                                                const Centreline& line,
+                                                BuildContext& context) {
+    if (rest.axes.are_given() || !rod.axes.are_given())
+        return find_piece_axes(rest, rest.axes, line, context);
+    const Vec3* vector = std::get_if<Vec3>(&*rod.axes.given());
+    if (vector == nullptr) return find_piece_axes(rod, rod.axes, line, context);
+    if (vector->isZero(0.0)) return std::nullopt;  // a fault of the rod
+    const std::optional<Quat> axes = project_axes(rod.axes, line.start_tangent(), context);
+    if (axes) return std::vector(line.corners().size() + 1, *axes);
+    context.add_fault(
+        rest, rest.axes.y_axis, "missing; that of the rod is parallel to the start of the rest");
+    return std::nullopt;
 }
 
 // The turn of the section axes from the end of an element to the start of the next: nothing, or a corner's.
@@ -89,6 +93,27 @@ void check_corners(const RodTable& table,
 
 }  // namespace
 
+std::optional<std::vector<Quat>> find_piece_axes(const TableHead& table,
+                                                 const SectionDirections& directions,
+                                                 const Centreline& line,
+                                                 BuildContext& context) {
+    const std::size_t count = line.corners().size() + 1;
+    if (!directions.has_rule()) {
+        const std::optional<Quat> axes = find_start_axes(table, directions, line.start_tangent(), context);
+        return axes ? std::optional(std::vector(count, *axes)) : std::nullopt;
+    }
+    std::vector<Quat> axes;
+    std::size_t vertical = 0;
+    for (std::size_t piece = 0; piece < count; ++piece) {
+        const Quat to_piece = line.transport(piece, 0.0);
+        const Vec3 tangent = to_piece * line.start_tangent();
+        axes.push_back(to_piece.conjugate() * *project_axes(directions, tangent, context));
+        vertical += is_vertical(tangent, find_up(context)) ? 1 : 0;
+    }
+    note_vertical(table, directions, "pieces", vertical, count, context);
+    return axes;
+}
+
 std::optional<RestCurve> find_rest_curve(const RodTable& table,
                                          const SectionTwist& twist,
                                          BuildContext& context) {
@@ -100,13 +125,14 @@ std::optional<RestCurve> find_rest_curve(const RodTable& table,
                 context.add_fault(
                     rest, field, "curvature is in section axes, twist first; expected a curve with it");
         };
-        refuse(rest.y_axis);
+        refuse(rest.axes.y_axis);
+        refuse(rest.axes.z_axis);
         refuse(rest.twist);
         return std::nullopt;
     }
     std::optional<Centreline> line = find_centreline(rest, context, table.section);
     if (!line) return std::nullopt;
-    const std::optional<Quat> axes = find_rest_axes(rest, table, line->start_tangent(), context);
+    const auto axes = find_rest_axes(rest, table, *line, context);
     if (!axes) return std::nullopt;
     return RestCurve{std::move(*line), *axes, rest.twist ? SectionTwist(*rest.twist) : twist};
 }
@@ -144,8 +170,8 @@ void set_rest(const RodTable& table,
         for (std::size_t i = 0; i < within.size(); ++i) {
             const double fraction = i + 1 == within.size() ? last : first + (last - first) * within[i];
             rod.rest_positions.push_back(rest.line.position(piece, fraction));
-            rod.rest_triads.push_back(
-                twisted(rest.line.transport(piece, fraction) * rest.start_axes, rest.twist.at(fraction)));
+            rod.rest_triads.push_back(twisted(rest.line.transport(piece, fraction) * rest.piece_axes[piece],
+                                              rest.twist.at(fraction)));
         }
     }
     rod.start_stretch = rod.length / rest.line.length();

@@ -20,9 +20,16 @@ struct DrawnRod {
 // Another curve as the stress-free shape; the rod's arc length is then measured along it.
 struct RestCurve {
     Centreline line;
-    Quat start_axes;
+    std::vector<Quat> piece_axes;  // carried back from each of its pieces to the start
     SectionTwist twist;
 };
+
+// Finds the axes from which those along each piece of a line follow, as `transport` of the line carries them:
+// by a rule for each piece, else the same for all. Of wrong ones a fault, and nullopt.
+std::optional<std::vector<Quat>> find_piece_axes(const TableHead& table,
+                                                 const SectionDirections& directions,
+                                                 const Centreline& line,
+                                                 BuildContext& context);
 
 // Finds the rest curve of the deck's table; nullopt if there is none, or with a fault. `twist` is the rod's
 // own.

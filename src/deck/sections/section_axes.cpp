@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "deck/schema/top_level.hpp"
 #include "rotation/rotation_map.hpp"
 #include "rotation/vector_text.hpp"
 
@@ -32,43 +33,111 @@ GlobalAxis choose_y_axis(const Vec3& tangent) {
     return chosen;
 }
 
-}  // namespace
+// Beyond this part of a unit vector `up` is along a global axis, of which there must be another.
+constexpr double mostly = 0.9;
 
-std::optional<Quat> project_axes(const Vec3& tangent, const Vec3& y_axis) {
-    const Vec3 direction = y_axis.stableNormalized();
+// Axes from a unit tangent and a direction of section y, or z, projected; nullopt if they are parallel.
+std::optional<Quat> project_section_axes(const Vec3& tangent, const Vec3& given, bool is_z) {
+    const Vec3 direction = given.stableNormalized();
     const Vec3 projected = direction - direction.dot(tangent) * tangent;
     if (projected.norm() < zero_angle) return std::nullopt;
-    const Vec3 y = projected.normalized();
+    const Vec3 across = projected.normalized();
     Mat3 axes;
-    axes << tangent, y, tangent.cross(y);
+    if (is_z) {
+        axes << tangent, across.cross(tangent), across;
+    } else {
+        axes << tangent, across, tangent.cross(across);
+    }
     return Quat(axes).normalized();
 }
 
-Quat choose_axes(const Vec3& tangent) { return *project_axes(tangent, choose_y_axis(tangent).direction); }
+// The direction that a rule takes instead of `up` where a rod goes along it: global x, or y where x is up.
+GlobalAxis find_other_axis(const Vec3& up) {
+    return std::abs(up.x()) > mostly ? GlobalAxis{'y', Vec3::UnitY()} : GlobalAxis{'x', Vec3::UnitX()};
+}
+
+Vec3 find_axis_direction(const AxisDirection& given, const Vec3& tangent, const BuildContext& context) {
+    if (const Vec3* vector = std::get_if<Vec3>(&given)) return *vector;
+    const Vec3 up = find_up(context);
+    return is_vertical(tangent, up) ? find_other_axis(up).direction : up;
+}
+
+}  // namespace
+
+std::optional<Quat> project_axes(const SectionDirections& directions,
+                                 const Vec3& tangent,
+                                 const BuildContext& context) {
+    const bool is_z = directions.z_axis.has_value();
+    return project_section_axes(tangent, find_axis_direction(*directions.given(), tangent, context), is_z);
+}
+
+Quat choose_axes(const Vec3& tangent) {
+    return *project_section_axes(tangent, choose_y_axis(tangent).direction, false);
+}
+
+Vec3 find_up(const BuildContext& context) {
+    const TopLevelTable& top = top_level_of(context.deck);
+    Vec3 gravity = Vec3::Zero();
+    try {
+        for (int i = 0; top.gravity && i < 3; ++i)
+            gravity[i] = (*top.gravity)[static_cast<std::size_t>(i)].function(1.0);
+    } catch (const EvaluationError&) {
+        gravity.setZero();  // what has no value is a fault of its own
+    }
+    if (gravity.allFinite() && !gravity.isZero(0.0)) return -gravity.stableNormalized();
+    return top.plane == PlaneAcross::xy ? Vec3::UnitY() : Vec3::UnitZ();
+}
+
+// Frame programs take a member for vertical where the sine of its angle is below this.
+bool is_vertical(const Vec3& tangent, const Vec3& up) {
+    constexpr double vertical = 1e-3;
+    return tangent.cross(up).norm() < vertical;
+}
+
+void note_vertical(const TableHead& table,
+                   const SectionDirections& directions,
+                   const std::string& kind,
+                   std::size_t count,
+                   std::size_t all,
+                   BuildContext& context) {
+    if (count == 0) return;
+    const Vec3 up = find_up(context);
+    const char axis = directions.z_axis ? 'z' : 'y';
+    const std::string what = all == 1 ? "the rod is" : fmt::format("{} of {} {} are", count, all, kind);
+    context.notes.push_back(fmt::format("{}: up is {}; {} vertical, with section {} from global {}",
+                                        table.path_of(&directions.given()),
+                                        in_brackets(up, 6, round_off),
+                                        what,
+                                        axis,
+                                        find_other_axis(up).name));
+}
 
 std::optional<Quat> find_start_axes(const TableHead& table,
-                                    const std::optional<Vec3>& y_axis,
+                                    const SectionDirections& directions,
                                     const Vec3& tangent,
                                     BuildContext& context) {
-    if (!y_axis) {
+    const void* field = &directions.given();
+    if (!directions.are_given()) {
         Quat axes = choose_axes(tangent);
         context.notes.push_back(fmt::format("{}: not given; section y at the start is {}, from global {}",
-                                            table.path_of(&y_axis),
+                                            table.path_of(field),
                                             in_brackets(axes * Vec3::UnitY(), 6, round_off),
                                             choose_y_axis(tangent).name));
         return axes;
     }
-    if (y_axis->isZero(0.0)) {
-        context.add_fault(table, y_axis, "expected a direction, found a vector of zero length");
+    const auto refuse = [&](const std::string& message) {
+        context.faults.add(table.place_of(field), table.path_of(field), message);
+    };
+    const Vec3* vector = std::get_if<Vec3>(&*directions.given());
+    if (vector != nullptr && vector->isZero(0.0)) {
+        refuse("expected a direction, found a vector of zero length");
         return std::nullopt;
     }
-    std::optional<Quat> axes = project_axes(tangent, *y_axis);
-    if (!axes) {
-        context.add_fault(
-            table,
-            y_axis,
-            "parallel to the rod, so that section y is not defined; expected another direction");
-    }
+    std::optional<Quat> axes = project_axes(directions, tangent, context);
+    if (!axes)
+        refuse(
+            fmt::format("parallel to the rod, so that section {} is not defined; expected another direction",
+                        directions.z_axis ? 'z' : 'y'));
     return axes;
 }
 

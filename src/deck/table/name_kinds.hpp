@@ -277,30 +277,36 @@ struct Kind<Word> {
     static std::string default_value(Word value) { return word_of(choices_of(Word{}), value); }
 };
 
-// Axes, or a word for where they are.
-template <class Word>
-struct Kind<std::variant<Mat3, Word>> {
-    using Value = std::variant<Mat3, Word>;
+// Axes or a direction, or a word in their place.
+template <class Other, HasWords Word>
+struct KindOrWord {
+    using Value = std::variant<Other, Word>;
     static std::vector<std::string> choices() { return Kind<Word>::choices(); }
     static std::string words(const KeySpec& key) {
-        return Kind<Mat3>::words(key) + ", or one of " + quoted_list(key.choices);
+        const bool is_one = key.choices.size() == 1;
+        return Kind<Other>::words(key) + (is_one ? ", or " : ", or one of ") + quoted_list(key.choices);
     }
     static std::string column(const KeySpec& key) {
-        return Kind<Mat3>::column(key) + ", or " + code_list(key.choices);
+        return Kind<Other>::column(key) + ", or " + code_list(key.choices);
     }
     static std::string schema(const KeySpec& key) {
         return fmt::format(
-            R"({{"anyOf": [{}, {{"enum": [{}]}}]}})", Kind<Mat3>::schema(key), quoted_list(key.choices));
+            R"({{"anyOf": [{}, {{"enum": [{}]}}]}})", Kind<Other>::schema(key), quoted_list(key.choices));
     }
     static std::optional<Value> read(const ValueSource& from) {
         const auto as_value = [](auto read) { return read ? std::optional<Value>(*read) : std::nullopt; };
         return from.node.text() != nullptr ? as_value(Kind<Word>::read(from))
-                                           : as_value(Kind<Mat3>::read(from));
+                                           : as_value(Kind<Other>::read(from));
     }
     static std::string print(const Value& value) {
         return std::visit([]<class One>(const One& one) { return Kind<One>::print(one); }, value);
     }
     static std::string sample(const KeySpec& key) { return Kind<Word>::sample(key); }
 };
+
+template <HasWords Word>
+struct Kind<std::variant<Mat3, Word>> : KindOrWord<Mat3, Word> {};
+template <HasWords Word>
+struct Kind<std::variant<Vec3, Word>> : KindOrWord<Vec3, Word> {};
 
 }  // namespace gxrod

@@ -145,7 +145,8 @@ TEST_CASE("faults of copies name their key", "[deck]") {
     CHECK_THAT(faults("count = 4", "number = 4"), Contains("rod.blade.copies.number: unknown key"));
     CHECK(faults("copies = \"blade\"", "copies = \"hub\"") ==
           "x.toml:17:10: joint.root.copies: \"hub\" names no table with copies");
-    CHECK_THAT(faults("y_axis = [0, 1, 0]\n", ""), Contains("copies need y_axis, which is turned with them"));
+    CHECK_THAT(faults("y_axis = [0, 1, 0]\n", ""),
+               Contains("copies need y_axis or z_axis, which is turned with them"));
     CHECK_THAT(faults("[body.hub]",
                       "[rod.blade_2]\nsection = \"s\"\nline = { from = [0, 0, 0], to = [1, 0, 0] }\nelements "
                       "= 1\n[body.hub]"),

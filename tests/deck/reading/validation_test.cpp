@@ -87,7 +87,7 @@ x.toml:8:1: history[0].quantities: missing; expected one or a list of )" +
               quoted_list(list_quantity_words()));
     CHECK(faults_of(body_deck + "[[support]]") ==
           R"(x.toml:8:1: support[0].at: missing; expected a point, such as "rod.end", "rod@0.25" or "body"
-x.toml:8:1: support[0]: missing; expected fix or move = { … })");
+x.toml:8:1: support[0]: missing; expected fix or move = { … } or stiffness = { … } or damping = { … })");
 }
 
 TEST_CASE("Keys that exclude each other are not given together", "[deck]") {

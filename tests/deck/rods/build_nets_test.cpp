@@ -109,7 +109,7 @@ TEST_CASE("Section y is projected at the start of every line of a net", "[deck]"
     CHECK(faults_of(replaced(deck, "[0, 2, 0]", "[0, 0, 1]")) ==
           "x.toml:7:10: rod.r.y_axis: parallel to the line that starts at (1, 0, 1.8), so that section y is "
           "not defined "
-          "there; expected another direction, or rods of their own for its lines");
+          "there; expected another direction, \"up\", or rods of their own for its lines");
     CHECK(faults_of(replaced(deck, "[0, 2, 0]", "[0, 0, 0]")) ==
           "x.toml:7:10: rod.r.y_axis: expected a direction, found a vector of zero length");
 }
