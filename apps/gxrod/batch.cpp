@@ -1,4 +1,5 @@
 #include "batch/batch.hpp"
+#include "batch/members/member_forces.hpp"
 
 #include <fmt/core.h>
 
@@ -59,6 +60,7 @@ Plan read_arguments(const std::vector<std::string>& files) {
         // Read once, as it can be a pipe.
         std::string text = read_plan_file(files[0]);
         if (is_plan_text(text, files[0])) return read_plan_text(std::move(text), files[0]);
+        if (std::optional<Plan> combinations = plan_of_combinations(text, files[0])) return *combinations;
     }
     for (const std::string& file : files) {
         if (files.size() > 1 && is_plan(file)) {
@@ -144,6 +146,8 @@ int batch(const BatchArguments& arguments) {
     const BatchSummary summary = run_batch(prepared, request);
     output.finish_line();
     output.show_summary(summary, request);
+    if (varies_combinations(prepared.plan()))
+        output.show_members(write_member_tables(request.folder, prepared.cases(), summary.rows), request);
     if (!arguments.summary.empty()) write_batch_summary(arguments.summary, summary, request);
     return exit_code_of(summary);
 }
@@ -157,7 +161,9 @@ void add_batch_verb(CLI::App& program,
     arguments->sbatch_options = std::move(sbatch_options);
     CLI::App* verb =
         program.add_subcommand("batch", "Run many variants of a deck on all cores; one table of them all");
-    verb->add_option("FILES", arguments->files, "A plan (TOML; docs/plan.md lists its keys), or decks")
+    verb->add_option("FILES",
+                     arguments->files,
+                     "A plan (TOML; docs/plan.md lists its keys), a deck with [combination.NAME]s, or decks")
         ->required();
     verb->add_option(
         "-o,--output", arguments->folder, "Folder of the batch [the plan's name, in this folder]");

@@ -204,6 +204,25 @@ void BatchOutput::show_summary(const BatchSummary& summary, const BatchRequest& 
         say(stdout, "--retry-failed runs the cases that are not done again.\n");
 }
 
+void BatchOutput::show_members(const std::vector<MemberRange>& ranges, const BatchRequest& request) const {
+    if (!prints_ || ranges.empty()) return;
+    const auto describe_extreme = [](const MemberExtreme& one) {
+        return fmt::format(
+            "{:>12.6g} {:<24}", one.value, fmt::format("{} {}, {}", one.member, one.end, one.combination));
+    };
+    say(stdout,
+        "Forces at the ends of members: {}, {}\n",
+        (request.folder / "members.csv").string(),
+        (request.folder / "envelope.csv").string());
+    for (const MemberRange& range : ranges) {
+        say(stdout,
+            "  {:<2} max {} min {}\n",
+            range.force,
+            describe_extreme(range.largest),
+            describe_extreme(range.least));
+    }
+}
+
 void write_batch_summary(const std::string& target,
                          const BatchSummary& summary,
                          const BatchRequest& request) {

@@ -4,6 +4,7 @@
 
 #include "batch/batch.hpp"
 #include "batch/cases/case_groups.hpp"
+#include "batch/members/member_forces.hpp"
 #include "progress_line.hpp"
 
 namespace gxrod {
@@ -30,6 +31,8 @@ class BatchOutput {
     // The cases that would be run.
     void show_plan(const PreparedBatch& batch, const BatchRequest& request) const;
     void show_summary(const BatchSummary& summary, const BatchRequest& request) const;
+    // The largest and least forces at the ends of members; nothing without members.
+    void show_members(const std::vector<MemberRange>& ranges, const BatchRequest& request) const;
 
   private:
     bool was_shown(long number) const;

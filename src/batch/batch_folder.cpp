@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array files{"index.csv", "report.html"};
+constexpr std::array files{"index.csv", "report.html", "members.csv", "envelope.csv"};
 constexpr std::array folders{"parts", "cases", "reports", "slurm"};
 
 bool is_one_of(const std::string& name, const auto& names) {

@@ -25,6 +25,7 @@
 #include "deck/expressions/function_files.hpp"
 #include "deck/joints/joints.hpp"
 #include "deck/loads/acting.hpp"
+#include "deck/loads/combinations.hpp"
 #include "deck/loads/loads.hpp"
 #include "deck/output/history_table.hpp"
 #include "deck/output/output_table.hpp"
@@ -156,6 +157,7 @@ Problem build_problem(const CheckedTable& deck, const DeckFiles& files, FaultLis
     check_names(deck, faults);
     context.stages = build_stages(context);
     check_stage_names(context);
+    check_combinations(context);
     build_inputs(context);
     plan_signals(context);
     const std::vector<RodPoint> points = check_points(context);

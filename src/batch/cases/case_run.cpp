@@ -9,6 +9,7 @@
 #include <new>
 
 #include "batch/collector.hpp"
+#include "batch/members/member_forces.hpp"
 #include "batch/seconds_since.hpp"
 #include "check/model_examination.hpp"
 #include "machine/file_error.hpp"
@@ -56,14 +57,21 @@ class CaseRun {
     }
 
     void try_to_run() {
-        const Problem problem = context_.build(row_.number);
+        Problem problem = context_.build(row_.number);
         check_meshes(problem);
         const std::vector<Finding> findings = examine_stages(problem.model, problem.stages);
         for (const Finding& finding : findings) {
             if (finding.severity == Severity::error) return end(CaseStatus::deck_fault, finding.message);
         }
+        std::optional<MemberForces> members;
+        if (varies_combinations(context_.plan)) members.emplace(problem);
         Collector collector(context_.plan.collections, problem);
-        const RunSummary summary = run(problem, findings, collector);
+        const RunSummary summary =
+            run(problem, findings, [&](const Snapshot& snapshot, const LedgerRow& ledger) {
+                collector.add(snapshot, ledger);
+                if (members) members->add(snapshot);
+            });
+        if (members) members->write(context_.folder / member_path(row_.number, context_.cases.count()));
         collector.add(summary);
         take(summary);
         row_.collected = collector.values();
@@ -81,7 +89,9 @@ class CaseRun {
         }
     }
 
-    RunSummary run(const Problem& problem, const std::vector<Finding>& findings, Collector& collector) {
+    RunSummary run(const Problem& problem,
+                   const std::vector<Finding>& findings,
+                   const std::function<void(const Snapshot&, const LedgerRow&)>& observe) {
         RunRequest request{problem};
         if (context_.plan.keeping != Keeping::none) {
             const std::string path = results_path(row_.number, context_.cases.count());
@@ -89,9 +99,7 @@ class CaseRun {
             row_.results = path;
         }
         request.examined = findings;
-        request.observe = [&](const Snapshot& snapshot, const LedgerRow& ledger) {
-            collector.add(snapshot, ledger);
-        };
+        request.observe = observe;
         request.is_interrupted = [&] { return seconds_since(begin_) > context_.plan.time_limit; };
         return run_analysis(request);
     }

@@ -212,6 +212,19 @@ Plan read_plan_text(std::string text, const std::filesystem::path& file) {
     throw DeckError(std::move(all));
 }
 
+std::optional<Plan> plan_of_combinations(const std::string& text, const std::filesystem::path& deck) {
+    const DeckNode tree = read_toml(text, deck.string());
+    const DeckEntry* combinations = tree.find("combination");
+    if (combinations == nullptr || combinations->node.table() == nullptr) return std::nullopt;
+    std::vector<std::string> names;
+    for (const DeckEntry& one : *combinations->node.table()) names.push_back("\"" + one.key + "\"");
+    if (names.empty()) return std::nullopt;
+    return read_plan_text(
+        fmt::format(
+            "deck = \"{}\"\n[vary]\napply = [{}]\n", deck.filename().string(), fmt::join(names, ", ")),
+        deck);
+}
+
 Plan plan_of_decks(std::vector<std::filesystem::path> decks) {
     Plan plan;
     plan.combination = Combination::decks;

@@ -99,6 +99,9 @@ Plan read_plan(const std::filesystem::path& file);
 // Reads a plan from the text of a file.
 Plan read_plan_text(std::string text, const std::filesystem::path& file);
 
+// Makes the plan that runs each [combination.NAME] of a deck; nullopt if the deck, of this text, has none.
+std::optional<Plan> plan_of_combinations(const std::string& text, const std::filesystem::path& deck);
+
 // Makes a plan with a case for each deck.
 Plan plan_of_decks(std::vector<std::filesystem::path> decks);
 

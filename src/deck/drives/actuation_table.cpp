@@ -50,6 +50,7 @@ const TableSpec& actuation_table() {
             .unit("1").otherwise(factor_default)
         .key("stages", &T::stages, "The stages in which it acts.")
             .otherwise("all").names_of({"stage"})
+        .with(add_load_case<T>)
         .with(add_copies<T>)
         .at_least_one_of({"stretch", "shear", "curvature", "temperature", "temperature_gradient"})
         .shown_by(

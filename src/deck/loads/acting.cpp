@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "deck/expressions/load_factor.hpp"
+#include "deck/loads/combinations.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "deck/schema/top_level.hpp"
@@ -118,28 +119,41 @@ void check_stage_names(const ActingTable& table, const BuildContext& context) {
 }  // namespace
 
 TimeFunction Acting::apply(const TimeFunction& value) const {
-    TimeFunction own = apply_own(value);
+    const TimeFunction own = scale_own(apply_own(value));
     if (!limit_load_factor || own.is_zero()) return own;
     return TimeFunction([own, limit = limit_load_factor](double t) { return *limit * own(t); },
                         own.switches());
 }
 
 LineFunction Acting::apply(const LineExpression& value) const {
-    LineFunction own = apply_own(value);
+    const LineFunction own = scale_own(apply_own(value));
     if (!limit_load_factor || own.is_zero()) return own;
     return LineFunction([own, limit = limit_load_factor](double t, double s) { return *limit * own(t, s); },
                         own.switches(),
                         own.form());
 }
 
+TimeFunction Acting::scale_own(const TimeFunction& own) const {
+    if (scale == 1.0 || own.is_zero()) return own;
+    if (own.is_constant() || scale == 0.0) return TimeFunction(scale * own(0.0));
+    return TimeFunction([own, by = scale](double t) { return by * own(t); }, own.switches(), own.has_time());
+}
+
+LineFunction Acting::scale_own(const LineFunction& own) const {
+    if (scale == 1.0 || own.is_zero()) return own;
+    if (own.is_constant()) return LineFunction(scale * own(0.0, 0.0));
+    return LineFunction(
+        [own, by = scale](double t, double s) { return by * own(t, s); }, own.switches(), own.form());
+}
+
 PointFunction Acting::apply(const PointFunction& by_motion, bool has_time) const {
     if (is_absent) return {};
-    const TimeFunction scale = find_motion_factor(has_time);
+    const TimeFunction factor_now = find_motion_factor(has_time);
     const auto held = held_at && (factor || !has_time) ? held_at : nullptr;
-    return [own = by_motion, scale, held, limit = limit_load_factor](
+    return [own = by_motion, factor_now, held, by = scale, limit = limit_load_factor](
                double time, double s, const PointMotion& motion) {
         const double t = held ? *held : time;
-        return (limit ? *limit : 1.0) * scale(t) * own(t, s, motion);
+        return by * (limit ? *limit : 1.0) * factor_now(t) * own(t, s, motion);
     };
 }
 
@@ -226,8 +240,11 @@ Acting find_relative_acting(const ActingTable& load, const BuildContext& context
 
 Acting find_acting(const ActingTable& load, const BuildContext& context) {
     if (!acts_in_stage(load, context)) return {.is_absent = true};
-    if (load.relative_to) return find_relative_acting(load, context);
-    return find_own_acting(load, context);
+    const double scale = find_case_factor(load.load_case, context);
+    if (scale == 0.0) return {.is_absent = true};
+    Acting acting = load.relative_to ? find_relative_acting(load, context) : find_own_acting(load, context);
+    acting.scale = scale;
+    return acting;
 }
 
 bool acts_in_stage(const ActingTable& table, const BuildContext& context) {

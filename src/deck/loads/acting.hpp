@@ -13,6 +13,7 @@ namespace gxrod {
 struct Acting {
     bool is_absent = false;  // does not act in this stage
     bool grows = false;      // a value without t is multiplied by t
+    double scale = 1.0;      // of the load case, in the combination that acts
     std::optional<TimeFunction> factor = {};
     // Where t of an earlier stage ended: value and factor keep what they were there; without a factor, a
     // value without t is multiplied by it, as it was in that stage.
@@ -29,6 +30,8 @@ struct Acting {
   private:
     // By which a value that depends on the motion is multiplied, at the time that acts.
     TimeFunction find_motion_factor(bool has_time) const;
+    TimeFunction scale_own(const TimeFunction& own) const;
+    LineFunction scale_own(const LineFunction& own) const;
     TimeFunction apply_own(const TimeFunction& value) const;
     LineFunction apply_own(const LineExpression& value) const;
 };
@@ -38,12 +41,24 @@ struct ActingTable : TableHead {
     std::optional<TableNames> stages;  // all of them if it is not given
     std::optional<StageFunctions> factor;
     std::optional<LoadReference> relative_to;
+    std::optional<std::string> load_case;
 };
 
 // Describes the key `factor` of the values that `what` names, and its default.
 std::string factor_sentence(const std::string& what);
 inline constexpr const char* factor_default =
     "1; t in the first stage if that is static and the value has no t";
+
+// Adds the key `case` of a table whose struct is an ActingTable.
+template <class T>
+void add_load_case(Table<T>& table) {
+    table
+        .key("case",
+             &T::load_case,
+             "The name of its load case, by which each [combination.NAME] gives it a factor.")
+        .otherwise("none: it acts in all combinations as written")
+        .also("load_case loadcase");
+}
 
 // Finds how gravity and moves act, which have no factor.
 Acting find_acting(const BuildContext& context);

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "deck/loads/acting.hpp"
+#include "deck/loads/combinations.hpp"
 #include "deck/loads/loads.hpp"
 #include "deck/places/part.hpp"
 #include "deck/places/point_patterns.hpp"
@@ -59,6 +60,7 @@ const TableSpec& load_table() {
             .otherwise("nothing")
         .key("stages", &T::stages, "The stages in which the load acts.")
             .otherwise("all").names_of({"stage"})
+        .with(add_load_case<T>)
         .with(add_copies<T>)
         .at_most_one_of({"at", "on"})
         .at_least_one_of({"at", "on", "where"})
@@ -74,6 +76,7 @@ const TableSpec& load_table() {
             "at    = \"flyer@0.25\"\n"
             "force = [0, 0, \"push(t)\"]\n"
             "frame = \"follower\"\n"
+            "case  = \"pull\"\n"
             "\n"
             "[[load]]\n"
             "on = \"flyer\"\n"
@@ -266,8 +269,9 @@ std::vector<SteadyLoad> list_steady_loads(const BuildContext& context) {
 }
 
 void build_loads(BuildContext& context) {
-    if (const CheckedTimeVector* gravity = find_gravity(context.deck)) {
-        const Acting acting = find_gravity_acting(context);
+    if (const auto& gravity = top_level_of(context.deck).gravity) {
+        Acting acting = find_acting(context);
+        acting.scale = find_gravity_factor(context);
         std::array<TimeFunction, 3> components;
         for (std::size_t i = 0; i < 3; ++i) components[i] = acting.apply((*gravity)[i].function);
         context.model.gravity = TimeVector(std::move(components));

@@ -19,6 +19,7 @@ const TableSpec& joint_table();
 const TableSpec& gear_table();
 const TableSpec& connect_table();
 const TableSpec& load_table();
+const TableSpec& combination_table();
 const TableSpec& tendon_table();
 const TableSpec& actuation_table();
 const TableSpec& magnetic_table();

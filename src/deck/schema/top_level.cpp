@@ -64,6 +64,8 @@ void add_actions(Table<TopLevelTable>& table) {
     table
         .tables("load", KeyShape::table_list, load_table())
             .also("force forces moment")
+        .tables("combination", KeyShape::named_tables, combination_table())
+            .also("combinations load_combination load_combinations combo combos load_cases load_case")
         .tables("tendon", KeyShape::named_tables, tendon_table())
             .also("tendons actuator actuators wire wires chamber pneumatic")
         .tables("actuation", KeyShape::table_list, actuation_table())
@@ -122,6 +124,8 @@ const TableSpec& deck_schema() {
         .key("plane", &T::plane, "The plane in which the model stays: displacements across it and rotations out of it "
              "are held at every node, which halves the unknowns.")
             .otherwise("none: a model in space")
+        .key("apply", &T::apply, "The [combination.NAME] of load cases that acts.")
+            .otherwise("the first one")
         .tables("parameters", KeyShape::parameters, parameters_table())
             .also("params constants variables")
         .tables("function", KeyShape::named_tables, function_table())

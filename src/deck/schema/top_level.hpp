@@ -17,6 +17,7 @@ struct TopLevelTable : TableHead {
     std::string units;
     std::optional<std::variant<CheckedTimeVector, GravityTable>> gravity;
     std::optional<PlaneAcross> plane;
+    std::optional<std::string> apply;
 };
 
 // The keys of a whole deck.

@@ -1,0 +1,160 @@
+#include "batch/members/member_forces.hpp"
+
+#include <cmath>
+#include <filesystem>
+
+#include "batch/cases/case_run.hpp"
+#include "deck/decks.hpp"
+#include "deck/text/csv_reading.hpp"
+#include "deck/text/text_file.hpp"
+#include "run/run.hpp"
+#include "tools/catch.hpp"
+
+namespace gxrod::test {
+namespace {
+
+constexpr double height = 4.0, span = 6.0, q = 1e-3, W = 2e-3;
+
+// A portal with clamped feet, whose beam is twice as stiff as its columns: under q along the beam and W at
+// its corner.
+const std::string portal = R"([section.column]
+stiffness = { EA = 1e9, GAy = 1e9, GAz = 1e9, GJ = 500, EIy = 1000, EIz = 300 }
+[section.beam]
+stiffness = { EA = 1e9, GAy = 1e9, GAz = 1e9, GJ = 500, EIy = 2000, EIz = 300 }
+[rod.left]
+section = "column"
+line = { from = [0, 0, 0], to = [0, 0, 4] }
+elements = 4
+order = 3
+z_axis = "up"
+[rod.beam]
+section = "beam"
+line = { from = [0, 0, 4], to = [6, 0, 4] }
+elements = 4
+order = 3
+z_axis = "up"
+[rod.right]
+section = "column"
+line = { from = [6, 0, 0], to = [6, 0, 4] }
+elements = 4
+order = 3
+z_axis = "up"
+[[connect]]
+points = ["left.end", "beam.start"]
+[[connect]]
+points = ["right.end", "beam.end"]
+[[support]]
+at = "left.start"
+fix = "all"
+[[support]]
+at = "right.start"
+fix = "all"
+[[load]]
+case = "dead"
+on = "beam"
+force_per_length = [0, 0, -1e-3]
+[[load]]
+case = "wind"
+at = "left.end"
+force = [2e-3, 0, 0]
+[combination.G]
+factors = { dead = 1 }
+[combination.W]
+factors = { wind = 1 }
+[combination.ULS]
+factors = { dead = 1.35, wind = 1.5 }
+[analysis]
+kind = "static"
+steps = 1
+)";
+
+// N, Vy, Vz, T, My, Mz at the ends of the three members, start and end.
+std::vector<Vec6> run_combination(const std::string& name, const std::filesystem::path& file) {
+    Problem problem = read(portal, {"apply=" + name});
+    MemberForces members(problem);
+    RunRequest request{problem};
+    request.observe = [&](const Snapshot& snapshot, const LedgerRow&) { members.add(snapshot); };
+    REQUIRE(run_analysis(request).status == RunStatus::complete);
+    members.write(file);
+    const std::vector<CsvRow> rows = read_csv(read_text_file(file, "a table", 1e6), file);
+    std::vector<Vec6> ends;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        Vec6& end = ends.emplace_back();
+        for (std::size_t k = 0; k < 6; ++k)
+            end[static_cast<Eigen::Index>(k)] = std::stod(rows[i].fields.at(5 + k));
+    }
+    return ends;
+}
+
+}  // namespace
+
+TEST_CASE("Forces at the ends of a portal are those of the tables", "[batch]") {
+    const ScratchFile scratch("members.csv", "");
+    // Kleinlogel's rigid frame with clamped feet.
+    const double k = 2.0 * height / span;
+    const std::vector<Vec6> dead = run_combination("G", scratch.path());
+    REQUIRE(dead.size() == 6);
+    const double at_foot = q * span * span / (12.0 * (k + 2.0));
+    CHECK(std::abs(dead[0][4]) == Approx(at_foot).epsilon(1e-5));
+    CHECK(std::abs(dead[1][4]) == Approx(2.0 * at_foot).epsilon(1e-5));
+    CHECK(std::abs(dead[2][4]) == Approx(2.0 * at_foot).epsilon(1e-5));
+    CHECK(dead[0][0] == Approx(-q * span / 2.0).epsilon(1e-5));
+    CHECK(dead[2][0] == Approx(-q * span * span / (4.0 * height * (k + 2.0))).epsilon(1e-5));
+    CHECK(std::abs(dead[3][2]) == Approx(q * span / 2.0).epsilon(1e-5));
+    const std::vector<Vec6> wind = run_combination("W", scratch.path());
+    CHECK(std::abs(wind[0][4]) == Approx(W * height / 2.0 * (3.0 * k + 1.0) / (6.0 * k + 1.0)).epsilon(1e-5));
+    CHECK(std::abs(wind[1][4]) == Approx(W * height / 2.0 * 3.0 * k / (6.0 * k + 1.0)).epsilon(1e-5));
+    // So small loads superpose.
+    const std::vector<Vec6> both = run_combination("ULS", scratch.path());
+    for (std::size_t i = 0; i < 6; ++i)
+        CHECK((both[i] - 1.35 * dead[i] - 1.5 * wind[i]).norm() < 1e-5 * both[i].norm());
+}
+
+TEST_CASE("The envelope names the combinations that govern", "[batch]") {
+    const ScratchFile deck("portal.toml", portal);
+    const std::filesystem::path folder = deck.path().parent_path();
+    const std::optional<Plan> plan = plan_of_combinations(portal, deck.path());
+    REQUIRE(plan);
+    CHECK(varies_combinations(*plan));
+    const CaseList cases(*plan);
+    REQUIRE(cases.count() == 3);
+    CHECK(cases.overrides(3) == std::vector<std::string>{"apply=\"ULS\""});
+    std::filesystem::create_directories(folder / "cases");
+    std::vector<CaseRow> rows;
+    for (long number = 1; number <= 3; ++number) {
+        CaseRow& row = rows.emplace_back();
+        row.number = number;
+        row.parameters = cases.parameters(number);
+        run_combination(row.parameters.at(0), folder / member_path(number, 3));
+    }
+    const std::vector<MemberRange> whole = write_member_tables(folder, cases, rows);
+    REQUIRE(whole.size() == 6);
+    CHECK(whole[0].force == "N");
+    CHECK(whole[0].least.combination == "ULS");
+    CHECK(whole[0].least.member == "right");
+    CHECK(whole[0].largest.combination == "W");
+    const auto count = [&](const char* name) {
+        const std::filesystem::path file = folder / name;
+        return read_csv(read_text_file(file, "a table", 1e6), file).size();
+    };
+    CHECK(count("members.csv") == 1 + 3 * 6);
+    CHECK(count("envelope.csv") == 1 + 6 * 6);
+    CHECK(!plan_of_combinations(static_rod_deck, deck.path()));
+}
+
+TEST_CASE("Members end at corners, branches and points", "[batch]") {
+    const auto names = [](const std::string& deck) {
+        std::vector<std::string> all;
+        for (const Member& member : list_members(read(deck).model)) all.push_back(member.name);
+        return all;
+    };
+    CHECK(names(portal) == std::vector<std::string>{"left", "beam", "right"});
+    const std::string bent = replaced(static_rod_deck,
+                                      "line = { from = [0, 0, 0], to = [10, 0, 0] }",
+                                      "polyline = [[0, 0, 0], [0, 0, 4], [6, 0, 4]]");
+    CHECK(names(bent) == std::vector<std::string>{"r/1", "r/2"});
+    CHECK(names(bent + "[[support]]\nat = \"r@0.7\"\nfix = \"all\"\n") ==
+          std::vector<std::string>{"r/1", "r/2", "r/3"});
+}
+
+}  // namespace gxrod::test
