@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "deck/rods/imperfections.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "deck/text/fault.hpp"
 #include "exit_code.hpp"
@@ -18,6 +19,7 @@
 #include "machine/instruction_set.hpp"
 #include "machine/printable.hpp"
 #include "model/version.hpp"
+#include "run/imperfect_shapes.hpp"
 #include "say.hpp"
 #include "verbs.hpp"
 
@@ -134,6 +136,7 @@ struct TerminateHandler {
 
 int main(int argc, char** argv) {
     open_standard_files();
+    gxrod::set_mode_finder(gxrod::find_buckling_mode);
     try {
         return check_output(run_program(argc, argv));
     } catch (const gxrod::DeckError& error) {

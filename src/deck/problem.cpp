@@ -34,6 +34,7 @@
 #include "deck/reading/validation.hpp"
 #include "deck/rods/build_connections.hpp"
 #include "deck/rods/build_rods.hpp"
+#include "deck/rods/imperfections.hpp"
 #include "deck/rods/read_rod_nets.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/schema/top_level.hpp"
@@ -278,6 +279,8 @@ Problem build_overridden(const DeckNode& tree,
     if (before != nullptr) check_resumption(read_toml(before->text, before->name), tree, faults);
     faults.throw_if_any();
     Problem problem = build_problem(deck, {source.meshes, source.tables}, faults);
+    faults.throw_if_any();
+    apply_imperfections(deck, source.tables, source.is_varied, problem, faults);
     faults.throw_if_any();
     note_idle_inputs(problem);
     for (const MeshRecord& table : tables) keep_file(table.file, table.bytes, problem.record.meshes);

@@ -5,11 +5,19 @@
 #include "check/findings/plausibility.hpp"
 #include "check/findings/unit_questions.hpp"
 #include "check/model_examination.hpp"
+#include "deck/rods/imperfections.hpp"
 #include "deck/text/overrides.hpp"
 #include "deck/text/program_laws.hpp"
 #include "face/own_laws.hpp"
+#include "run/imperfect_shapes.hpp"
 
 namespace gxrod {
+namespace {
+
+// Decks that are built here can have imperfections by a mode.
+[[maybe_unused]] const bool finds_modes = set_mode_finder(find_buckling_mode);
+
+}  // namespace
 
 Deck::Deck(const std::filesystem::path& path) : read_(std::make_shared<const DeckTemplate>(path)) {}
 

@@ -78,6 +78,16 @@ TEST_CASE("The riser and the mooring of the guide are decks", "[deck]") {
     CHECK(mooring.model.surroundings.seabed->friction_stiffness == 3e5);
 }
 
+TEST_CASE("The portal of the guide has two combinations on supports that yield", "[deck]") {
+    const std::string deck = decks_of("frames.md").back();
+    const Problem snow = read(deck);
+    REQUIRE(snow.model.bushings.size() == 2);
+    CHECK(snow.model.bushings[1].name == "support[0] at right.start");
+    CHECK(snow.model.distributed_loads.size() == 2);
+    CHECK(snow.model.gravity(1.0).z() == Approx(-1.35 * 9.81));
+    CHECK(read(deck, {"apply=ULS_wind"}).model.distributed_loads.size() == 1);
+}
+
 TEST_CASE("The mechanisms of the guide are decks", "[deck][joint]") {
     const std::vector<std::string> decks = decks_of("mechanisms.md");
     REQUIRE(decks.size() == 10);

@@ -515,6 +515,25 @@ def turned_support(deck, draw):
                        {"at": "beam.end", "fix": ["z"], "axes": [[0.8, 0, 0.6], [0, 1, 0], [-0.6, 0, 0.8]]}]
 
 
+@feature("root", damped=True)
+def yielding_support(deck, draw):
+    deck["support"] = [{"at": "beam.start", "fix": ["x", "y", "rx", "rz"],
+                        "stiffness": {"z": draw.uniform(10, 40), "ry": draw.uniform(2, 10)}, "damping": {"ry": 0.05}}]
+    deck["history"].append({"name": "root", "at": "beam.start", "quantities": ["reaction_force", "reaction_moment"]})
+
+
+@feature("imperfection")
+def imperfection(deck, draw):
+    deck["imperfection"] = [{"bow": draw.uniform(0.01, 0.05), "direction": [0, 1, draw.uniform(-1, 1)]},
+                            {"sway": 0.02, "direction": [0, 1, 0]}]
+
+
+@feature("combination")
+def combination(deck, draw):
+    deck["load"][0]["case"] = "live"
+    deck["combination"] = {"uls": {"factors": {"gravity": draw.uniform(0.8, 1.4), "live": draw.uniform(0.5, 1.5)}}}
+
+
 @feature("second-rod")
 def second_rod(deck, draw):
     deck["rod"]["side"] = {"section": "bar", "line": {"from": [1, 0, 0], "to": [1, 0.5, 0]}, "elements": 3, "order": 2}

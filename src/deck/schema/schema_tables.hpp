@@ -18,6 +18,7 @@ const TableSpec& bushing_table();
 const TableSpec& joint_table();
 const TableSpec& gear_table();
 const TableSpec& connect_table();
+const TableSpec& imperfection_table();
 const TableSpec& load_table();
 const TableSpec& combination_table();
 const TableSpec& tendon_table();

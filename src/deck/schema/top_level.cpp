@@ -56,7 +56,9 @@ void add_parts(Table<TopLevelTable>& table) {
         .tables("gear", KeyShape::named_tables, gear_table())
             .also("gears gearbox rack pinion transmission coupling")
         .tables("connect", KeyShape::table_list, connect_table())
-            .also("tie ties merge weld");
+            .also("tie ties merge weld")
+        .tables("imperfection", KeyShape::table_list, imperfection_table())
+            .also("imperfections initial_imperfection geometric_imperfection imperfect");
 }
 
 // Adds the tables of what acts on it.
