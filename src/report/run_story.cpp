@@ -14,6 +14,7 @@
 #include "report/blocks/contact_blocks.hpp"
 #include "report/blocks/step_blocks.hpp"
 #include "report/model/centres_json.hpp"
+#include "report/model/line_end_json.hpp"
 #include "results/energy_warning.hpp"
 #include "results/tables/deck_reading.hpp"
 
@@ -188,6 +189,7 @@ Json describe_run(const Hdf5Reader& file, const RunStory& story, const NodeNumbe
     json["joints"] = describe_joints(model, number, most_joints);
     describe_element_ties(model, number, most_springs, json);
     json["tables"] = describe_tables(*story.problem);
+    if (Json ends = describe_line_ends(file); !ends.is_null()) json["tables"].push_back(std::move(ends));
     json["centres"] = describe_centres_along(model);
     json["rods"] = Json::array();
     for (const Rod& rod : model.rods) json["rods"].push_back(rod.name);

@@ -11,7 +11,9 @@ std::vector<std::string> list_line_end_words(const Watched& target, const Model&
                                    "bending_moment",
                                    "axis_x",
                                    "force_spatial",
-                                   "moment_spatial"};
+                                   "moment_spatial",
+                                   "touch_down_start",
+                                   "touch_down_end"};
     std::erase_if(words,
                   [&](const std::string& word) { return !explain_missing(word, target, model).empty(); });
     return words;

@@ -251,6 +251,12 @@ class Lines(ProgramTest):
             for key, number in (("static", values[settled]), ("least", values[window].min()), ("largest", values[window].max()),
                                 ("mean", values[window].mean()), ("time_of_largest", times[window][values[window].argmax()])):
                 self.assertAlmostEqual(float(row[key]), number, delta=1e-9 * max(1.0, abs(number)))
+        row = rows["mooring", "touch_down_end"]
+        self.assertAlmostEqual(float(row["largest"]), end[window].max(), delta=1e-9)
+        self.gxrod("report", "line.vtkhdf", "--force")
+        page = (self.folder / "line.html").read_text(encoding="utf-8")
+        self.assertIn('"title":"Ends of lines"', page)
+        self.assertIn(f'{float(rows["mooring.end", "effective_tension"]["static"]):.6g}', page)
         for quantity, component in (("shear_force", "force"), ("bending_moment", "moment")):
             spatial = top[f"{component}_spatial"][()]
             across = np.linalg.norm(spatial - (spatial * axis).sum(axis=1)[:, None] * axis, axis=1)
@@ -314,7 +320,7 @@ class Lines(ProgramTest):
 
         self.assertIn('output.line_ends: no rod "bam"; did you mean "beam"?', told(PLAIN.replace('line_ends = ["beam"]', 'line_ends = "bam"')))
         taken = PLAIN + '[[history]]\nname = "beam_end"\nat = "beam.end"\nquantities = ["position"]\n'
-        self.assertIn('output.line_ends: a [[history]] has the name "beam_end" of this end of beam; give it another', told(taken))
+        self.assertIn('output.line_ends: a [[history]] has the name "beam_end", which is that of beam.end; give it another', told(taken))
         # Without water and ground a rod is not a thing of a history.
         whole = PLAIN + '[[history]]\nname = "h"\nat = "beam"\nquantities = ["touch_down_end"]\n'
         self.assertIn('history[0].at: "beam" is a rod; expected a point of it', told(whole))

@@ -35,25 +35,28 @@ void add_line_ends(const TableHead& table,
                    const TableNames& field,
                    const BuildContext& context,
                    std::vector<HistoryRequest>& histories) {
+    const auto add = [&](const std::string& rod, const char* what, const std::string& at) {
+        HistoryRequest request{.name = name_line_end(rod, what), .at = at};
+        const std::optional<Watched> target = find_watched(at, context);
+        if (!target) return;
+        request.target = *target;
+        request.quantities = list_line_end_words(*target, context.model);
+        if (request.quantities.empty()) return;
+        if (has_history(context, request.name)) {
+            context.add_fault(
+                table,
+                field,
+                fmt::format("a [[history]] has the name \"{}\", which is that of {}; give it another",
+                            request.name,
+                            at));
+        }
+        histories.push_back(std::move(request));
+    };
     for (const Part& part : find_parts(table, field, context)) {
         const std::string& rod = context.model.rods[static_cast<std::size_t>(part.rod)].name;
-        for (const char* end : {"start", "end"}) {
-            HistoryRequest request{.name = name_line_end(rod, end), .at = fmt::format("{}.{}", rod, end)};
-            if (has_history(context, request.name)) {
-                context.add_fault(
-                    table,
-                    field,
-                    fmt::format("a [[history]] has the name \"{}\" of this end of {}; give it another",
-                                request.name,
-                                rod));
-                continue;
-            }
-            const std::optional<Watched> target = find_watched(request.at, context);
-            if (!target) continue;
-            request.target = *target;
-            request.quantities = list_line_end_words(*target, context.model);
-            histories.push_back(std::move(request));
-        }
+        add(rod, "start", rod + ".start");
+        add(rod, "end", rod + ".end");
+        if (context.model.surroundings.seabed) add(rod, "ground", rod);
     }
 }
 

@@ -55,8 +55,8 @@ const TableSpec& output_table() {
              "\"max-stress\" with its strength, of materials without it von-mises.")
             .also("stress envelope envelopes criterion utilisation utilization")
         .key("line_ends", &T::line_ends, "Rods whose two ends get a history each, ROD_start and ROD_end, with effective "
-             "and wall tension, shear force, bending moment, the axis there, force and moment. gxrod line-ends makes "
-             "a table of them.")
+             "and wall tension, shear force, bending moment, the axis there, force and moment; on a ground also "
+             "ROD_ground, where it touches down. gxrod line-ends makes a table of them.")
             .otherwise("no rod").names_of({"rod"}).also("ends")
         .at_most_one_of({"every", "interval", "times"})
         .shown_by(

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include "machine/file_error.hpp"
 #include "results/file/results_access.hpp"
@@ -14,6 +15,7 @@ namespace gxrod {
 namespace {
 
 constexpr const char* end_quantities[]{"effective_tension", "wall_tension", "shear_force", "bending_moment"};
+constexpr const char* ground_quantities[]{"touch_down_start", "touch_down_end"};
 constexpr double degrees_of_radian = 180.0 / std::numbers::pi;
 constexpr double least_level = 1e-9;  // of an axis of length 1; below, it is upright and has no azimuth
 
@@ -71,21 +73,26 @@ std::vector<double> find_azimuths(const std::vector<double>& axes) {
     return angles;
 }
 
+bool is_touch_down(const Hdf5Reader& file, const std::string& group) {
+    return file.has(group + "/" + ground_quantities[0]) && file.has(group + "/" + ground_quantities[1]);
+}
+
 bool is_line_end(const Hdf5Reader& file, const std::string& group) {
     const std::string at = file.text_attribute(group, "at");
     return (at.ends_with(".start") || at.ends_with(".end")) && file.has(group + "/axis_x") &&
            file.has(group + "/effective_tension");
 }
 
-// Rod by rod, its start first.
+// Rod by rod, its start first, where it lies on the ground last.
 std::vector<std::string> list_line_ends(const Hdf5Reader& file) {
     std::vector<std::pair<std::string, std::string>> found;  // by what sorts them
     for (const std::string& name : file.members("/histories")) {
         const std::string group = "/histories/" + name;
-        if (!file.has_attribute(group, "at") || !is_line_end(file, group)) continue;
+        if (!file.has_attribute(group, "at")) continue;
         const std::string at = file.text_attribute(group, "at");
-        const std::string rod = at.substr(0, at.rfind('.'));
-        found.emplace_back(rod + (at.ends_with(".start") ? " 0" : " 1"), group);
+        if (is_touch_down(file, group)) found.emplace_back(at + " 2", group);
+        if (is_line_end(file, group))
+            found.emplace_back(at.substr(0, at.rfind('.')) + (at.ends_with(".start") ? " 0" : " 1"), group);
     }
     std::ranges::sort(found);
     std::vector<std::string> groups;
@@ -103,10 +110,14 @@ void add_line_end(const Hdf5Reader& file,
         rows.back().quantity = quantity;
         rows.back().dimension = dimension;
     };
-    for (const char* quantity : end_quantities) {
-        const std::string path = group + "/" + quantity;
-        if (file.has(path)) add(quantity, file.text_attribute(path, "dimension"), file.numbers(path));
-    }
+    const auto add_all = [&](std::span<const char* const> quantities) {
+        for (const char* quantity : quantities) {
+            const std::string path = group + "/" + quantity;
+            if (file.has(path)) add(quantity, file.text_attribute(path, "dimension"), file.numbers(path));
+        }
+    };
+    if (is_touch_down(file, group)) return add_all(ground_quantities);
+    add_all(end_quantities);
     const std::vector<double> axes = file.numbers(group + "/axis_x");
     add("declination", "deg", find_declinations(axes));
     add("azimuth", "deg", find_azimuths(axes));
@@ -116,13 +127,20 @@ std::string print_number(double number) { return std::isnan(number) ? "-" : fmt:
 
 }  // namespace
 
+std::vector<LineEndRow> find_line_ends(const Hdf5Reader& file,
+                                       const std::filesystem::path& results,
+                                       const WindowRequest& request) {
+    const std::vector<std::string> groups = list_line_ends(file);
+    if (groups.empty()) return {};
+    const WindowRows window = find_rows(file, results, request);
+    std::vector<LineEndRow> rows;
+    for (const std::string& group : groups) add_line_end(file, group, window, rows);
+    return rows;
+}
+
 std::vector<LineEndRow> read_line_ends(const std::filesystem::path& results, const WindowRequest& request) {
     std::vector<LineEndRow> rows;
-    read_results(results, [&](const Hdf5Reader& file) {
-        rows.clear();
-        const WindowRows window = find_rows(file, results, request);
-        for (const std::string& group : list_line_ends(file)) add_line_end(file, group, window, rows);
-    });
+    read_results(results, [&](const Hdf5Reader& file) { rows = find_line_ends(file, results, request); });
     if (rows.empty())
         throw FileError(
             results, "has no ends of lines", "run it with line_ends = [\"ROD\", …] in [output] of the deck");

@@ -9,16 +9,23 @@
 
 namespace gxrod {
 
-// A quantity at an end of a line: its value when time begins, in a run without time its last one, and its
-// range over a window. Angles are in degrees: the declination of the axis from start to end from the global
-// z axis, and its azimuth from x towards y, within half a turn of its first.
+// A quantity at an end of a line, or the arc length at which it touches the ground: its value when time
+// begins, in a run without time its last one, and its range over a window. Angles are in degrees: the
+// declination of the axis from start to end from the global z axis, and its azimuth from x towards y, within
+// half a turn of its first.
 struct LineEndRow {
-    std::string point;     // "riser.end"
+    std::string point;     // "riser.end"; the rod for where it touches the ground
     std::string quantity;  // "effective_tension"
     std::string dimension;
     double at_rest = 0.0;  // NaN if there was no rest
     RangeOfNumbers range;
 };
+
+// Finds the ends of lines in an open file; empty if it has none. Throws FileError if it has no such stage or
+// no step in the window.
+std::vector<LineEndRow> find_line_ends(const Hdf5Reader& file,
+                                       const std::filesystem::path& results,
+                                       const WindowRequest& request);
 
 // Reads the ends of lines that output.line_ends has recorded. Throws FileError if the results cannot be read
 // or have none, or no such stage or step in the window.

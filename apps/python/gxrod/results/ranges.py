@@ -17,6 +17,7 @@ from .tables import Table
 
 COMPONENTS = {"x": 0, "y": 1, "z": 2}
 END_QUANTITIES = ("effective_tension", "wall_tension", "shear_force", "bending_moment")  # of the histories of an end
+GROUND_QUANTITIES = ("touch_down_start", "touch_down_end")  # of the history of a rod
 LEVEL = 1e-9  # of an axis of length 1: below, it is upright and has no azimuth
 
 
@@ -101,6 +102,10 @@ def is_line_end(history: History) -> bool:
     return history.at.rpartition(".")[2] in ("start", "end") and {"axis_x", "effective_tension"} <= set(history.names)
 
 
+def is_touch_down(history: History) -> bool:
+    return set(GROUND_QUANTITIES) <= set(history.names)
+
+
 def line_end_rows(source: Source, histories: dict[str, History], start: float | None, end: float | None, stage: str | None) -> Table:
     times = source.times
     window = choose_window(source, start, end, stage)
@@ -117,12 +122,16 @@ def line_end_rows(source: Source, histories: dict[str, History], start: float | 
         for key, value in zip(columns, row):
             columns[key].append(value)
 
-    ends = [history for history in histories.values() if is_line_end(history)]
-    for history in sorted(ends, key=lambda history: (history.at.rpartition(".")[0], history.at.endswith(".end"))):
-        for quantity in END_QUANTITIES:
+    def place(history):
+        rod, _, end = history.at.rpartition(".")
+        return (history.at, 2) if is_touch_down(history) else (rod, int(end == "end"))
+
+    for history in sorted(filter(lambda one: is_line_end(one) or is_touch_down(one), histories.values()), key=place):
+        for quantity in GROUND_QUANTITIES if is_touch_down(history) else END_QUANTITIES:
             if quantity in history.names:
                 what = history.describe(quantity)
                 add(history.at, quantity, what.unit or what.dimension, history[quantity])
-        for quantity, values in end_angles(history["axis_x"]).items():
-            add(history.at, quantity, "deg", values)
+        if is_line_end(history):
+            for quantity, values in end_angles(history["axis_x"]).items():
+                add(history.at, quantity, "deg", values)
     return Table("line ends", {key: np.array(values) for key, values in columns.items()} if columns["name"] else {})
