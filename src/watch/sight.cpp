@@ -120,16 +120,20 @@ const PointSurroundings& Sight::around() const {
     return now.bodies.empty() ? none : now.bodies[index<WatchedBody>()];
 }
 
-// A spring exerts the opposite of what the node exerts on it.
-Vec6 Sight::reaction() const {
-    const int node = node_of(of.target);
-    Vec6 sum = now.reactions[static_cast<std::size_t>(node)];
-    for (const std::size_t spring : of.support_springs) {
-        const BushingValues& values = now.ties->of<BushingValues>()[spring];
-        sum.head<3>() -= values.axes * values.force;
-        sum.tail<3>() -= values.axes * values.moment;
-    }
-    return sum;
+// Water presses on a solid section with p in all directions: pressure_force = −p A.
+SectionStress Sight::stress() const {
+    SectionStress found = of.stress->find(section_resultants());
+    const auto& place = std::get<WatchedPoint>(of.target).place;
+    const std::optional<SectionInFluid>& fluid = section_at(*of.model, place).fluid;
+    if (!fluid || !(fluid->area > 0.0)) return found;
+    const double pull = section().surroundings.pressure_force / fluid->area;
+    found.stress.head<3>().array() += pull;
+    found.principal.array() += pull;
+    return found;
+}
+
+std::optional<GroundedPart> Sight::grounded_part() const {
+    return find_grounded_part(*of.model, std::get<WatchedContacts>(of.target).contact.rod, now.nodes);
 }
 
 Vec3 Sight::reaction_force() const { return reaction().head<3>(); }

@@ -57,7 +57,7 @@ struct Sight {
     SeenPoint point() const;
     Vec3 centre_of_mass() const;
     const PointValues& section() const { return now.points[of.point_row]; }
-    SectionStress stress() const { return of.stress->find(section_resultants()); }
+    SectionStress stress() const;  // with the pressure of water on a solid section
     double exposure() const { return of.stress->find_exposure(section_resultants()); }
     const PointSurroundings& around() const;  // of a point or a body
     // Where a rod as a whole lies on the ground; nullopt if it does not.

@@ -204,12 +204,14 @@ shape = {{ rectangle = {{ width_y = 0.03, height_z = 0.05 }} }}
         np.testing.assert_allclose(file["envelopes/exposure/value"][:] * 2e8, file["envelopes/von_mises/value"][:], rtol=1e-9)
         self.assertIn("largest exposure", done.stdout)
         self.assertIn('"von_mises": the section has a law, ', faults)
-        wet = deck(circle().replace("material", "fluid = { drag = 1 }\nmaterial"))
+        wet = deck("shape = { tube = { outer_radius = 0.02, inner_radius = 0.01 } }\nfluid = { drag = 1 }\n" + STEEL)
         wet += "[fluid]\ndensity = 1000\nsurface = 10\n"
-        pressure = "is under the pressure of water or contents, which its stresses leave out"
+        pressure = "is under the pressure of water, and hollow: it displaces more than its material fills"
         self.assertIn('"von_mises": the section ' + pressure, self.faults("gravity = [0, 0, -9.81]\n" + wet))
         self.assertIn("output.stresses: no rod has stresses: beam (its section " + pressure,
                       self.faults("gravity = [0, 0, -9.81]\n" + wet))
+        full = wet.replace("drag = 1", "contents = { density = 1000 }")
+        self.assertIn("is under the pressure of its contents, which its stresses leave out", self.faults("gravity = [0, 0, -9.81]\n" + full))
         self.assertIn('expected one of "von-mises", "tsai-wu", "hashin", "max-stress", found "von-mieses"; did you mean "von-mises"?',
                       self.faults(deck(circle()).replace('"von-mises"', '"von-mieses"')))
         self.assertIn('"exposure": no material of the section has yield_stress or strength',
@@ -217,6 +219,18 @@ shape = {{ rectangle = {{ width_y = 0.03, height_z = 0.05 }} }}
         self.assertIn("history[0].point: goes with stress, von_mises, principal_stress or exposure, which are not among",
                       self.faults(deck(circle()).replace('"force", "moment", "stress", "von_mises", "principal_stress", '
                                                          '"stress_place"', '"force"') + "point = [0, 0]\n"))
+
+    def test_a_solid_rod_in_water_is_pressed_from_all_sides(self):
+        # A bar that hangs upright in deep water, closed at its end: p all around at its lower end, its weight less buoyancy above.
+        text = "gravity = [0, 0, -9.81]\n" + deck("shape = { circle = { radius = 0.02 } }\nfluid = { drag = 1 }\n" + STEEL).replace(
+            "to = [2, 0, 0]", "to = [0, 0, -2]").replace('[[load]]\nat = "beam.end"\nforce = [0, 0, -1]\n', "") + "[fluid]\ndensity = 1000\nsurface = 1000\n"
+        file, _ = self.run_deck(text)
+        pressure, pull = 1000 * 9.81 * 1000, (7850 - 1000) * 9.81 * 2
+        stress = file["histories/root/stress"][-1]
+        np.testing.assert_allclose(stress, [pull - pressure, -pressure, -pressure, 0, 0, 0], atol=2e-4 * pressure)
+        np.testing.assert_allclose(stress[0] - stress[1], pull, rtol=1e-3)
+        np.testing.assert_allclose(file["histories/root/von_mises"][-1], pull, rtol=1e-3)
+        np.testing.assert_allclose(file["histories/root/principal_stress"][-1], [pull - pressure, -pressure, -pressure], rtol=1e-3)
 
     def test_rods_without_stress_are_a_note(self):
         text = deck(circle()) + """[section.other]

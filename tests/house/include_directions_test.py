@@ -16,7 +16,7 @@ DIRECT = {
     "parallel": [],
     "machine": [],
     "rotation": [],
-    "model": ["rotation", "numerics"],
+    "model": ["rotation", "numerics", "cross_section"],
     "cross_section": ["rotation", "numerics"],
     "laws": ["model"],
     "environment": ["model", "machine"],

@@ -6,10 +6,14 @@
 #include <cmath>
 #include <unordered_set>
 
+#include "cross_section/cross_section.hpp"
 #include "model/sections/section_law.hpp"
 
 namespace gxrod {
 namespace {
+
+// By how much the area that displaces water may differ from the area of the cells, relative.
+constexpr double area_of_solid = 1e-3;
 
 // The arc lengths of an element's nodes.
 std::span<const double> nodes_of(const Rod& rod, int element) {
@@ -59,9 +63,21 @@ const Section& section_at(const Model& model, const RodPlace& place) {
 std::string explain_no_stress(const Model& model, const Section& section) {
     if (section.law) return "has a law, " + section.law->describe() + ", of which stresses do not follow";
     if (!section.shape) return "has numbers and no shape";
-    const bool has_pressure =
-        section.fluid && (model.surroundings.water || section.fluid->contents_area > 0.0);
-    return has_pressure ? "is under the pressure of water or contents, which its stresses leave out" : "";
+    if (!section.fluid) return "";
+    if (section.fluid->contents_area > 0.0)
+        return "is under the pressure of its contents, which its stresses leave out";
+    if (!model.surroundings.water) return "";
+    // A solid section under the pressure p of water has the stresses by its effective tension, less p in all
+    // directions.
+    const bool is_solid =
+        !section.other_shape &&
+        std::abs(section.shape->properties.area - section.fluid->area) <= area_of_solid * section.fluid->area;
+    if (!is_solid)
+        return "is under the pressure of water, and hollow: it displaces more than its material fills";
+    const bool has_strength = std::ranges::any_of(
+        section.shape->materials, [](const ElasticMaterial& one) { return one.strength.has_value(); });
+    return has_strength ? "is under the pressure of water, which the strength of its material leaves out"
+                        : "";
 }
 
 double arc_length_at(const Model& model, const RodPlace& place) {

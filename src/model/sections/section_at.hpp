@@ -12,8 +12,8 @@ namespace gxrod {
 const Section& section_at(const Model& model, const RodPlace& place);
 
 // Says why stresses of a section do not follow from its resultants, as what it has or is: "has a law, …"; ""
-// if they do. Where water or contents press on it, its wall carries more than the resultants, and rings of
-// it, too.
+// if they do. Where contents press on it, or water on a hollow section, its wall carries more than the
+// resultants, and rings of it, too.
 std::string explain_no_stress(const Model& model, const Section& section);
 
 // Returns the arc length of a place, from the start of the rod.

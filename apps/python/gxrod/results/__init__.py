@@ -241,7 +241,7 @@ class Results(Shown):
         s: arc length, from the start of the rod. t: time, in statics a load factor; the nearest frame is taken, by default the last. Force and
         moment are linear between the middles of the elements on both sides of s, before the first and behind the last middle
         they go on along the line through the nearest two; so they are smeared where a point load acts or rods meet between two middles. The section is that of
-        the element in which s is. UnknownNameError without stresses there, ValueError if s is not on the rod.
+        the element in which s is. In water the pressure p on a solid section, which adds -p to xx, yy and zz, is left out. UnknownNameError without stresses there, ValueError if s is not on the rod.
         """
         return read_stress(self._source, rod, s, t)
 
