@@ -63,7 +63,7 @@ namespace {
 void check_names(const CheckedTable& deck, FaultList& faults) {
     std::vector<const CheckedTable*> tables;
     std::vector<std::string> kinds = list_tie_words();
-    kinds.insert(kinds.end(), {"rod", "body", "tendon", "obstacle"});
+    kinds.insert(kinds.end(), {"rod", "body", "tendon", "chamber", "obstacle"});
     for (const std::string& kind : kinds) {
         for (const CheckedTable& table : deck.tables(kind)) tables.push_back(&table);
     }

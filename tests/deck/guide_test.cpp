@@ -55,7 +55,8 @@ TEST_CASE("The materials of the guide are sections with laws", "[deck]") {
 
 TEST_CASE("The tendons and muscles of the guide are a deck", "[deck]") {
     const Model model = read(toml_of("tendons.md")).model;
-    REQUIRE(model.tendons.size() == 5);
+    REQUIRE(model.tendons.size() == 6);
+    CHECK(model.tendons[5].tension(0.5) == Approx(-1.5));  // of the chamber
     CHECK(model.tendons[3].friction->coefficient == 0.2);
     CHECK(model.tendons[4].winch->shortening(0.5) == 1e-3);
     CHECK(model.tendons[1].to == Approx(0.375));

@@ -328,6 +328,11 @@ def tendon(deck, draw):
     deck["tendon"] = {"pull": {"on": "beam", "offset": [0, 0.05], "tension": f"{draw.uniform(0.5, 3)}*P"}}
 
 
+@feature("chamber")
+def chamber(deck, draw):
+    deck["chamber"] = {"bellows": {"on": "beam", "offset": [0, 0.05], "area": 0.01, "pressure": f"{draw.uniform(50, 300)}*P"}}
+
+
 @feature("tendon", kinked=True)
 def winch(deck, draw):
     deck["tendon"] = {"winch": {"on": "beam", "offset": [0, 0.05], "shortening": f"{draw.uniform(0.005, 0.02)}*P",

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "deck/drives/tendon_path.hpp"
+#include "deck/drives/chamber_table.hpp"
 #include "deck/joints/joint_table.hpp"
 #include "deck/loads/acting.hpp"
 #include "deck/output/sample_times.hpp"
@@ -146,7 +146,8 @@ void check_functions(const BuildContext& context) {
     if (const CheckedTimeVector* gravity = find_gravity(context.deck)) {
         for (const CheckedTimeFunction& component : *gravity) check(component, times, context);
     }
-    for (const TableSpec* spec : {&load_table(), &tendon_table(), &actuation_table(), &magnetic_table()}) {
+    for (const TableSpec* spec :
+         {&load_table(), &tendon_table(), &chamber_table(), &actuation_table(), &magnetic_table()}) {
         for (const ActingTable& table : tables_of<ActingTable>(context.deck, *spec))
             check_values(table, times, context);
     }

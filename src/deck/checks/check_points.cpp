@@ -144,8 +144,8 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
         const auto is_one = [&](std::string_view key) {
             return find_index(context.deck.tables(key), at).has_value();
         };
-        if (!std::ranges::any_of(list_tie_words(), is_one) && !is_one("tendon") && !is_one("obstacle") &&
-            !(touches_rods && is_one("rod")))
+        if (!std::ranges::any_of(list_tie_words(), is_one) && !is_one("tendon") && !is_one("chamber") &&
+            !is_one("obstacle") && !(has_contact && is_one("rod")))
             points.check_place(table.at);
         if (const auto& other = table.relative_to) points.check(other->word, other->place, other->path);
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "deck/drives/chamber_table.hpp"
 #include "deck/places/part.hpp"
 #include "deck/schema/schema_tables.hpp"
 
@@ -78,16 +79,19 @@ std::optional<TendonRange> find_tendon_range(const TendonTable& tendon, const Bu
 
 std::vector<RodPoint> list_tendon_points(const BuildContext& context) {
     std::vector<RodPoint> points;
-    for (const TendonTable& tendon : tables_of<TendonTable>(context.deck, tendon_table())) {
+    const auto add_all = [&](const TendonTable& tendon) {
         const std::optional<int> rod = find_index(context.deck.tables("rod"), tendon.on.word);
-        if (!rod) continue;
+        if (!rod) return;
         const auto add = [&](double fraction) {
             if (fraction > 0.0 && fraction < 1.0) points.push_back({*rod, fraction});
         };
         for (const auto& row : tendon.offset.rows) add(row[0]);
-        if (!tendon.offset.rows.empty()) continue;
+        if (!tendon.offset.rows.empty()) return;
         add(tendon.from);
         add(tendon.to);
+    };
+    for (const TableSpec* spec : {&tendon_table(), &chamber_table()}) {
+        for (const TendonTable& tendon : tables_of<TendonTable>(context.deck, *spec)) add_all(tendon);
     }
     return points;
 }

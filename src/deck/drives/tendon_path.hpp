@@ -30,6 +30,10 @@ struct TendonRange {
 };
 std::optional<TendonRange> find_tendon_range(const TendonTable& tendon, const BuildContext& context);
 
+// Lays a tendon or a chamber along its rod, without what pulls it; reports faults of its path. nullopt if it
+// has no place.
+std::optional<Tendon> lay_tendon(const TendonTable& given, const BuildContext& context);
+
 // Makes the path of a tendon along a rod of this length, by the arc length. Its slope is exact between rows;
 // the slope of functions has about 12 digits. Calls throw EvaluationError where a function has no finite
 // value.

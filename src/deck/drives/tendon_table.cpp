@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "deck/checks/check_moves.hpp"
+#include "deck/drives/chamber_table.hpp"
 #include "deck/drives/tendon_path.hpp"
 #include "deck/loads/acting.hpp"
 #include "deck/places/part.hpp"
@@ -150,32 +151,41 @@ std::optional<CapstanFriction> make_friction(const TendonTable& given, const Bui
 }
 
 void add_tendon(const TendonTable& given, BuildContext& context) {
-    const std::optional<Part> part = find_part(given, given.on, context);
-    const std::optional<TendonRange> range = find_tendon_range(given, context);
-    if (!part || !range) return;
-    if (rods_of(context.deck)[static_cast<std::size_t>(part->rod)].get().mesh)
-        return context.add_fault(
-            given, given.on, "a rod from a mesh has no tendons; expected one along a line");
-    const double length = rod_of(part->rod, context).length;
+    std::optional<Tendon> tendon = lay_tendon(given, context);
+    if (!tendon) return;
     check_winch_keys(given, context);
     const Acting acting = find_acting(given, context);
-    Tendon tendon{.name = given.name,
-                  .rod = part->rod,
-                  .from = range->from * length,
-                  .to = range->to * length,
-                  .path = make_tendon_path(given.offset, *range, length),
-                  .winch = make_winch(given, length, acting, context),
-                  .friction = make_friction(given, context)};
-    if (!tendon.winch) tendon.tension = acting.apply(given.tension->function);
-    if (context.stage == 0) check_path(given, tendon, context);
-    context.model.tendons.push_back(std::move(tendon));
+    tendon->winch = make_winch(given, rod_of(tendon->rod, context).length, acting, context);
+    tendon->friction = make_friction(given, context);
+    if (!tendon->winch) tendon->tension = acting.apply(given.tension->function);
+    context.model.tendons.push_back(std::move(*tendon));
 }
 
 }  // namespace
 
+std::optional<Tendon> lay_tendon(const TendonTable& given, const BuildContext& context) {
+    const std::optional<Part> part = find_part(given, given.on, context);
+    const std::optional<TendonRange> range = find_tendon_range(given, context);
+    if (!part || !range) return std::nullopt;
+    if (rods_of(context.deck)[static_cast<std::size_t>(part->rod)].get().mesh) {
+        context.add_fault(
+            given, given.on, "a rod from a mesh has no tendons or chambers; expected one along a line");
+        return std::nullopt;
+    }
+    const double length = rod_of(part->rod, context).length;
+    Tendon tendon{.name = given.name,
+                  .rod = part->rod,
+                  .from = range->from * length,
+                  .to = range->to * length,
+                  .path = make_tendon_path(given.offset, *range, length)};
+    if (context.stage == 0) check_path(given, tendon, context);
+    return tendon;
+}
+
 void build_tendons(BuildContext& context) {
     for (const TendonTable& given : tables_of<TendonTable>(context.deck, tendon_table()))
         add_tendon(given, context);
+    build_chambers(context);
 }
 
 }  // namespace gxrod

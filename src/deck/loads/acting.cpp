@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "deck/drives/chamber_table.hpp"
 #include "deck/expressions/load_factor.hpp"
 #include "deck/loads/combinations.hpp"
 #include "deck/schema/schema_tables.hpp"
@@ -263,6 +264,7 @@ void check_stage_names(const BuildContext& context) {
                                   &support_table(),
                                   &joint_table(),
                                   &tendon_table(),
+                                  &chamber_table(),
                                   &actuation_table(),
                                   &magnetic_table(),
                                   &wave_table()}) {

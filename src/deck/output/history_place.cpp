@@ -99,7 +99,7 @@ std::optional<Watched> find_named_thing(const std::string& name, const BuildCont
         if (const std::optional<int> index = find_named(list, name)) tie = WatchedTie{kind, *index};
     });
     if (is_tie) return tie;
-    if (names("tendon")) return find_thing<WatchedTendon>(model.tendons, text);
+    if (names("tendon") || names("chamber")) return find_thing<WatchedTendon>(model.tendons, text);
     if (names("obstacle")) return find_thing<WatchedObstacle>(model.contact.obstacles, text);
     const std::optional<int> whole = find_named(model.rods, text);
     if (whole && (!model.contact.is_empty() || model.surroundings.seabed))

@@ -127,10 +127,10 @@ class Validator {
             return tables != nullptr && tables->node.table() != nullptr && tables->node.find(name) != nullptr;
         };
         std::vector<std::string> kinds = list_tie_words();
-        kinds.insert(kinds.end(), {"tendon", "obstacle", "body"});
+        kinds.insert(kinds.end(), {"tendon", "chamber", "obstacle", "body"});
         for (const std::string& kind : kinds) {
             if (!names(kind, text)) continue;
-            std::vector<std::string> words = list_quantity_words(kind);
+            std::vector<std::string> words = list_quantity_words(kind == "chamber" ? "tendon" : kind);
             if (kind == "joint") leave_out_coordinates(deck_->find(kind)->node.find(text)->node, words);
             return words;
         }

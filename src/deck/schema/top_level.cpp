@@ -1,5 +1,6 @@
 #include "deck/schema/top_level.hpp"
 
+#include "deck/drives/chamber_table.hpp"
 #include "deck/schema/schema.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/sections/shapes/material_tables.hpp"
@@ -69,7 +70,9 @@ void add_actions(Table<TopLevelTable>& table) {
         .tables("combination", KeyShape::named_tables, combination_table())
             .also("combinations load_combination load_combinations combo combos load_cases load_case")
         .tables("tendon", KeyShape::named_tables, tendon_table())
-            .also("tendons actuator actuators wire wires chamber pneumatic")
+            .also("tendons actuator actuators wire wires")
+        .tables("chamber", KeyShape::named_tables, chamber_table())
+            .also("chambers pneumatic pneumatics bellows pressure_chamber fluidic")
         .tables("actuation", KeyShape::table_list, actuation_table())
             .also("actuations muscle muscles thermal heat temperature eigenstrain growth")
         .tables("magnetic", KeyShape::table_list, magnetic_table())

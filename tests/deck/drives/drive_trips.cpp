@@ -55,6 +55,35 @@ std::vector<RoundTrip> tendon_trips() {
              }}};
 }
 
+std::vector<RoundTrip> chamber_trips() {
+    const std::string lines =
+        "[chamber.t]\non = \"r\"\noffset = [0.25, \"s\"]\narea = 0.5\npressure = \"7*t\"\n";
+    const auto first = [](const Problem& p) { return p.model.tendons.at(0); };
+    return {{"chamber.NAME.on", rod_deck + lines, [=](const Problem& p) { return first(p).rod == 0; }},
+            {"chamber.NAME.offset",
+             rod_deck + lines,
+             [=](const Problem& p) { return first(p).path(2.0).at == Vec3(0.0, 0.25, 2.0); }},
+            {"chamber.NAME.area",
+             rod_deck + lines,
+             [=](const Problem& p) { return first(p).tension(2.0) == -7.0; }},
+            {"chamber.NAME.pressure",
+             rod_deck + lines,
+             [=](const Problem& p) { return first(p).tension(3.0) == -10.5; }},
+            {"chamber.NAME.from",
+             rod_deck + lines + "from = 0.25\n",
+             [=](const Problem& p) { return first(p).from == 2.5; }},
+            {"chamber.NAME.to",
+             rod_deck + lines + "to = 0.75\n",
+             [=](const Problem& p) { return first(p).to == 7.5; }},
+            {"chamber.NAME.factor",
+             rod_deck + lines + "factor = 2\n",
+             [=](const Problem& p) { return first(p).tension(3.0) == -21.0; }},
+            {"chamber.NAME.stages", staged(lines + "stages = \"two\"\n"), [=](const Problem& p) {
+                 return first(p).tension(3.0) == 0.0 &&
+                        p.stages[1].actions.tendons.at(0).tension(3.0) == -10.5;
+             }}};
+}
+
 std::vector<RoundTrip> actuation_trips() {
     const std::string begin = "[[actuation]]\non = \"r\"\n";
     const auto with = [=](const std::string& line) { return rod_deck + begin + line; };
@@ -117,6 +146,7 @@ std::vector<RoundTrip> magnetic_trips() {
 
 std::vector<RoundTrip> drive_trips() {
     std::vector<RoundTrip> trips = tendon_trips();
+    for (RoundTrip& trip : chamber_trips()) trips.push_back(std::move(trip));
     for (RoundTrip& trip : actuation_trips()) trips.push_back(std::move(trip));
     for (RoundTrip& trip : magnetic_trips()) trips.push_back(std::move(trip));
     const std::string expanding = replaced(rod_deck, "[rod.r]", "expansion = 1e-5\n[rod.r]");

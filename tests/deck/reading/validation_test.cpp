@@ -19,7 +19,7 @@ colour = 3)")) ==
           "x.toml:13:2: zone: unknown key; known here: title, units, gravity, plane, parameters, function, "
           "input, signal, "
           "section, material, layup, rod, body, spring, bushing, joint, gear, connect, load, tendon, "
-          "actuation, magnetic, "
+          "chamber, actuation, magnetic, "
           "fluid, wave, air, seabed, contact, obstacle, support, initial, rotation, "
           "analysis, "
           "stage, output, history");

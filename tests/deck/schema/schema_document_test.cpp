@@ -58,7 +58,7 @@ TEST_CASE("The examples of the reference, one after the other, are a deck", "[de
     CHECK(problem.model.bodies.size() == 1);
     CHECK(problem.model.loads.size() == 2);
     CHECK(problem.model.distributed_loads.size() == 2);  // one of them magnetic
-    CHECK(problem.model.tendons.size() == 1);
+    CHECK(problem.model.tendons.size() == 2);            // one is a chamber
     CHECK(problem.model.actuations.size() == 1);
     CHECK(problem.model.supports.size() == 2);
     CHECK(problem.output.histories.size() == 1);

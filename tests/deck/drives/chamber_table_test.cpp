@@ -1,0 +1,110 @@
+#include "deck/drives/chamber_table.hpp"
+
+#include <numbers>
+
+#include "deck/decks.hpp"
+#include "face/simulation.hpp"
+#include "tools/catch.hpp"
+
+namespace gxrod::test {
+namespace {
+
+// A soft arm of radius 15 mm and a chamber at its side; it has no weight.
+std::string make_arm(const std::string& chamber, const std::string& analysis = "kind = \"static\"\n") {
+    return R"deck([section.soft]
+shape = { circle = { radius = 0.015 } }
+material = { E = 1e6, nu = 0.5, density = 1000 }
+[rod.arm]
+section = "soft"
+line = { from = [0, 0, 0], to = [0.2, 0, 0] }
+elements = 5
+order = 4
+y_axis = [0, 1, 0]
+[[support]]
+at = "arm.start"
+fix = "all"
+)deck" + chamber +
+           "[[history]]\nname = \"chamber\"\nat = \"left\"\nquantities = [\"tendon_length\", "
+           "\"tendon_tension\"]\n[[history]]\nname = \"tip\"\nat = \"arm.end\"\nquantities = [\"position\", "
+           "\"rotation_vector\"]\n[analysis]\n" +
+           analysis;
+}
+
+const std::string left = "[chamber.left]\non = \"arm\"\noffset = [0, 0.008]\narea = 1.5e-4\npressure = 5e4\n";
+
+constexpr double length = 0.2, area = 1.5e-4, offset = 0.008, pressure = 5e4, modulus = 1e6;
+constexpr double cross_section = std::numbers::pi * 0.015 * 0.015;
+constexpr double second_moment = std::numbers::pi / 4.0 * 0.015 * 0.015 * 0.015 * 0.015;
+
+}  // namespace
+
+TEST_CASE("A chamber bends an arm to the circle of p A d = EI κ and does the work p dV", "[deck]") {
+    Simulation run(read(make_arm(left)));
+    run.run();
+    const double stretch = pressure * area / (modulus * cross_section);
+    const double turn = pressure * area * offset / (modulus * second_moment) * length;  // of the tip
+    CHECK(run["tip"]["rotation_vector"].vector()[1] == Approx(turn).epsilon(1e-9));
+    const double radius = length * (1.0 + stretch) / turn;
+    CHECK(run["tip"]["position"].vector()[0] == Approx(radius * std::sin(turn)).epsilon(1e-9));
+    CHECK(run["tip"]["position"].vector()[2] == Approx(radius * (std::cos(turn) - 1.0)).epsilon(1e-9));
+    // Its middle is longer than the arm by d times the turn of the tip. The pressure grows with the volume.
+    const double longer = length * stretch + offset * turn;
+    CHECK(run["chamber"]["tendon_length"].number() == Approx(length + longer).epsilon(1e-12));
+    CHECK(run["chamber"]["tendon_tension"].number() == Approx(-pressure * area));
+    CHECK(run.ledger().external_work == Approx(0.5 * pressure * area * longer).epsilon(1e-9));
+    CHECK(run.ledger().strain_energy == Approx(0.5 * pressure * area * longer).epsilon(1e-9));
+}
+
+TEST_CASE("Gas that is shut in a chamber follows p V by a continuous signal", "[deck]") {
+    // 2 bar, of which the air outside takes 1, let out within 0.2 s; p V of 0.03 l at 2 bar.
+    const std::string closed =
+        "[chamber.left]\non = \"arm\"\noffset = [0, 0.008]\narea = 1.5e-4\n"
+        "pressure = \"(2e5*0.2/reach - 1e5)*min(5*t, 1)\"\n"
+        "[signal.reach]\nmeasure = \"chamber.tendon_length\"\ncontinuous = true\nstart = 0.2\n";
+    Simulation run(read(make_arm(closed, "kind = \"quasi-static\"\nend_time = 1\ntime_step = 0.1\n")));
+    run.run();
+    // p A (1/EA + d²/EI) L = ℓ − L, and p + 1e5 = 2e5 L/ℓ.
+    const double softness =
+        area * (1.0 / (modulus * cross_section) + offset * offset / (modulus * second_moment));
+    const double b = 1.0 + 1e5 * softness;
+    const double longer = 0.5 * (std::sqrt(b * b + 4.0 * softness * 1e5) - b);
+    CHECK(run["chamber"]["tendon_length"].number() == Approx(length * (1.0 + longer)).epsilon(1e-6));
+}
+
+TEST_CASE("A chamber has the form of its pressure in time, factors and stages", "[deck]") {
+    const std::string pulsed =
+        "[chamber.left]\non = \"arm\"\noffset = [[0.25, 0.01, 0], [0.75, 0.02, 0.004]]\narea = 2\n"
+        "pressure = \"7*t\"\nfactor = 3\n";
+    const Tendon chamber = read(make_arm(pulsed)).model.tendons.at(0);
+    CHECK(chamber.tension(0.5) == Approx(-21.0));
+    CHECK(chamber.from == Approx(0.05));
+    CHECK(chamber.path(0.1).at == Vec3(0.0, 0.015, 0.002));
+    const Problem twice =
+        read(make_arm("[tendon.other]\non = \"arm\"\noffset = [0, 0]\ntension = 1\n" + left));
+    CHECK(twice.model.tendons.at(1).name == "left");
+    CHECK(twice.model.tendons.at(1).tension(1.0) == Approx(-7.5));
+}
+
+TEST_CASE("Wrong chambers are faults", "[deck]") {
+    const auto fault = [](const std::string& chamber) {
+        try {
+            read(make_arm(chamber));
+        } catch (const DeckError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    using Catch::Matchers::Contains;
+    CHECK_THAT(fault("[chamber.left]\non = \"arm\"\noffset = [0, 0]\narea = 0\npressure = 1\n"),
+               Contains("chamber.left.area"));
+    CHECK_THAT(fault("[chamber.left]\non = \"arn\"\noffset = [0, 0]\narea = 1\npressure = 1\n"),
+               Contains("chamber.left.on") && Contains("arm"));
+    CHECK_THAT(fault("[chamber.left]\non = \"arm\"\noffset = [0, 0]\narea = 1\n"), Contains("pressure"));
+    CHECK_THAT(fault(left + "from = 0.5\nto = 0.25\n"), Contains("from < to"));
+    CHECK_THAT(fault("[tendon.left]\non = \"arm\"\noffset = [0, 0]\ntension = 1\n" + left),
+               Contains("has this name too"));
+    CHECK_THAT(fault("[chamber.left]\non = \"arm\"\noffset = [0, 0]\narea = 1\npressure = \"1/(t - 1)\"\n"),
+               Contains("inf at t = 1"));
+}
+
+}  // namespace gxrod::test
