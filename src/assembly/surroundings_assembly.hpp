@@ -62,9 +62,9 @@ class SurroundingsAssembly : public Contribution {
                                           double time,
                                           const RodPlace& place,
                                           const ShapeValues& shapes) const;
-    // Compute for frames p_i A_i − p_o A_o at the middle of each element of the model's rods, and the force of
-    // the ground per length at each of its nodes; zero where nothing presses, empty if nothing can. Both are
-    // valid until the next call.
+    // Compute for frames p_i A_i − p_o A_o at the middle of each element of the model's rods, and the force
+    // of the ground per length at each of its nodes; zero where nothing presses, empty if nothing can. Both
+    // are valid until the next call.
     std::span<const double> compute_pressure_forces(const State& state, double time) const;
     std::span<const Vec3> compute_bed_forces(const State& state) const;
     PointSurroundings compute_body_value(const State& state, double time, std::size_t body) const;

@@ -32,9 +32,9 @@ class SystemValues {
                                                   const std::vector<RodPlace>& places) const;
     // Computes the surroundings of Model::bodies at the trial motions; empty without surroundings.
     std::vector<PointSurroundings> compute_body_surroundings(const State& state, double time) const;
-    // Computes p_i A_i − p_o A_o at the middles of all rod elements at the trial motions, and the force of the
-    // ground per length at each node; both are valid until the next call. Empty where the model has no such
-    // surroundings.
+    // Computes p_i A_i − p_o A_o at the middles of all rod elements at the trial motions, and the force of
+    // the ground per length at each node; both are valid until the next call. Empty where the model has no
+    // such surroundings.
     std::span<const double> compute_pressure_forces(const State& state, double time) const;
     std::span<const Vec3> compute_bed_forces(const State& state) const;
     // Calls visit(block, instant) for the elements of each kind, with what acts within sections at the trial

@@ -58,7 +58,8 @@ double find_rate(const TimeFunction& velocity, double time) {
     return (4.0 * velocity(time + step) - 3.0 * velocity(time) - velocity(time + 2.0 * step)) / (2.0 * step);
 }
 
-// (W20), without the part that thrusts and pulls have: the force that turning and acceleration of the flow exert, per length.
+// (W20), without the part that thrusts and pulls have: the force that turning and acceleration of the flow
+// exert, per length.
 MotionLoad make_flow_load(const PipeFlow& flow, const Rod& rod, bool has_rate) {
     MotionLoad load;
     load.has_force = load.turns = true;

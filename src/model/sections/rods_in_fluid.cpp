@@ -6,8 +6,8 @@ namespace gxrod {
 namespace {
 
 bool has_fluid_section(const Model& model) {
-    return std::ranges::any_of(
-        model.rods, [&](const Rod& rod) { return fluid_section_at(model, rod, 0) != nullptr; });
+    return std::ranges::any_of(model.rods,
+                               [&](const Rod& rod) { return fluid_section_at(model, rod, 0) != nullptr; });
 }
 
 }  // namespace

@@ -240,9 +240,10 @@ TEST_CASE("Histories of what touches a rod", "[deck][touch]") {
                Contains("\"a\" does not touch itself: [contact] leaves it out"));
     CHECK_THAT(faults(history("at = \"a.end\"\nwith = \"floor\"\nquantities = \"position\"\n")),
                Contains("with: goes with a rod as a whole as `at`"));
-    CHECK_THAT(faults(history("at = \"a\"\nquantities = \"position\"\n")),
-               Contains("a rod as a whole has contact and touch-down quantities only; expected a point of it, as in "
-                        "\"ROD@0.5\""));
+    CHECK_THAT(
+        faults(history("at = \"a\"\nquantities = \"position\"\n")),
+        Contains("a rod as a whole has contact and touch-down quantities only; expected a point of it, as in "
+                 "\"ROD@0.5\""));
     CHECK_THAT(faults(history("at = \"a.end\"\nquantities = \"contact_force\"\n")),
                Contains("only obstacles have it, and rods as a whole"));
     // Without contact a rod is not a point.

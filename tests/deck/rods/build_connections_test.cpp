@@ -117,8 +117,9 @@ TEST_CASE("Connections name two points of rods at least", "[deck]") {
     CHECK(
         faults_of(branch + "[[connect]]\npoints = \"r.end\"\n") ==
         R"(x.toml:24:10: connect[0].points: expected an array of points, such as ["leg.end", "beam.start"], with * for any letters, or "coincident", found the text "r.end")");
-    CHECK(faults_of(branch + connect(R"("r.end", 3)")) ==
-          R"(x.toml:24:20: connect[0].points[1]: expected an array of points, such as ["leg.end", "beam.start"], with * for any letters, or "coincident", found 3)");
+    CHECK(
+        faults_of(branch + connect(R"("r.end", 3)")) ==
+        R"(x.toml:24:20: connect[0].points[1]: expected an array of points, such as ["leg.end", "beam.start"], with * for any letters, or "coincident", found 3)");
     CHECK(faults_of(branch + connect(R"("r.end", "q.strt")")) ==
           R"(x.toml:24:20: connect[0].points[1]: no point "q.strt"; did you mean "q.start"?)");
     CHECK(
