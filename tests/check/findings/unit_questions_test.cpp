@@ -1,5 +1,7 @@
 #include "check/findings/unit_questions.hpp"
 
+#include <fmt/format.h>
+
 #include "deck/decks.hpp"
 #include "tools/catch.hpp"
 
