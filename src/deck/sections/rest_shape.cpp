@@ -140,7 +140,7 @@ std::optional<RestCurve> find_rest_curve(const RodTable& table,
 RestCurve make_straight_rest(double length, const SectionTwist& twist) {
     std::vector<std::unique_ptr<Curve>> pieces;
     pieces.push_back(std::make_unique<LineCurve>(Vec3::Zero(), length * Vec3::UnitX()));
-    return {Centreline(std::move(pieces)), Quat::Identity(), twist};
+    return {Centreline(std::move(pieces)), {Quat::Identity()}, twist};
 }
 
 void add_corners(const std::vector<double>& corners, RodBreaks& breaks) {
