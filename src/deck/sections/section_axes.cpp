@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "deck/loads/gravity_table.hpp"
 #include "deck/schema/top_level.hpp"
 #include "rotation/rotation_map.hpp"
 #include "rotation/vector_text.hpp"
@@ -79,8 +80,9 @@ Vec3 find_up(const BuildContext& context) {
     const TopLevelTable& top = top_level_of(context.deck);
     Vec3 gravity = Vec3::Zero();
     try {
-        for (int i = 0; top.gravity && i < 3; ++i)
-            gravity[i] = (*top.gravity)[static_cast<std::size_t>(i)].function(1.0);
+        const CheckedTimeVector* given = find_gravity(context.deck);
+        for (int i = 0; given != nullptr && i < 3; ++i)
+            gravity[i] = (*given)[static_cast<std::size_t>(i)].function(1.0);
     } catch (const EvaluationError&) {
         gravity.setZero();  // what has no value is a fault of its own
     }
