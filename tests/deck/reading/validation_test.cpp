@@ -16,9 +16,11 @@ colour = 3)")) ==
           "rotation_vector, velocity, angular_velocity, angular_velocity_material, sphere, capsule, fluid, "
           "copies");
     CHECK(faults_of(rod_deck + "[zone.a]") ==
-          "x.toml:13:2: zone: unknown key; known here: title, units, gravity, plane, parameters, function, "
+          "x.toml:13:2: zone: unknown key; known here: title, units, gravity, plane, apply, parameters, "
+          "function, "
           "input, signal, "
-          "section, material, layup, rod, body, spring, bushing, joint, gear, connect, load, tendon, "
+          "section, material, layup, rod, body, spring, bushing, joint, gear, connect, imperfection, load, "
+          "combination, tendon, "
           "chamber, actuation, magnetic, "
           "fluid, wave, air, seabed, contact, obstacle, support, initial, rotation, "
           "analysis, "
@@ -75,18 +77,18 @@ steps = 10
     CHECK(faults_of(body_deck + R"([[load]]
 at = "top")") == "x.toml:8:1: load[0]: missing; expected force or moment");
     CHECK(faults_of(body_deck + R"([[load]]
-force = [0, 0, 1])") == "x.toml:8:1: load[0]: missing; expected at or on");
+force = [0, 0, 1])") == "x.toml:8:1: load[0]: missing; expected at or on or where");
     CHECK(faults_of(rod_deck + R"([[load]]
 on = "r")") == "x.toml:13:1: load[0]: missing; expected force_per_length or moment_per_length");
     CHECK(faults_of(body_deck + "[function.f]") ==
           "x.toml:8:1: function.f: missing; expected table or file or expression");
     CHECK(faults_of(body_deck + "[[history]]") ==
           R"(x.toml:8:1: history[0].name: missing; expected text
-x.toml:8:1: history[0].at: missing; expected a point, such as "rod.end", "rod@0.25" or "body"
+x.toml:8:1: history[0].at: missing; expected a point, such as "rod.end", "rod@0.25" or "body", with * for any letters, or an array of points
 x.toml:8:1: history[0].quantities: missing; expected one or a list of )" +
               quoted_list(list_quantity_words()));
     CHECK(faults_of(body_deck + "[[support]]") ==
-          R"(x.toml:8:1: support[0].at: missing; expected a point, such as "rod.end", "rod@0.25" or "body"
+          R"(x.toml:8:1: support[0]: missing; expected at or where
 x.toml:8:1: support[0]: missing; expected fix or move = { … } or stiffness = { … } or damping = { … })");
 }
 

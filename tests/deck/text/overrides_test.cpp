@@ -73,7 +73,7 @@ TEST_CASE("Values of --set are checked as those of a deck", "[deck]") {
     CHECK(
         faults_of(rod_deck, {"analysis.steps=true", "rod.r.colour=red"}) ==
         R"(--set analysis.steps=true: expected an integer from 1 to 1000000000000 or an expression, found a boolean
---set rod.r.colour=red: unknown key; known here: section, sections, line, arc, helix, polyline, spline, catenary, mesh, elements, spacing, order, element, y_axis, twist, rest, copies)");
+--set rod.r.colour=red: unknown key; known here: section, sections, line, arc, helix, polyline, spline, catenary, mesh, elements, spacing, order, element, y_axis, z_axis, twist, rest, hinges, copies)");
     CHECK(faults_of(replaced(rod_deck, "steps = 10", "steps = 0"), {"rod.r.elements=0"}) ==
           R"(x.toml:12:9: analysis.steps: expected an integer from 1 to 1000000000000, found 0
 --set rod.r.elements=0: expected an integer from 1 to 10000000, found 0)");
