@@ -573,6 +573,14 @@ def current(deck, draw):
     deck["fluid"] = {"density": 100.0, "current": {"velocity": [0, f"{draw.uniform(0.1, 0.5)}*P", 0]}}
 
 
+@feature("fluid", damped=True)
+def turning_current(deck, draw):
+    wet(deck)
+    rows = [[-1, draw.uniform(0.1, 0.5), 0], [1, 0.2, draw.uniform(30, 200)]]
+    deck["fluid"] = {"density": 100.0, "current": {"table": rows, "factor": "P"}}
+    deck.setdefault("output", {})["line_ends"] = next(iter(deck["rod"]))
+
+
 @feature("fluid", damped=True, timed=True)
 def wave(deck, draw):
     wet(deck)
