@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -111,7 +112,7 @@ def line_end_rows(source: Source, histories: dict[str, History], start: float | 
     window = choose_window(source, start, end, stage)
     rows = rows_within(times, window)
     settled = np.flatnonzero(times <= 0.0) if source.time_name == "time" else [len(times) - 1]
-    columns: dict[str, list] = {key: [] for key in ("name", "quantity", "unit", "static", "least", "time_of_least", "largest", "time_of_largest", "mean")}
+    columns: dict[str, list[Any]] = {key: [] for key in ("name", "quantity", "unit", "static", "least", "time_of_least", "largest", "time_of_largest", "mean")}
 
     def add(at, quantity, unit, values):
         own = values[rows]
