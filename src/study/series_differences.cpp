@@ -20,9 +20,14 @@ double length(const HistoryRow& row) {
     return std::sqrt(sum);
 }
 
+// NaN where a thing has no value, such as a touch-down of a line that touches nowhere.
+bool are_missing(double one, double other) { return std::isnan(one) && std::isnan(other); }
+
 HistoryRow combine(const HistoryRow& one, double factor, const HistoryRow& other) {
     HistoryRow sum = one;
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += factor * other[i];
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+        sum[i] = are_missing(one[i], other[i]) ? 0.0 : one[i] + factor * other[i];
+    }
     return sum;
 }
 
@@ -65,7 +70,8 @@ std::vector<double> compute_differences(const Series& series,
 }
 
 bool is_same(const Series& series, const HistoryRow& one, const HistoryRow& other) {
-    if (one == other) return true;
+    const auto is_alike_or_missing = [](double a, double b) { return a == b || are_missing(a, b); };
+    if (std::ranges::equal(one, other, is_alike_or_missing)) return true;
     return series.is_rotation() && one == HistoryRow{-other[0], -other[1], -other[2], -other[3]};
 }
 

@@ -313,6 +313,51 @@ class Lines(ProgramTest):
             self.write("wrong.toml", ROPE.replace("TABLE", table))
             self.assertIn(fault, self.gxrod("check", "wrong.toml", code=2).stderr)
 
+    def test_a_rope_that_hangs(self):
+        weight = (300 - 1025 * np.pi * 0.1**2) * 9.81
+        text = """gravity = [0, 0, -9.81]
+[fluid]
+density = 1025
+surface = 0
+[section.rope]
+stiffness = { EA = 2e7, GAy = 1e6, GAz = 1e6, GJ = 10, EIy = 10, EIz = 10 }
+inertia = { rhoA = 300, rhoIy = 0.2, rhoIz = 0.2 }
+fluid = { outer_diameter = 0.2 }
+law = { tension_strain = { table = [[0, 0], [0.01, 2e5], [0.03, 1e6], [0.04, 2e6]] } }
+[rod.rope]
+section = "rope"
+catenary = { from = [0, 0, -100], to = [150, 0, -0.01], length = 182 }
+elements = 60
+order = 2
+[[support]]
+at = "rope.start"
+fix = ["position", "rx", "rz"]
+[[support]]
+at = "rope.end"
+fix = ["position", "rx", "rz"]
+[output]
+line_ends = ["rope"]
+[analysis]
+kind = "static"
+steps = 1
+"""
+        points, weights = np.polynomial.legendre.leggauss(4)
+        s = (np.arange(200)[:, None] + 0.5 * (1 + points)).ravel() * 182 / 200
+        share = np.tile(0.5 * weights * 182 / 200, 200)
+
+        def miss(x):
+            vertical = x[1] + weight * s
+            tension = np.hypot(x[0], vertical)
+            stretched = share * (1 + np.interp(tension, [0, 2e5, 1e6, 2e6], [0, 0.01, 0.03, 0.04])) / tension
+            return np.array([(stretched * x[0]).sum() - 150, (stretched * vertical).sum() - 99.99])
+
+        x = np.array([3e5, 5e4])
+        for _ in range(30):
+            x -= np.linalg.solve(np.transpose([(miss(x + h) - miss(x)) / 10 for h in 10 * np.eye(2)]), miss(x))
+        file = self.run_deck(text, "rope")
+        self.assertAlmostEqual(file["histories/rope_start/effective_tension"][-1] / np.hypot(*x), 1, delta=1e-5)
+        self.assertAlmostEqual(file["histories/rope_end/effective_tension"][-1] / np.hypot(x[0], x[1] + 182 * weight), 1, delta=1e-6)
+
     def test_faults(self):
         def told(text):
             self.write("wrong.toml", text)
