@@ -557,9 +557,20 @@ def test_columns_by_the_names_of_version_1_are_read_so(lines):
     assert (chain.drag, chain.added_mass) == ((0.64, 0.5), (1.37, 1.0))
 
 
+def test_tables_of_stiffness_are_laws(lines):
+    edit(lines, "8.0e8", "stretch.txt")
+    table = lines.with_name("stretch.txt")
+    table.write_text("Strain Tension\n(-) (N)\n0 0\n0.01 2e6\n0.03 1e7\n", encoding="utf-8")
+    section = is_taken(lines)["section"]["chain"]
+    assert section["law"] == {"tension_strain": {"table": [[0, 0], [0.01, 2e6], [0.03, 1e7]]}} and section["stiffness"]["EA"] == 2e8
+    table.write_text("Strain Tension\n(-) (N)\n0.01 2e6\n0.03 1e7\n", encoding="utf-8")
+    with pytest.raises(FileError, match=r"lines.txt:6: stretch.txt: expected two lines of a head, then rows of a strain and a tension that rise from 0 0"):
+        read_moordyn(lines)
+
+
 FAULTS = [
     ("LINE TYPES", "TYPES OF LINES", r"lines.txt: there is no section LINE TYPES with rows; give a whole input file of MoorDyn, version 2"),
-    ("8.0e8", "stiff.txt", r'lines.txt:6: expected a number for EA; tables of stiffness are not imported, found "stiff.txt"; give a number'),
+    ("8.0e8", "stiff.txt", r'lines.txt:6: EA is neither a number nor a file of strains and tensions: "stiff.txt" is not there'),
     ("chain      0.2 ", "chain      0.0 ", r"lines.txt:6: diameter, mass and EA must be above 0"),
     ("1.37   1.0    0.64    0.5", "1.37", r"lines.txt:6: expected 8 columns or more \(Ca\), found 7; correct this line; files of MoorDyn's version 1 have others"),
     ("1     Fixed ", "1     Glued ", r'lines.txt:11: expected Fixed, Coupled, Free or a body, found "Glued"; correct this line'),

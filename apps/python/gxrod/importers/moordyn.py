@@ -11,7 +11,7 @@ from ..typed import AnyPath, Array
 from .mooring import Body, Line, LineType, Mooring, Place, Vector
 from .moordyn_bodies import completed, cylinder, euler_rotation, joined, point_mass, rotation_vector_of
 from .moordyn_ground import read_ground
-from .text import Lines, UnusedKeys, find_beside, to_number
+from .text import Lines, UnusedKeys, find_beside, read_text, to_number
 
 SECTIONS = {"types": ("LINE TYPES", "LINE DICTIONARY"), "rod types": ("ROD TYPES", "ROD DICTIONARY"), "bodies": ("BODIES", "BODY LIST", "BODY PROPERTIES"),
             "rods": ("RODS", "ROD LIST", "ROD PROPERTIES"), "points": ("POINTS", "POINT LIST", "POINT PROPERTIES", "CONNECTION PROPERTIES", "NODE PROPERTIES"),
@@ -47,7 +47,7 @@ def is_moordyn(text: str) -> bool:
 def read_moordyn(path: AnyPath) -> Mooring:
     """The lines of a MoorDyn file (version 2), with water and ground.
 
-    Bodies and rods that are free are rigid bodies. Not read: waves and currents, failures, tables of stiffness. Lines on other bodies and rods are held where these are. `notes` and `warnings`
+    Bodies and rods that are free are rigid bodies. Not read: waves and currents, failures. Lines on other bodies and rods are held where these are. `notes` and `warnings`
     say what was left out; `warnings` what changes the results.
 
     Raises FileError, with file, line, what was expected and what to do.
@@ -187,7 +187,7 @@ class Reader:
     def read_type(self, row: Row) -> LineType:
         head = [word.lower() for word in self.tables["types"][0].words]
         columns = ("Diam", "Mass/m", "EA", "BA/-zeta", "EI", "Cd", "Ca", "CdAx", "CaAx")
-        EA = self.stiffness(row)
+        EA, stretch = self.stiffness(row)
         damping = self.number(Row([*row.words[:4], row.words[4].split("|")[0], *row.words[5:]], row.line), 4, "BA/-zeta") if len(row.words) > 4 else 0.0
         diameter, mass, _, _, EI, *coefficients = (EA if i == 3 else damping if i == 4 else self.number(row, i, name) for i, name in enumerate(columns, 1))
         Cd, Ca, CdAx, CaAx = coefficients
@@ -200,13 +200,31 @@ class Reader:
             self.notes.append("damping by a ratio (BA/-zeta below 0) was left out: it damps the segments of MoorDyn's mesh")
         if len(row.words) > 10 and to_number(row.words[10]):
             self.warnings.append("the lift by vortices (Cl) was left out")
-        return LineType(row.words[0], diameter, mass, EA, EI, max(damping, 0.0), (Cd, CdAx), (Ca, CaAx))
+        return LineType(row.words[0], diameter, mass, EA, EI, max(damping, 0.0), (Cd, CdAx), (Ca, CaAx), stretch=stretch)
 
-    def stiffness(self, row: Row) -> float:
+    def stiffness(self, row: Row) -> tuple[float, list[tuple[float, float]]]:
+        """EA; of a file of strains and tensions its first slope, and its rows."""
         if len(row.words) > 3 and "|" in row.words[3]:
             self.warnings.append(f'of the stiffnesses "{row.words[3]}" of {row.words[0]} the first one was taken, the static one; see `law` for ropes that relax')
             row = Row([*row.words[:3], row.words[3].split("|")[0]], row.line)
-        return self.number(row, 3, "EA; tables of stiffness are not imported")
+        if len(row.words) > 3 and to_number(row.words[3]) is None:
+            rows = self.read_stretch(row)
+            return rows[1][1] / rows[1][0], rows
+        return self.number(row, 3, "EA"), []
+
+    def read_stretch(self, row: Row) -> list[tuple[float, float]]:
+        """Rows (strain, tension) from (0, 0) on, of a file whose first two lines are a head."""
+        folder = self.lines.path.resolve().parent
+        found, tried = find_beside(row.words[3], [folder, *folder.parents[:2]])
+        if found is None:
+            raise self.fault(row, f'EA is neither a number nor a file of strains and tensions: "{row.words[3][:40]}" is not there (tried {", ".join(map(str, tried))})', "give one of them")
+        words = [line.split() for line in read_text(found).splitlines()[2:] if line.strip()]
+        numbers = [[to_number(word) for word in each[:2]] for each in words]
+        rows = [(each[0], each[1]) for each in numbers if len(each) == 2 and each[0] is not None and each[1] is not None]
+        rises = all(a[0] < b[0] and a[1] <= b[1] for a, b in zip(rows, rows[1:]))
+        if len(rows) != len(words) or len(rows) < 2 or rows[0] != (0.0, 0.0) or rows[1][1] <= 0.0 or not rises:
+            raise self.fault(row, f"{row.words[3]}: expected two lines of a head, then rows of a strain and a tension that rise from 0 0", "correct the file")
+        return rows
 
     # Points, and what else lines end on
 

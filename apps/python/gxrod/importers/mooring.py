@@ -17,7 +17,7 @@ class LineType:
 
     `name`. `diameter`: that of a cylinder that displaces as much water. `mass`: per length, in air. `EA`, `EI`: axial and bending stiffness; EI 0 if the file has none.
     `damping`: axial, force per rate of strain. `drag`: coefficients across the line, and along it on the surface π × diameter. `added_mass`: across and along it, of the mass
-    of the water that it displaces. `notes`: what of a library was not used.
+    of the water that it displaces. `notes`: what of a library was not used. `stretch`: rows of strain and tension, from (0, 0) on, in place of EA, which is then the first slope.
     """
 
     name: str
@@ -29,6 +29,7 @@ class LineType:
     drag: tuple[float, float] = (0.0, 0.0)
     added_mass: tuple[float, float] = (0.0, 0.0)
     notes: list[str] = field(default_factory=list)
+    stretch: list[tuple[float, float]] = field(default_factory=list)
 
     def submerged_weight(self, density: float, gravity: float) -> float:
         """Per length; negative of what floats."""

@@ -156,6 +156,9 @@ def section(kind: LineType, name: str, bends: tuple[float, str], is_wet: bool = 
     lines = [f"# GA and GJ are those of a solid rod of nu = {POISSON:g} with this EA and EI; rotary inertia is that of a cylinder.", *([comment] if comment else []), f"[section.{name}]",
              f"stiffness = {{ EA = {short(kind.EA)}, GAy = {short(across)}, GAz = {short(across)}, GJ = {short(EI / (1.0 + POISSON))}, EIy = {short(EI)}, EIz = {short(EI)} }}",
              f"inertia   = {{ rhoA = {number(kind.mass)}, rhoIy = {short(rotary)}, rhoIz = {short(rotary)} }}"]
+    if kind.stretch:
+        rows = ", ".join(f"[{number(strain)}, {number(tension)}]" for strain, tension in kind.stretch)
+        lines.append(f"law       = {{ tension_strain = {{ table = [{rows}] }} }}")
     if kind.damping > 0.0:
         lines.append(f"damping   = {{ kelvin_voigt = [{short(kind.damping / kind.EA)}, 0, 0, 0, 0, 0] }}")
     if not is_wet:
