@@ -223,6 +223,7 @@ void FrameTable::append(const Snapshot& snapshot) {
 }
 
 void FrameTable::append_points(const Snapshot& snapshot) {
+    const bool has_ground = has_rods_on_ground(*model_);
     for (std::size_t i = 0; i < snapshot.nodes.size(); ++i) {
         const NodeMotion& node = snapshot.nodes[i];
         const Mat3 axes = (node.Lambda * mesh_.triads[i]).toRotationMatrix();
@@ -242,13 +243,14 @@ void FrameTable::append_points(const Snapshot& snapshot) {
             points_[9].append(numbers(force));
             points_[10].append(snapshot.contact_gaps.empty() ? 0.0 : snapshot.contact_gaps[i]);
         }
-        if (has_rods_on_ground(*model_)) points_.back().append(numbers(snapshot.bed_forces[i]));
+        if (has_ground) points_.back().append(numbers(snapshot.bed_forces[i]));
         flush_if_much(points_);
     }
 }
 
 void FrameTable::append_cells(const Snapshot& snapshot) {
     static const SectionValues none{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Quat::Identity()};
+    const bool has_water = has_rods_in_water(*model_);
     for (std::size_t i = 0; i < mesh_.cell_count(); ++i) {
         const SectionValues& section = i < snapshot.elements.size() ? snapshot.elements[i] : none;
         cells_[0].append(numbers(section.force));
@@ -257,7 +259,7 @@ void FrameTable::append_cells(const Snapshot& snapshot) {
         cells_[3].append(numbers(section.curvature));
         cells_[4].append(mesh_.cell_radius[i]);
         std::size_t next = 5;
-        if (has_rods_in_water(*model_)) {
+        if (has_water) {
             const bool is_rod = i < snapshot.pressure_forces.size();
             cells_[next++].append(is_rod ? section.force.x() + snapshot.pressure_forces[i] : 0.0);
         }
