@@ -87,8 +87,13 @@ def find_range(rod: Rod, quantity: str, start: float | None, end: float | None, 
     times = times[rows]
     what = rod.describe(name)
     s = rod.arc_length if values.shape[1] == len(rod.arc_length) else rod.cell_arc_length
+    known = ~np.isnan(values)  # frames before a resumed run wrote the quantity are NaN
+    least, largest = np.where(known, values, np.inf).argmin(axis=0), np.where(known, values, -np.inf).argmax(axis=0)
+    places = np.arange(values.shape[1])
+    with np.errstate(invalid="ignore"):
+        mean = np.where(known, values, 0.0).sum(axis=0) / known.sum(axis=0)
     return Range(rod.name, quantity, what.unit or what.dimension, (float(times[0]), float(times[-1])), len(rows), s,
-                 values.min(axis=0), values.max(axis=0), values.mean(axis=0), times[values.argmin(axis=0)], times[values.argmax(axis=0)])
+                 values[least, places], values[largest, places], mean, times[least], times[largest])
 
 
 def end_angles(axis: Array) -> dict[str, Array]:
