@@ -5,6 +5,7 @@ include(CMakePackageConfigHelpers)
 
 set(gxrod_share "${CMAKE_INSTALL_DATADIR}/gxrod")
 install(TARGETS gxrod RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(TARGETS gxrod_fmu LIBRARY DESTINATION lib/gxrod COMPONENT program)
 # All pages, so that those of the examples find their pictures and what they link to.
 install(DIRECTORY docs/ DESTINATION ${gxrod_share} COMPONENT program
   PATTERN __pycache__ EXCLUDE PATTERN "*.vtkhdf" EXCLUDE PATTERN "*.json" EXCLUDE

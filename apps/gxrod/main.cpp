@@ -94,6 +94,7 @@ int run_program(int argc, char** argv) {
     gxrod::add_export_verb(program, exit_code);
     gxrod::add_line_ends_verb(program, exit_code);
     gxrod::add_report_verb(program, exit_code);
+    gxrod::add_fmu_verb(program, exit_code);
     gxrod::add_verify_verb(program, exit_code);
     gxrod::add_schema_verb(program, exit_code);
     try {

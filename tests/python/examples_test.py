@@ -48,7 +48,7 @@ def is_stated(name, printed):
 
 def test_each_has_page_picture_and_command():
     folders = [path for path in FOLDER.iterdir() if path.is_dir()]
-    assert len(folders) == 9
+    assert len(folders) == 10
     guide = (SOURCE / "docs" / "guide" / "python.md").read_text(encoding="utf-8")
     for folder in folders:
         name = folder.name
@@ -175,3 +175,10 @@ def test_torch_control(run):
     assert is_stated("torch_control", done.printed)
     assert done.exact == pytest.approx(done.difference, rel=1e-5)
     assert done.worst < 0.012 and done.misses[-1] < 0.05 * done.misses[0]
+
+
+def test_fmu_control(run):
+    pytest.importorskip("fmpy")
+    done = run("fmu_control")
+    assert is_stated("fmu_control", done.printed)
+    assert done.problems == [] and done.difference == 0.0
