@@ -325,6 +325,8 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
     state_.carried_previous = state_.carried_trial = record.carried;
     state_.time = state_.trial_time = steps_->time();
     Contacts(system_).search(state_);
+    point_values_ = SystemValues(system_).compute_point_values(state_, state_.time, watched_);
+    body_values_ = SystemValues(system_).compute_body_surroundings(state_, state_.time);
     resume_pivots(record.negative_pivots);
     reactions_.assign(nodes, Vec6::Zero());
     ledger_ = std::make_unique<Ledger>(system_, *integrator_);

@@ -201,8 +201,13 @@ void Simulation::add_row(std::size_t history,
 }
 
 std::vector<double> Simulation::compute(std::size_t history, std::size_t quantity) {
+    return compute({{history, quantity}});
+}
+
+std::vector<double> Simulation::compute(const std::vector<RecordedQuantity>& quantities) {
+    const Snapshot snapshot = run_->take_snapshot(false);
     std::vector<double> values;
-    add_row(history, quantity, run_->take_snapshot(false), values);
+    for (const auto& [history, quantity] : quantities) add_row(history, quantity, snapshot, values);
     return values;
 }
 

@@ -34,6 +34,12 @@ struct SmallMotionMatrices {
     StateMatrices values;
 };
 
+// A quantity of a history, by index in the deck's histories and in the history's quantities.
+struct RecordedQuantity {
+    std::size_t history;
+    std::size_t quantity;
+};
+
 // A run of a problem, step by step through all its stages:
 //
 //     gxrod::Simulation run(gxrod::Deck("swing.toml").build());
@@ -112,6 +118,8 @@ class Simulation {
     // Return quantities of histories by index, and what was kept of each step, t = 0 included.
     std::vector<std::string> list_quantities(std::size_t history) const;
     std::vector<double> compute(std::size_t history, std::size_t quantity);
+    // Computes several quantities at the last accepted state, one after the other.
+    std::vector<double> compute(const std::vector<RecordedQuantity>& quantities);
     int width(std::size_t history, std::size_t quantity) const {
         return histories_.at(history).quantities.at(quantity)->columns;
     }

@@ -427,6 +427,19 @@ def test_map_runs_cases(deck):
     assert table["error"][0] is None and "EI" in table["error"][2]
 
 
+def test_forces_in_sections_are_there_after_a_return(model):
+    sim = gxrod.Simulation(model, points={"quarter": "arm@0.3"})
+    starts = []
+    for _ in range(2):
+        starts.append((sim.save(), sim["root"].moment, sim["quarter"].force))
+        sim.advance(until=sim.time + 0.2)
+    for start, moment, force in starts:
+        sim.restore(start)
+        np.testing.assert_allclose(sim["root"].moment, moment, rtol=1e-13)
+        np.testing.assert_allclose(sim["quarter"].force, force, rtol=1e-10)
+    assert np.abs(starts[1][1]).max() > 1
+
+
 def test_an_environment_is_reset_to_the_last_bit(deck):
     pytest.importorskip("gymnasium")
     env = gxrod.gym.RodEnv(deck, {"tendon": (-2.0, 2.0)}, ["tip.position", "ledger.energy_error", "time"], 0.05, lambda sim, action: -abs(action[0]))

@@ -11,6 +11,7 @@ namespace nb = nanobind;
 void bind_errors(nb::module_& module);
 void bind_deck(nb::module_& module);
 void bind_fatigue(nb::module_& module);
+void bind_group(nb::module_& module);
 void bind_section(nb::module_& module);
 void bind_simulation(nb::module_& module);
 

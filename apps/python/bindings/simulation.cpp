@@ -231,7 +231,13 @@ void bind_simulation(nb::module_& module) {
             "checkpoint"_a)
         .def("set", &Driven::set, "input"_a, "value"_a, "It counts from the next step on.")
         .def("input", &Driven::input, "name"_a)
-        .def("history", &Driven::compute, "history"_a, "quantity"_a)
+        .def(
+            "history",
+            [](Driven& driven, std::size_t history, std::size_t quantity) {
+                return driven.compute(history, quantity);
+            },
+            "history"_a,
+            "quantity"_a)
         .def("derivative", &Driven::differentiate, "number"_a, "history"_a, "quantity"_a)
         .def(
             "gradient",

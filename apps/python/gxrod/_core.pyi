@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 import os
-from typing import overload
+from typing import Annotated, overload
 
 import numpy
 import numpy.typing
@@ -237,3 +237,25 @@ def rainflow(values: Sequence[float]) -> list[list[float]]:
 def compute_damage(cycles: Sequence[Sequence[float]], curve: SNCurve, ultimate: float) -> float: ...
 
 def compute_equivalent_range(cycles: Sequence[Sequence[float]], slope: float, number: float) -> float: ...
+
+class Group:
+    """Simulations of one deck that threads advance side by side."""
+
+    def __init__(self, members: Sequence[Simulation], inputs: Sequence[str], observed: Sequence[tuple[int, int]], threads: int) -> None: ...
+
+    def advance(self, inputs: Annotated[NDArray[numpy.float64], dict(order='C', device='cpu', writable=False)], until: Annotated[NDArray[numpy.float64], dict(order='C', device='cpu', writable=False)]) -> list[str]:
+        """
+        Advances member i to until[i], unless that is NaN: why its step failed, or "".
+        """
+
+    def reset(self, members: Sequence[int]) -> None: ...
+
+    def observe(self, members: Sequence[int]) -> None: ...
+
+    def copy(self, seen: Annotated[NDArray[numpy.float64], dict(order='C', device='cpu')], times: Annotated[NDArray[numpy.float64], dict(order='C', device='cpu')]) -> None:
+        """Copies the observations [n,width] and the times [n] into arrays."""
+
+    def ended(self) -> list[bool]: ...
+
+    @property
+    def width(self) -> int: ...
