@@ -16,6 +16,8 @@
 #include "model/settings/scheme_card.hpp"
 #include "parallel/cores.hpp"
 #include "progress_line.hpp"
+#include "results/export/line_end_table.hpp"
+#include "results/file/results_access.hpp"
 #include "results/results_size.hpp"
 #include "say.hpp"
 #include "summary.hpp"
@@ -37,6 +39,35 @@ void print_shapes(const FoundShapes& found) {
     const std::vector<std::string> lines = list_shapes(found.record, most);
     say(stdout, "{}: {}\n", found.stage, lines.front());
     for (std::size_t i = 1; i < lines.size(); ++i) say(stdout, "  {}\n", lines[i]);
+}
+
+// "mooring lies on the ground up to s = 124.2 to 162, at rest 144.5".
+std::string describe_touch_down(const LineEndRow& row) {
+    return fmt::format("{} lies on the ground {} s = {:.6g} to {:.6g}{}\n",
+                       row.point,
+                       row.quantity.ends_with("end") ? "up to" : "from",
+                       row.range.least,
+                       row.range.largest,
+                       std::isnan(row.at_rest) ? "" : fmt::format(", at rest {:.6g}", row.at_rest));
+}
+
+// Where lines on a ground have touched it, of decks with output.line_ends.
+void print_touch_downs(const std::string& results) {
+    std::vector<std::string> lines;
+    try {
+        read_results(results, [&](const Hdf5Reader& file) {
+            lines.clear();
+            for (const LineEndRow& row : find_line_ends(file, results, {})) {
+                const bool is_free = std::isnan(row.range.least) || row.range.largest == 0.0;
+                if (row.quantity.starts_with("touch_down") && !is_free)
+                    lines.push_back(describe_touch_down(row));
+            }
+        });
+    } catch (const FileError&) {
+        return;  // the run itself is over and well
+    }
+    lines.erase(std::ranges::unique(lines).begin(), lines.end());
+    for (const std::string& line : lines) say_text(stdout, line);
 }
 
 void print(const JobOptions& options, const RunSummary& summary, bool is_resumed) {
@@ -65,6 +96,7 @@ void print(const JobOptions& options, const RunSummary& summary, bool is_resumed
     } else if (options.prints()) {
         for (const std::string& finding : summary.findings) say(stdout, "{}\n", finding);
         for (const FoundShapes& found : summary.shapes) print_shapes(found);
+        print_touch_downs(options.results);
         if (summary.totals.steps > 0) {
             say(stdout,
                 "{} steps to {}, {} Newton iterations{}, ",

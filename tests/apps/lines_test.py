@@ -188,7 +188,7 @@ def flutter_of_cantilever(beta, speed, omega):
 class Lines(ProgramTest):
     def run_deck(self, text, name="line"):
         self.write(f"{name}.toml", text)
-        self.gxrod("run", f"{name}.toml", "--force")
+        self.told = self.gxrod("run", f"{name}.toml", "--force").stdout
         file = h5py.File(self.folder / f"{name}.vtkhdf")
         self.addCleanup(file.close)
         return file
@@ -201,6 +201,7 @@ class Lines(ProgramTest):
         file = self.run_deck(DECK)
         times = file["histories/time"][()]
         settled = np.flatnonzero(times <= 0)[-1]
+        self.assertIn("mooring lies on the ground up to s = ", self.told)
 
         lying, horizontal = lying_length()
         end = file["histories/ground/touch_down_end"][()]
