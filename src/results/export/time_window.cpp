@@ -1,5 +1,7 @@
 #include "results/export/time_window.hpp"
 
+#include "results/file/hdf5_reader.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "results/file/hdf5_reader.hpp"
-
 namespace gxrod {
+
+class Hdf5Reader;
 
 // A request for a part of a run: times, in statics load factors, or the name of a stage. Without any: all
 // stages with time, in a run without time everything.
