@@ -1,7 +1,5 @@
 #include "results/export/time_window.hpp"
 
-#include "results/file/hdf5_reader.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <limits>
 
 #include "machine/file_error.hpp"
+#include "results/file/hdf5_reader.hpp"
 
 namespace gxrod {
 namespace {
