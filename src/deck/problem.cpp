@@ -44,7 +44,7 @@
 #include "deck/sections/shapes/wall_shape.hpp"
 #include "deck/supports/build_supports.hpp"
 #include "deck/surroundings/build_surroundings.hpp"
-#include "deck/surroundings/contents_flow.hpp"
+#include "deck/surroundings/vessel_table.hpp"
 #include "deck/text/further_faults.hpp"
 #include "deck/text/overrides.hpp"
 #include "deck/text/program_laws.hpp"
@@ -98,6 +98,7 @@ void build_actions(const SurroundingsFiles& files, BuildContext& context) {
         build_contents_flow(context);
         build_magnets(context);
         build_surroundings(files, context);
+        move_with_vessels(files, context);
         build_contact(context);
         check_functions(context);
         check_conserving(context);

@@ -4,6 +4,7 @@
 #include "deck/schema/schema.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/sections/shapes/material_tables.hpp"
+#include "deck/surroundings/vessel_table.hpp"
 #include "deck/table/table.hpp"
 #include "deck/ties/ties.hpp"
 #include "model/ties/ties.hpp"
@@ -81,6 +82,8 @@ void add_actions(Table<TopLevelTable>& table) {
             .also("water sea current ocean environment hydro")
         .tables("wave", KeyShape::table_list, wave_table())
             .also("waves sea_state irregular")
+        .tables("vessel", KeyShape::named_tables, vessel_table())
+            .also("vessels ship ships rao raos")
         .tables("air", KeyShape::table, air_table())
             .also("wind aero")
         .tables("seabed", KeyShape::table, seabed_table())

@@ -7,6 +7,7 @@
 #include "deck/loads/acting.hpp"
 #include "deck/places/axes.hpp"
 #include "deck/schema/choices.hpp"
+#include "deck/schema/suggestion.hpp"
 #include "deck/supports/components.hpp"
 
 namespace gxrod {
@@ -14,6 +15,40 @@ namespace {
 
 // Beyond which entries of the axes of two supports differ.
 constexpr double same_axes = 1e-9;
+
+// The key that says what follows a vessel.
+Place place_of_follower(const SupportTable& table) {
+    return table.fix ? table.place_of(&table.fix) : table.place_of(&table.vessel);
+}
+
+void follow(const SupportTable& table,
+            std::size_t component,
+            NodeSupport& merged,
+            const BuildContext& context) {
+    if (merged.support.fixed[component] || merged.support.moved[component]) {
+        return context.faults.add(
+            place_of_follower(table),
+            table.path_of(&table.vessel),
+            fmt::format("{} holds {} here too", merged.holders[component]->path, component_names[component]));
+    }
+    merged.support.moved[component] = true;  // by move_with_vessels
+    merged.holders[component] = &table;
+}
+
+void follow_vessel(const SupportTable& table, NodeSupport& merged, const BuildContext& context) {
+    const auto vessels = context.deck.tables("vessel");
+    if (std::ranges::find(vessels, table.vessel->word, &CheckedTable::name) == vessels.end()) {
+        std::vector<std::string> known;
+        for (const CheckedTable& vessel : vessels) known.push_back(vessel.name);
+        context.add_fault(table,
+                          table.vessel,
+                          fmt::format("no vessel \"{}\"; the deck has {}",
+                                      table.vessel->word,
+                                      known.empty() ? "none" : plain_list(known)));
+    }
+    for (const int component : components_on_vessel(table, context))
+        follow(table, static_cast<std::size_t>(component), merged, context);
+}
 
 // Tables at one node have the same axes.
 void merge_axes(const SupportTable& table, NodeSupport& merged, const BuildContext& context) {
@@ -75,9 +110,25 @@ void move(const SupportTable& table,
 
 }  // namespace
 
+std::vector<int> components_on_vessel(const SupportTable& table, const BuildContext& context) {
+    std::array<bool, 6> followed{};
+    if (!table.fix) followed = components_of("position");
+    for (std::size_t i = 0; table.fix && i < table.fix->words.size(); ++i) {
+        const std::array<bool, 6> named = components_of(table.fix->words[i].word);
+        for (std::size_t k = 0; k < 6; ++k) followed[k] = followed[k] || named[k];
+    }
+    std::vector<int> components;
+    for (int i = 0; i < 6; ++i) {
+        const bool is_across = context.model.plane && context.model.plane->holds(i);
+        if (followed[static_cast<std::size_t>(i)] && !is_across) components.push_back(i);
+    }
+    return components;
+}
+
 void merge_support(const SupportTable& table, NodeSupport& merged, const BuildContext& context) {
     merge_axes(table, merged, context);
     merged.tables.push_back(&table);
+    if (table.vessel) return follow_vessel(table, merged, context);
     if (table.fix) {
         for (const CheckedWord& word : table.fix->words) fix(table, word, merged, context);
     }

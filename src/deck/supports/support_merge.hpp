@@ -36,7 +36,7 @@ struct SupportTable : ActingTable {
     std::optional<PlaceCondition> where;
     std::optional<WordList> fix;
     std::optional<MoveTable> move;
-    std::optional<ComponentNumbers> stiffness, damping;
+    std::optional<TableName> vessel;
     std::optional<Mat3> axes;
     Copies copies;
 
@@ -60,6 +60,10 @@ struct NodeSupport {
         return std::ranges::any_of(holders, [](const SupportTable* holder) { return holder != nullptr; });
     }
 };
+
+// Lists the components that a table with a vessel lets follow it: those of `fix`, the position if that is not
+// given; without those that the plane of the deck holds.
+std::vector<int> components_on_vessel(const SupportTable& table, const BuildContext& context);
 
 // Adds a table at the node to what supports it already. Faults: invalid axes or not those of another
 // table, a component that is fixed and moved, or moved twice, or yields too.

@@ -37,11 +37,9 @@ const TableSpec& support_table() {
              "too, and exp of the vector (rx, ry, rz), of any size, is the rotation since t = 0. In a dynamic "
              "analysis 0 at t = 0.")
             .also("displacement motion prescribed prescribed_displacement")
-        .key("stiffness", &T::stiffness, stiffness, "By which the support yields: force per displacement and moment "
-             "per rotation since t = 0, of components that are not fixed.")
-            .also("k spring springs spring_constant elastic subgrade foundation")
-        .key("damping", &T::damping, damping, "Force and moment per rate, likewise.")
-            .also("c dashpot viscosity")
+        .key("vessel", &T::vessel, "The name of a [vessel.NAME]: what `fix` names, or the position, moves with it as if "
+             "fixed to it.")
+            .names_of({"vessel"}).also("attached_to ship fpso")
         .key("axes", &T::axes, "The support's own x, y and z directions, a row each: of length 1, at right angles, "
              "right-handed (to 1e-6). All else is along them; they stay.")
             .unit("1").otherwise("the global axes")
@@ -49,8 +47,9 @@ const TableSpec& support_table() {
              "move begins where the point is.")
             .otherwise("all").names_of({"stage"})
         .with(add_copies<T>)
-        .at_least_one_of({"at", "where"})
-        .at_least_one_of({"fix", "move", "stiffness", "damping"})
+        .at_least_one_of({"fix", "move", "vessel"})
+        .at_most_one_of({"vessel", "move"})
+        .at_most_one_of({"vessel", "axes"})
         .shown_by(
             "[[support]]\n"
             "at  = \"gyroscope\"\n"

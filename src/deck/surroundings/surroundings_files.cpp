@@ -9,6 +9,7 @@
 
 #include "deck/schema/schema_tables.hpp"
 #include "deck/surroundings/surroundings_tables.hpp"
+#include "deck/surroundings/vessel_table.hpp"
 #include "machine/file_error.hpp"
 #include "machine/printable.hpp"
 
@@ -175,6 +176,10 @@ SurroundingsFiles read_surroundings_files(const CheckedTable& deck,
     }
     for (const SeabedTable& seabed : tables_of<SeabedTable>(deck, seabed_table())) {
         if (seabed.grid) all.ground = reader.read(*seabed.grid, seabed.grid->file, read_ground_grid);
+    }
+    for (const VesselTable& vessel : tables_of<VesselTable>(deck, vessel_table())) {
+        auto rows = reader.read(vessel, vessel.rao, read_raos);
+        if (rows) all.vessels.emplace(vessel.name, std::move(*rows));
     }
     return all;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "deck/reading/checked_deck.hpp"
+#include "deck/surroundings/rao_file.hpp"
 #include "deck/text/fault_list.hpp"
 #include "deck/text/table_files.hpp"
 #include "environment/sea.hpp"
@@ -18,6 +19,7 @@ namespace gxrod {
 struct SurroundingsFiles {
     std::map<std::size_t, ElevationRecord> waves{};  // by index in [[wave]]
     std::optional<GroundGrid> ground{};
+    std::map<std::string, std::vector<RaoRow>> vessels{};  // by name
 };
 
 // Read the elevations of a record with their times, and a grid of the ground. Throw FileError whose text
