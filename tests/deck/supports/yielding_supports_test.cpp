@@ -144,7 +144,7 @@ TEST_CASE("A component yields, or is held", "[deck]") {
           "x.toml:10:13: support[0].stiffness: all components are 0; expected one that is not, such as { z = "
           "1e6 }");
     CHECK(faults_of(support + "stiffness = { x = -1 }\n") ==
-          "x.toml:10:19: support[0].stiffness.x: expected a number or an expression, not negative, found -1");
+          "x.toml:10:19: support[0].stiffness.x: expected a number at least 0, found -1");
     CHECK_THAT(faults_of(support + "stiffness = { ry = 3 }\nfix = \"rx\"\n"),
                Contains("rx alone cannot be fixed"));
     const std::string staged = replaced(support, "[analysis]", "[[stage]]\nname = \"a\"");
