@@ -60,8 +60,8 @@ struct CheckText {
 
 CheckText describe_problem(const Problem& problem) {
     CheckText text;
-    const DeckRecord& record = problem.record;
-    text.lists = list_model(problem.model, find_input_uses(read_toml(record.text, record.name)));
+    const DeckNode deck = read_toml(problem.record.text, problem.record.name);
+    text.lists = list_model(problem.model, {find_input_uses(deck), list_table_names(deck, "chamber")});
     text.rest = describe_total(problem.model);
     for (const StagePlan& stage : problem.stages) {
         if (!stage.name.empty()) text.rest += "stage " + stage.name + ": ";

@@ -124,7 +124,7 @@ std::string describe_gravity(const Model& model) {
 
 }  // namespace
 
-std::vector<ItemList> list_conditions(const Model& model, const InputUses& uses) {
+std::vector<ItemList> list_conditions(const Model& model, const DeckWords& words) {
     ItemList supports{"supports", {}};
     if (model.plane) {
         std::vector<std::string_view> held;
@@ -153,8 +153,8 @@ std::vector<ItemList> list_conditions(const Model& model, const InputUses& uses)
             supports,
             velocities,
             loads,
-            list_tendons(model),
-            list_inputs(model, uses),
+            list_tendons(model, words),
+            list_inputs(model, words),
             gravity};
 }
 

@@ -8,7 +8,7 @@
 namespace gxrod {
 
 // Lists connections, supports, initial velocities, loads, tendons, inputs and gravity of a model, in lines.
-// `uses` adds to each input what reads it.
-std::vector<ItemList> list_conditions(const Model& model, const InputUses& uses = {});
+// `words` adds to each input what reads it.
+std::vector<ItemList> list_conditions(const Model& model, const DeckWords& words = {});
 
 }  // namespace gxrod

@@ -60,7 +60,7 @@ double sum_mass(const Model& model) {
 
 }  // namespace
 
-std::vector<ItemList> list_model(const Model& model, const InputUses& uses) {
+std::vector<ItemList> list_model(const Model& model, const DeckWords& words) {
     ItemList sections{"sections", {}};
     for (const Section& section : model.sections) sections.items.push_back(describe_section(section));
     ItemList bodies{"bodies", {}};
@@ -70,7 +70,7 @@ std::vector<ItemList> list_model(const Model& model, const InputUses& uses) {
     lists.push_back(list_joints(model));
     lists.push_back(list_gears(model));
     lists.push_back(list_mechanisms(model));
-    for (ItemList& list : list_conditions(model, uses)) lists.push_back(std::move(list));
+    for (ItemList& list : list_conditions(model, words)) lists.push_back(std::move(list));
     return lists;
 }
 

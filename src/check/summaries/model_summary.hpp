@@ -12,7 +12,7 @@
 namespace gxrod {
 
 // Lines about a run of the model: parts, constants and conditions; masses and unknowns; analysis; output.
-std::vector<ItemList> list_model(const Model& model, const InputUses& uses = {});
+std::vector<ItemList> list_model(const Model& model, const DeckWords& words = {});
 std::string describe_total(const Model& model);
 std::string describe_analysis(const AnalysisSettings& settings);
 // A line for each signal.

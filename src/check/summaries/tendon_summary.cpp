@@ -14,8 +14,9 @@ namespace gxrod {
 namespace {
 
 std::string describe_course(const char* word, const TimeFunction& function) {
-    if (function.is_constant()) return fmt::format("{} {:.6g}", word, function(0.0));
-    return fmt::format("{} changes with t, {:.6g} at t = 1", word, function(1.0));
+    // + 0: without −0
+    if (function.is_constant()) return fmt::format("{} {:.6g}", word, function(0.0) + 0.0);
+    return fmt::format("{} changes with t, {:.6g} at t = 1", word, function(1.0) + 0.0);
 }
 
 // "tension 3", or "shortening …", "length …".
@@ -75,17 +76,18 @@ std::string describe_friction(const Model& model, const Tendon& tendon, const Te
         100.0 * std::exp(-friction.coefficient * angle));
 }
 
-std::string describe_tendon(const Model& model, const Tendon& tendon) {
+std::string describe_tendon(const Model& model, const Tendon& tendon, bool is_chamber) {
     const Rod& rod = model.rods[static_cast<std::size_t>(tendon.rod)];
     const bool is_whole = tendon.from == 0.0 && tendon.to == rod.length;
     const TendonLine line(model, tendon);
-    return fmt::format("tendon {}: in rod {}{}{}, {:.6g} long; {}{}\n",
+    return fmt::format("{} {}: in rod {}{}{}, {:.6g} long; {}{}\n",
+                       is_chamber ? "chamber" : "tendon",
                        tendon.name,
                        rod.name,
                        is_whole ? "" : fmt::format(" from s = {:.6g} to {:.6g}", tendon.from, tendon.to),
                        describe_offsets(tendon),
                        line.start_length(),
-                       describe_pull(tendon),
+                       is_chamber ? describe_course("−p A", tendon.tension) : describe_pull(tendon),
                        describe_friction(model, tendon, line));
 }
 
@@ -101,16 +103,17 @@ std::string describe_input(const Input& input, const InputUses& uses) {
 
 }  // namespace
 
-ItemList list_tendons(const Model& model) {
+ItemList list_tendons(const Model& model, const DeckWords& words) {
     ItemList tendons{"tendons", {}};
-    for (const Tendon& tendon : model.tendons) tendons.items.push_back(describe_tendon(model, tendon));
+    for (const Tendon& tendon : model.tendons)
+        tendons.items.push_back(describe_tendon(model, tendon, words.chambers.contains(tendon.name)));
     return tendons;
 }
 
-ItemList list_inputs(const Model& model, const InputUses& uses) {
+ItemList list_inputs(const Model& model, const DeckWords& words) {
     ItemList inputs{"inputs", {}};
     for (const std::shared_ptr<Input>& input : model.inputs)
-        inputs.items.push_back(describe_input(*input, uses));
+        inputs.items.push_back(describe_input(*input, words.uses));
     return inputs;
 }
 

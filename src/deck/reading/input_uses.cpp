@@ -84,4 +84,12 @@ std::map<std::string, std::vector<std::string>> find_input_uses(const DeckNode& 
     return UseFinder(deck).release();
 }
 
+std::set<std::string> list_table_names(const DeckNode& deck, std::string_view kind) {
+    std::set<std::string> names;
+    const DeckEntry* tables = deck.find(kind);
+    if (tables == nullptr || tables->node.table() == nullptr) return names;
+    for (const DeckEntry& entry : *tables->node.table()) names.insert(entry.key);
+    return names;
+}
+
 }  // namespace gxrod

@@ -100,10 +100,19 @@ kind = "static"
           "0.8721, which leaves 77 % of the tension\n"
           "tendon winch: in rod arm, at (y, z) = (0, 0.003) to (0, 0.303), 0.583095 long; shortening changes "
           "with t, 0.006 at t = 1, EA 10000, pushes where it is too long\n");
-    CHECK(describe(list_inputs(model, find_input_uses(read_toml(deck, "arm.toml"))), Detail::all) ==
+    CHECK(describe(list_inputs(model, {find_input_uses(read_toml(deck, "arm.toml"))}), Detail::all) ==
           "input pull: 3 at t = 0, between two values a step; read by tendon.idle.tension, "
           "tendon.winch.shortening\n"
           "input idle: 0 at t = 0, between two values a straight line\n");
+}
+
+TEST_CASE("The summary names chambers", "[check]") {
+    const std::string deck =
+        rod_deck +
+        "[input.p]\n[chamber.bellows]\non = \"r\"\noffset = [0, 0.1]\narea = 2\npressure = \"p\"\n";
+    const DeckWords words{{}, list_table_names(read_toml(deck, "arm.toml"), "chamber")};
+    CHECK(describe(list_tendons(read(deck).model, words), Detail::all) ==
+          "chamber bellows: in rod r, at (y, z) = (0, 0.1), 10 long; −p A changes with t, 0 at t = 1\n");
 }
 
 }  // namespace gxrod::test
