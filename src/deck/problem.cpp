@@ -166,7 +166,7 @@ Problem build_problem(const CheckedTable& deck, const DeckFiles& files, FaultLis
     check_materials(context);
     build_sections(context);
     build_rods(points, nets, section_files, context);
-    build_connections(context);
+    build_connections(nets, context);
     build_bodies(context);
     for (const ElementTieTable& tie : element_tie_tables) tie.build(context);
     build_yielding_supports(context);

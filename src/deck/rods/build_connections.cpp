@@ -33,8 +33,8 @@ const TableSpec& connect_table() {
             "Points of rods that become one node, a rigid corner. Rods whose points are at one place are not "
             "connected otherwise. Ends that `hinges` of a rod names are tied by a hinge.")
         .key("points", &T::points, "Two or more, at one place. The node has the name of the first. Or \"coincident\": "
-             "wherever an end or corner of a rod, a point that the deck names or a node of a mesh is at the place of such "
-             "a node, or of another node between elements.")
+             "wherever an end or corner of a rod, a point that the deck names or the end of a curve of a mesh's geometry is "
+             "at the place of such a node, or of another node between elements.")
             .required().also("at between nodes ends")
         .key("on", &T::on, "With coincident points: the rods whose points are connected.")
             .names_of({"rod"}).otherwise("all rods").also("rods")
@@ -172,6 +172,7 @@ void check_elements(const BuildContext& context) {
 // The groups of points that a table makes one node each.
 std::vector<std::vector<JoinedPoint>> list_groups(const ConnectTable& given,
                                                   double size,
+                                                  const RodNets& nets,
                                                   BuildContext& context) {
     if (!given.points.are_coincident()) {
         if (given.on) context.add_fault(given, given.on, "goes with points = \"coincident\"");
@@ -182,7 +183,8 @@ std::vector<std::vector<JoinedPoint>> list_groups(const ConnectTable& given,
         rods.clear();
         for (const Part& part : find_parts(given, *given.on, context)) rods.push_back(part.rod);
     }
-    auto groups = find_coincident_points(rods, given.tolerance.value_or(coincident_place * size), context);
+    auto groups =
+        find_coincident_points(rods, given.tolerance.value_or(coincident_place * size), nets, context);
     if (groups.empty())
         context.add_fault(given,
                           given.points,
@@ -243,13 +245,13 @@ void hold_free_nodes(NodeMerge& merge, BuildContext& context) {
 
 }  // namespace
 
-void build_connections(BuildContext& context) {
+void build_connections(const RodNets& nets, BuildContext& context) {
     for (const Rod& rod : context.model.rods) context.rod_nodes.push_back(rod.nodes);
     const auto tables = tables_of<ConnectTable>(context.deck, connect_table());
     NodeMerge merge(context.model.nodes.size());
     const double size = measure(context.model);
     for (const ConnectTable& given : tables) {
-        for (const auto& group : list_groups(given, size, context)) join_group(group, merge, context);
+        for (const auto& group : list_groups(given, size, nets, context)) join_group(group, merge, context);
     }
     check_hinges(context);
     hold_free_nodes(merge, context);

@@ -21,10 +21,32 @@ struct JoinCandidate {
 // Oblique, so that few points of a frame have the same component.
 const Vec3 sorting_direction = Vec3(1.0, 0.61803, 0.36788).normalized();
 
-void add_join_candidates(int index, const BuildContext& context, std::vector<JoinCandidate>& candidates) {
+// The nodes of a rod from a mesh in which curves of its geometry end; none of another rod.
+std::set<int> find_curve_ends(int index, const RodNets& nets, const BuildContext& context) {
+    std::set<int> ends;
+    const auto named = nets.find(index);
+    if (named == nets.end()) return ends;
+    const std::vector<int>& nodes = context.rod_nodes[static_cast<std::size_t>(index)];
+    for (const NetChain& chain : named->second.net.chains) {
+        for (std::size_t e = 0; e < chain.elements.size(); ++e) {
+            const NetElement& element = chain.elements[e];
+            const bool is_last =
+                e + 1 == chain.elements.size() || chain.elements[e + 1].curve != element.curve;
+            if (e == 0) ends.insert(nodes[static_cast<std::size_t>(element.nodes.front())]);
+            if (is_last) ends.insert(nodes[static_cast<std::size_t>(element.nodes.back())]);
+        }
+    }
+    return ends;
+}
+
+void add_join_candidates(int index,
+                         const RodNets& nets,
+                         const BuildContext& context,
+                         std::vector<JoinCandidate>& candidates) {
     const auto i = static_cast<std::size_t>(index);
     const Rod& rod = context.model.rods[i];
     const auto per_element = static_cast<std::size_t>(rod.order) + 1;
+    const std::set<int> curve_ends = find_curve_ends(index, nets, context);
     std::set<int> added;
     // Instead of a node of its own that a hinge of a mesh has, the node to which it is tied.
     const auto node_of = [&](std::size_t entry) {
@@ -36,16 +58,16 @@ void add_join_candidates(int index, const BuildContext& context, std::vector<Joi
         const int node = node_of(entry);
         if (!added.insert(node).second) return;
         const Node& at = context.model.nodes[static_cast<std::size_t>(node)];
-        is_point = is_point || context.names.is_meshed(index) || at.name.find(" node ") == std::string::npos;
+        is_point = is_point || curve_ends.contains(node) || at.name.find(" node ") == std::string::npos;
         candidates.push_back({make_joined(at.name, {.node = node, .rod = index}, context),
                               at.position,
                               at.position.dot(sorting_direction),
                               is_point});
     };
     for (std::size_t entry = 0; entry < rod.element_nodes.size(); entry += per_element) {
-        const bool is_first = entry == 0;
-        add(entry, is_first || is_corner(rod, entry));
-        add(entry + per_element - 1, entry + per_element == rod.element_nodes.size());
+        const std::size_t next = entry + per_element;
+        add(entry, entry == 0 || is_corner(rod, entry));
+        add(next - 1, next == rod.element_nodes.size() || is_corner(rod, next));
     }
 }
 
@@ -78,9 +100,10 @@ JoinedPoint make_joined(std::string name, const PlacedPoint& point, const BuildC
 
 std::vector<std::vector<JoinedPoint>> find_coincident_points(const std::vector<int>& rods,
                                                              double tolerance,
+                                                             const RodNets& nets,
                                                              const BuildContext& context) {
     std::vector<JoinCandidate> candidates;
-    for (const int rod : rods) add_join_candidates(rod, context, candidates);
+    for (const int rod : rods) add_join_candidates(rod, nets, context, candidates);
     std::ranges::stable_sort(candidates, {}, &JoinCandidate::along);
     std::vector<std::vector<JoinedPoint>> groups;
     for (std::size_t i = 0; i < candidates.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "deck/places/build_context.hpp"
+#include "deck/rods/read_rod_nets.hpp"
 
 namespace gxrod {
 
@@ -19,9 +20,10 @@ JoinedPoint make_joined(std::string name, const PlacedPoint& point, const BuildC
 
 // Finds the points of some rods that coincide: groups of two nodes or more that are nearer to the first of
 // the group than the tolerance. At least one of a group is an end or a corner, a point that the deck names,
-// or a node of a mesh; the others can be any nodes between elements.
+// or the end of a curve of a mesh's geometry; the others can be any nodes between elements.
 std::vector<std::vector<JoinedPoint>> find_coincident_points(const std::vector<int>& rods,
                                                              double tolerance,
+                                                             const RodNets& nets,
                                                              const BuildContext& context);
 
 }  // namespace gxrod

@@ -41,6 +41,14 @@ TEST_CASE("An end that meets a node within a rod is connected to it", "[deck]") 
     CHECK(model.rods[3].nodes.back() == model.rods[2].nodes.back());
 }
 
+TEST_CASE("A corner that meets a node within a rod is connected to it", "[deck]") {
+    const Model model = read(tee + rod("bracket", "polyline = [[0, -1, 1], [0, 0, 1], [0, 1, 1]]") +
+                             rod("other", "polyline = [[0.5, -1, 2], [0.5, 0, 2], [0.5, 0, 3]]") + coincident)
+                            .model;
+    CHECK(model.rods[3].nodes[2] != model.rods[0].nodes[4]);  // straight there
+    CHECK(model.rods[4].nodes[2] == model.rods[2].nodes[4]);
+}
+
 TEST_CASE("Rods that cross in nodes within both are not connected", "[deck]") {
     const std::string cross = section + rod("a", "line = { from = [0, 0, 0], to = [2, 0, 0] }") +
                               rod("b", "line = { from = [1, -1, 0], to = [1, 1, 0] }");
