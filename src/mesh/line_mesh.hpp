@@ -17,8 +17,8 @@ struct MeshLines {
     std::string name;         // "" if it has none
     std::vector<int> orders;  // orders of its elements, each once, increasing
     std::vector<std::size_t>
-        nodes;                // if there is one order, 1 to 3: order + 1 per element, from start to end
-    std::vector<int> curves;  // the number of the geometry's curve, per element
+        nodes;                     // if there is one order, 1 to 3: order + 1 per element, from start to end
+    std::vector<int> curves = {};  // the number of the geometry's curve, per element
 };
 
 // The nodes of a 0-dimensional physical group.
