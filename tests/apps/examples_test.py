@@ -157,6 +157,12 @@ class Examples(Pages):
             spin = file["histories/nut/angular_velocity_material"][at]
         np.testing.assert_allclose(spin, [10.94623977013, 4.42844730509, 9.47985357634], atol=5e-6)
 
+    def test_hall(self):
+        """Against a stiffness matrix: hall_test.py."""
+        self.run_page("hall")
+        with self.open("hall") as file:
+            np.testing.assert_allclose(file["histories/ridge/displacement"][-1], [0.02058, 0.00021, -0.02616], atol=5e-6)
+
     def test_guidewire(self):
         """Its first 20 mm."""
         deck = "docs/examples/guidewire/guidewire.toml"

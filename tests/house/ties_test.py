@@ -13,13 +13,16 @@ import unittest
 
 HOMES = ("model/ties/", "deck/ties/")
 ALONE = {
+    "analyses/shapes/response.cpp": "which bushings are supports, whose forces are reactions?",
     "analyses/stepped_analysis.cpp": "has a spring shrunk to nothing?",
     "check/findings/buckling_findings.cpp": "is a spring taut at t = 0, which a factor leaves out?",
     "check/findings/bushing_findings.cpp": "does a bushing leave a turn free?",
     "check/findings/plane_findings.cpp": "can a bushing push out of the plane?",
     "check/motions/spinning_parts.cpp": "is a bushing alike to all sides of what spins?",
     "check/motions/turning_ties.cpp": "is a spring or a bushing alike to all sides of an axis?",
+    "deck/supports/support_table.cpp": "which bushings are supports that yield?",
     "face/own_laws.cpp": "which spring gets a law of the program?",
+    "model/displaced_start.cpp": "which springs keep their elongation where the start is displaced?",
     "study/turned_problem.cpp": "how do the axes of a bushing turn?",
 }
 

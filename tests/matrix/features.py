@@ -5,6 +5,7 @@ plasticity, relaxation), so that other ways need not agree but finer steps must.
 that have time. The numbers are drawn by `draw`, a random.Random, within what makes sense."""
 
 import dataclasses
+import pathlib
 
 
 @dataclasses.dataclass(frozen=True)
@@ -536,7 +537,9 @@ def imperfection(deck, draw):
 @feature("combination")
 def combination(deck, draw):
     deck["load"][0]["case"] = "live"
-    deck["combination"] = {"uls": {"factors": {"gravity": draw.uniform(0.8, 1.4), "live": draw.uniform(0.5, 1.5)}}}
+    deck["combination"] = {"sls": {"factors": {"live": 1.0}},
+                           "uls": {"factors": {"gravity": draw.uniform(0.8, 1.4), "live": draw.uniform(0.5, 1.5)}}}
+    deck["apply"] = "uls"
 
 
 @feature("second-rod")
@@ -587,6 +590,16 @@ def wave(deck, draw):
     deck["fluid"] = {"density": 100.0, "surface": 0.5, "depth": 10}
     deck["gravity"] = [0, 0, -1]
     deck["wave"] = [{"airy": {"height": draw.uniform(0.05, 0.2), "period": 1.0}}]
+
+
+@feature("fluid", damped=True, timed=True)
+def vessel(deck, draw):
+    """The end of the beam follows the waves."""
+    wave(deck, draw)
+    deck["fluid"]["ramp"] = 0.5
+    raos = pathlib.Path(__file__).with_name("raos.csv")
+    deck["vessel"] = {"ship": {"rao": str(raos), "at": [1, 0, 0], "heading": draw.uniform(0, 3), "phases": "lag"}}
+    deck["support"].append({"at": "beam.end", "vessel": "ship"})
 
 
 @feature("contents", sudden=True)

@@ -39,7 +39,7 @@ MemberForces::MemberForces(Problem& problem) : problem_(&problem), members_(list
             histories.push_back({.name = name,
                                  .at = members_[i].name + " " + member_end_names[end],
                                  .target = WatchedPoint{members_[i].ends[end]},
-                                 .quantities = {"force", "moment"}});
+                                 .quantities = {member_quantities.begin(), member_quantities.end()}});
         }
     }
     for (std::size_t i = first; i < histories.size(); ++i)
@@ -48,8 +48,8 @@ MemberForces::MemberForces(Problem& problem) : problem_(&problem), members_(list
 
 void MemberForces::add(const Snapshot& snapshot) {
     for (End& end : ends_) {
-        end.force = end.watch.compute("force", snapshot);
-        end.moment = end.watch.compute("moment", snapshot);
+        end.force = end.watch.compute(member_quantities[0], snapshot);
+        end.moment = end.watch.compute(member_quantities[1], snapshot);
     }
 }
 

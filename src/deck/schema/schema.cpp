@@ -30,7 +30,7 @@ std::vector<std::string> TableSpec::key_names() const {
 
 bool is_top_level_value(const TableSpec& root, std::string_view key) {
     const KeySpec* spec = root.find(key);
-    return spec != nullptr && spec->table == nullptr;
+    return spec != nullptr && spec->shape == KeyShape::value;
 }
 
 std::string explain_misplaced_key(std::string_view key, std::string_view heading) {

@@ -133,7 +133,7 @@ void merge_support(const SupportTable& table, NodeSupport& merged, const BuildCo
         for (const CheckedWord& word : table.fix->words) fix(table, word, merged, context);
     }
     for (std::size_t i = 0; i < 6; ++i) {
-        if (table.yields(i) && merged.springs[i] == nullptr) merged.springs[i] = &table;
+        if (table.yields(i) && merged.yielding[i] == nullptr) merged.yielding[i] = &table;
         if (!table.move) continue;
         const std::optional<CheckedTimeFunction>& component = table.move->components[i];
         if (component) move(table, i, *component, merged, context);
@@ -142,8 +142,8 @@ void merge_support(const SupportTable& table, NodeSupport& merged, const BuildCo
 
 void check_yielding(const NodeSupport& merged, const BuildContext& context) {
     for (std::size_t i = 0; i < 6; ++i) {
-        if (merged.springs[i] == nullptr || merged.holders[i] == nullptr) continue;
-        const SupportTable& spring = *merged.springs[i];
+        if (merged.yielding[i] == nullptr || merged.holders[i] == nullptr) continue;
+        const SupportTable& spring = *merged.yielding[i];
         const SupportTable& holder = *merged.holders[i];
         const bool is_same = &spring == &holder;
         const bool is_stiff = spring.stiffness && spring.stiffness->values[i] > 0.0;

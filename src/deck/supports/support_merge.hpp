@@ -54,7 +54,7 @@ struct NodeSupport {
     std::vector<const SupportTable*> tables;
     std::array<const SupportTable*, 6>
         holders{};  // of each component: the first table that fixes or moves it
-    std::array<const SupportTable*, 6> springs{};  // of each component: the first table by which it yields
+    std::array<const SupportTable*, 6> yielding{};  // of each component: the first table by which it yields
 
     bool holds_any() const {
         return std::ranges::any_of(holders, [](const SupportTable* holder) { return holder != nullptr; });

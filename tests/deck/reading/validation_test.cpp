@@ -22,7 +22,7 @@ colour = 3)")) ==
           "section, material, layup, rod, body, spring, bushing, joint, gear, connect, imperfection, load, "
           "combination, tendon, "
           "chamber, actuation, magnetic, "
-          "fluid, wave, air, seabed, contact, obstacle, support, initial, rotation, "
+          "fluid, wave, vessel, air, seabed, contact, obstacle, support, initial, rotation, "
           "analysis, "
           "stage, output, history");
     CHECK(faults_of(body_deck + "gravity = [0, 0, -9.81]") ==

@@ -37,7 +37,7 @@ TEST_CASE("Coincident ends become one node", "[deck]") {
 
 TEST_CASE("An end that meets a node within a rod is connected to it", "[deck]") {
     const Model model = read(tee + rod("brace", brace) + coincident).model;
-    CHECK(model.rods[3].nodes.front() == model.rods[0].nodes[4]);
+    CHECK(model.rods[3].nodes.front() == model.rods[0].nodes[2]);
     CHECK(model.rods[3].nodes.back() == model.rods[2].nodes.back());
 }
 
@@ -45,8 +45,8 @@ TEST_CASE("A corner that meets a node within a rod is connected to it", "[deck]"
     const Model model = read(tee + rod("bracket", "polyline = [[0, -1, 1], [0, 0, 1], [0, 1, 1]]") +
                              rod("other", "polyline = [[0.5, -1, 2], [0.5, 0, 2], [0.5, 0, 3]]") + coincident)
                             .model;
-    CHECK(model.rods[3].nodes[2] != model.rods[0].nodes[4]);  // straight there
-    CHECK(model.rods[4].nodes[2] == model.rods[2].nodes[4]);
+    CHECK(model.rods[3].nodes[2] != model.rods[0].nodes[2]);  // straight there
+    CHECK(model.rods[4].nodes[2] == model.rods[2].nodes[2]);
 }
 
 TEST_CASE("Rods that cross in nodes within both are not connected", "[deck]") {
@@ -95,7 +95,7 @@ TEST_CASE("Ends with hinges are tied by joints", "[deck]") {
     const Joint& start = model.joints[0];
     CHECK(start.name == "brace.start");
     CHECK(start.kind == JointKind::universal);
-    CHECK(start.a.anchor.node == model.rods[0].nodes[4]);
+    CHECK(start.a.anchor.node == model.rods[0].nodes[2]);
     CHECK(start.b.anchor.node == model.rods[3].nodes.front());
     const Vec3 y = model.rods[3].triads.front() * Vec3::UnitY();
     const Vec3 z = model.rods[3].triads.front() * Vec3::UnitZ();
@@ -116,7 +116,7 @@ TEST_CASE("Conditions leave out nodes of hinges, whose joint has another node", 
     const std::string deck = tee + rod("brace", brace + "\nhinges = \"start\"") + coincident +
                              "[[support]]\nwhere = \"z == 1\"\nfix = \"position\"\n";
     CHECK(faults_of(deck) ==
-          "x.toml:28:9: support[0].where: no point satisfies \"z == 1\"; the 4 points here have x -1 to 1, y "
+          "x.toml:25:9: support[0].where: no point satisfies \"z == 1\"; the 4 points here have x -1 to 1, y "
           "0 to 0, z 0 "
           "to 2");
 }
