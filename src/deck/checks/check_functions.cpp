@@ -14,6 +14,7 @@
 #include "deck/schema/top_level.hpp"
 #include "deck/supports/support_merge.hpp"
 #include "deck/surroundings/surroundings_tables.hpp"
+#include "deck/table/place_kinds.hpp"
 #include "model/evaluation_error.hpp"
 
 namespace gxrod {
@@ -54,10 +55,20 @@ void check_along(const Value& value,
     });
 }
 
-// The length of the rod of this name; nullopt if there is none.
-std::optional<double> find_length(const std::string& name, const BuildContext& context) {
-    const std::optional<int> rod = find_index(context.deck.tables("rod"), name);
-    return rod ? std::optional(context.model.rods[static_cast<std::size_t>(*rod)].length) : std::nullopt;
+// The lengths of the rods that a table names, unless it concerns a part of them.
+std::vector<double> list_lengths(const TableHead& table, const BuildContext& context) {
+    std::vector<double> lengths;
+    const auto add = [&](const std::string& name) {
+        for (const int rod : context.names.find_rods(name))
+            lengths.push_back(context.model.rods[static_cast<std::size_t>(rod)].length);
+    };
+    if (!values_of<PlaceCondition>(table).empty()) return lengths;
+    for (const TableName& rod : values_of<TableName>(table)) add(rod.word);
+    for (const TableNames& rods : values_of<TableNames>(table)) {
+        if (table.key_of(&rods).name != "on") continue;
+        for (const CheckedWord& rod : rods.names) add(rod.word);
+    }
+    return lengths;
 }
 
 void check_along(const TableHead& table, double length, const BuildContext& context) {
@@ -106,10 +117,7 @@ void check_values(const ActingTable& table, const std::vector<double>& times, co
         check_by_time(vector, times, context);
     for (const FieldVector& vector : values_of<FieldVector>(table))
         check_by_time(vector.components, times, context);
-    for (const TableName& rod : values_of<TableName>(table)) {
-        if (const std::optional<double> length = find_length(rod.word, context))
-            check_along(table, *length, context);
-    }
+    for (const double length : list_lengths(table, context)) check_along(table, length, context);
 }
 
 // With friction a tendon only pulls.

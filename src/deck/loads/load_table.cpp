@@ -39,16 +39,16 @@ const TableSpec& load_table() {
             .otherwise("all").also("if filter region box plane condition")
         .key("force", &T::force, "Force; x, y, z is where the point is then, vx, vy, vz its velocity, rx, ry, rz its rotation vector "
              "since t = 0, wx, wy, wz its angular velocity, all global.")
-            .unit("mass·length/time²").otherwise("[0, 0, 0]").only_with("at").also("f value magnitude vector")
+            .unit("mass·length/time²").otherwise("[0, 0, 0]").also("f value magnitude vector")
         .key("moment", &T::moment, "Moment; of the same variables.")
-            .unit("mass·length²/time²").otherwise("[0, 0, 0]").only_with("at").also("m torque couple")
+            .unit("mass·length²/time²").otherwise("[0, 0, 0]").also("m torque couple")
         .key("force_per_length", &T::force_per_length,
              "Force per reference length; s is the arc length from the rod's start, the others are of the point there.")
-            .unit("mass/time²").otherwise("[0, 0, 0]").only_with("on")
+            .unit("mass/time²").otherwise("[0, 0, 0]")
             .also("q p distributed line_load force_per_unit_length distributed_force")
         .key("moment_per_length", &T::moment_per_length,
              "Moment per reference length; of the same variables.")
-            .unit("mass·length/time²").otherwise("[0, 0, 0]").only_with("on")
+            .unit("mass·length/time²").otherwise("[0, 0, 0]")
         .key("frame", &T::frame, "spatial: fixed in space, a dead load. follower: global components at t = 0, turned "
              "with the node or section. body: components in the section axes of the point named, or along the rod "
              "(body axes of a body).")
@@ -229,6 +229,26 @@ void add_distributed_loads(const LoadTable& given, const Acting& acting, BuildCo
             fmt::format("no element of the rods here has its middle where \"{}\" holds", given.where->text));
 }
 
+// Faults of keys that go with `at` in a table that has `on`, and the reverse.
+void check_companions(const LoadTable& given, const BuildContext& context) {
+    const auto refuse = [&](const auto& field, const char* with, const char* has, const char* others) {
+        if (!field) return;
+        context.add_fault(
+            given,
+            field,
+            fmt::format("goes with {}, and this table has {}, with which go {}", with, has, others));
+    };
+    constexpr const char* along = "force_per_length, moment_per_length";
+    if (given.on && !given.at) {
+        refuse(given.force, "at", "on", along);
+        refuse(given.moment, "at", "on", along);
+    }
+    if (given.at && !given.on) {
+        refuse(given.force_per_length, "on", "at", "force, moment");
+        refuse(given.moment_per_length, "on", "at", "force, moment");
+    }
+}
+
 // Adds what a table says, at points or along rods.
 void add_load(const LoadTable& given, const Acting& acting, BuildContext& context) {
     const bool has_points = given.force || given.moment;
@@ -277,6 +297,7 @@ void build_loads(BuildContext& context) {
         context.model.gravity = TimeVector(std::move(components));
     }
     for (const LoadTable& given : tables_of<LoadTable>(context.deck, load_table())) {
+        if (context.stage == 0) check_companions(given, context);
         const Acting acting = find_acting(given, context);
         if (acting.is_absent) continue;
         add_load(given, acting, context);

@@ -61,12 +61,7 @@ const TableSpec& imperfection_table() {
             .names_of({"rod"}).only_with("bow").otherwise("all")
         .key("direction", &T::direction, "Of bow, across each member, or of sway, level; projected.")
             .unit("1").also("towards along")
-        .exactly_one_of({"mode", "file", "bow", "sway"})
-        .shown_by(
-            "[[imperfection]]\n"
-            "bow       = \"1/500\"\n"
-            "on        = \"flyer\"\n"
-            "direction = [0, 0, 1]\n");
+        .exactly_one_of({"mode", "file", "bow", "sway"});
     // clang-format on
     return table;
 }

@@ -37,14 +37,7 @@ const TableSpec& vessel_table() {
              "OrcaFlex. lead: earlier, as in WAMIT.")
             .required().words({"lag", "lead"}).also("phase convention phase_convention")
         .key("rotations", &T::rotations, "The unit of roll, pitch and yaw for waves of amplitude 1.")
-            .words({"deg", "rad"}).otherwise("deg").also("rotation_unit angles")
-        .shown_by(
-            "[vessel.fpso]\n"
-            "rao     = \"fpso_raos.csv\"\n"
-            "at      = [0, 0, 0]\n"
-            "heading = \"pi\"\n"
-            "offset  = [-20, 0, 0]\n"
-            "phases  = \"lag\"\n");
+            .words({"deg", "rad"}).otherwise("deg").also("rotation_unit angles");
     // clang-format on
     return table;
 }

@@ -97,12 +97,13 @@ TEST_CASE("Every quantity has its word, and points have those that they can", "[
     std::vector<std::string> of_rods = list_quantity_words();
     std::erase(of_rods, "centre_of_mass");
     std::erase_if(of_rods, is_stress_quantity);  // those need a shape
-    of_rods.resize(17);                          // after these come those of springs and joints
+    // After these come the quantities of springs and joints.
+    of_rods.erase(std::ranges::find(of_rods, "reaction_moment") + 1, of_rods.end());
     const Problem problem =
         read(rod_deck + supports + "[[history]]\nname = \"all\"\nat = \"r.end\"\nquantities = [" +
              quoted_list(of_rods) + "]\n");
-    CHECK(problem.output.histories[0].quantities.size() == 17);
-    CHECK(problem.output.histories[0].quantities.back() == "reaction_moment");
+    CHECK(of_rods.size() > 17);
+    CHECK(problem.output.histories[0].quantities == of_rods);
     const Problem body =
         read(body_deck + "[[history]]\nname = \"a\"\nat = \"top\"\nquantities = \"centre_of_mass\"\n");
     CHECK(body.output.histories[0].quantities == std::vector<std::string>{"centre_of_mass"});

@@ -89,7 +89,7 @@ x.toml:8:1: history[0].quantities: missing; expected one or a list of )" +
               quoted_list(list_quantity_words()));
     CHECK(faults_of(body_deck + "[[support]]") ==
           R"(x.toml:8:1: support[0]: missing; expected at or where
-x.toml:8:1: support[0]: missing; expected fix or move = { … } or stiffness = { … } or damping = { … })");
+x.toml:8:1: support[0]: missing; expected fix or move = { … } or stiffness = { … } or damping = { … } or vessel)");
 }
 
 TEST_CASE("Keys that exclude each other are not given together", "[deck]") {

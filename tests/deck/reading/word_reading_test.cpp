@@ -78,10 +78,11 @@ steps = 10
 )") ==
           R"(x.toml:1:9: title: expected text, found 1
 x.toml:2:9: units: expected text, found an array of 1)");
-    CHECK(faults_of(body_deck + R"([[load]]
+    CHECK(
+        faults_of(body_deck + R"([[load]]
 at = 3
 force = [0, 0, 0])") ==
-          R"(x.toml:9:6: load[0].at: expected a point, such as "rod.end", "rod@0.25" or "body", found 3)");
+        R"(x.toml:9:6: load[0].at: expected a point, such as "rod.end", "rod@0.25" or "body", with * for any letters, or an array of points, found 3)");
     CHECK(faults_of(body_deck + R"([[history]]
 name = 3
 at = "top"

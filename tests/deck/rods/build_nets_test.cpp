@@ -176,9 +176,7 @@ TEST_CASE("A net has the points that its mesh names, and no others", "[deck]") {
           "meaning; expected r.left_foot, r.right_foot or r.top");
     CHECK(faults_of(with_point(deck, "r.start")) ==
           "x.toml:13:6: support[0].at: no point \"r.start\"; the rod has r.left_foot, r.right_foot, r.top");
-    CHECK(faults_of(with_point(deck, "r.feet")) ==
-          "x.toml:13:6: support[0].at: the mesh's group \"feet\" has 2 nodes of this rod; expected one with "
-          "a single node");
+    CHECK(read(with_point(deck, "r.feet")).model.supports.size() == 2);
     // Points of the mesh that are not on the rod are not its points.
     CHECK(faults_of(with_point(mesh_deck("truss.geo", "22"), "r.top")) ==
           "x.toml:13:6: support[0].at: no point \"r.top\"; the rod has r.start, r.end, r@FRACTION, "

@@ -76,7 +76,7 @@ TEST_CASE("A component is fixed or moved, once", "[deck]") {
           "x.toml:13:14: support[1].move.y: support[0] moves y here too");
     CHECK(faults_of(support + "move = {}\n") ==
           "x.toml:8:1: support[0]: missing; expected fix or move = { … } or stiffness = { … } or damping = { "
-          "… }");
+          "… } or vessel");
 }
 
 TEST_CASE("A rotation moves with the other two fixed or moved", "[deck]") {
