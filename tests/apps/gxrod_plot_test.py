@@ -289,7 +289,7 @@ class Errors(PlotTest):
     def test_stresses_that_are_not_there(self):
         for what in ("stress", "section"):
             self.assert_fails(4, self.sample, "--what", what, says=["has no stresses", "[output]"])
-        self.assert_fails(2, self.sample, self.sample, "--what", "stress", says=["stresses need one file"])
+        self.assert_fails(2, self.sample, self.sample, "--what", "stress", says=["stress needs one file"])
 
     def test_unknown_histories(self):
         self.assert_fails(2, self.sample, "--history", "tap", says=["'tap'", "tip, top"])
