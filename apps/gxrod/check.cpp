@@ -19,6 +19,7 @@
 #include "check/summaries/model_summary.hpp"
 #include "deck/problem.hpp"
 #include "deck/reading/input_uses.hpp"
+#include "deck/text/fault.hpp"
 #include "exit_code.hpp"
 #include "job.hpp"
 #include "machine/file_error.hpp"

@@ -17,7 +17,6 @@
 #include "parallel/cores.hpp"
 #include "progress_line.hpp"
 #include "results/export/line_end_table.hpp"
-#include "results/file/results_access.hpp"
 #include "results/results_size.hpp"
 #include "say.hpp"
 #include "summary.hpp"
@@ -55,14 +54,10 @@ std::string describe_touch_down(const LineEndRow& row) {
 void print_touch_downs(const std::string& results) {
     std::vector<std::string> lines;
     try {
-        read_results(results, [&](const Hdf5Reader& file) {
-            lines.clear();
-            for (const LineEndRow& row : find_line_ends(file, results, {})) {
-                const bool is_free = std::isnan(row.range.least) || row.range.largest == 0.0;
-                if (row.quantity.starts_with("touch_down") && !is_free)
-                    lines.push_back(describe_touch_down(row));
-            }
-        });
+        for (const LineEndRow& row : read_line_ends(results, {})) {
+            const bool is_free = std::isnan(row.range.least) || row.range.largest == 0.0;
+            if (row.quantity.starts_with("touch_down") && !is_free) lines.push_back(describe_touch_down(row));
+        }
     } catch (const FileError&) {
         return;  // the run itself is over and well
     }
@@ -96,7 +91,6 @@ void print(const JobOptions& options, const RunSummary& summary, bool is_resumed
     } else if (options.prints()) {
         for (const std::string& finding : summary.findings) say(stdout, "{}\n", finding);
         for (const FoundShapes& found : summary.shapes) print_shapes(found);
-        print_touch_downs(options.results);
         if (summary.totals.steps > 0) {
             say(stdout,
                 "{} steps to {}, {} Newton iterations{}, ",
@@ -207,6 +201,11 @@ int run_and_tell(const RunRequest& request, const JobOptions& options, ProgressL
     const RunSummary summary = run_analysis(request);
     line.finish();
     print(options, summary, request.resumed != nullptr);
+    const bool records_ends = std::ranges::any_of(
+        request.problem.output.histories,
+        [](const HistoryRequest& one) { return std::holds_alternative<WatchedContacts>(one.target); });
+    if (records_ends && options.prints() && summary.status == RunStatus::complete)
+        print_touch_downs(options.results);
     if (!options.quiet) {
         for (const std::string& note : summary.notes) say(stderr, "note: {}\n", note);
     }

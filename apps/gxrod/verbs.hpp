@@ -20,6 +20,7 @@ void add_section_verb(CLI::App& program, int& exit_code);
 void add_verify_verb(CLI::App& program, int& exit_code);
 void add_schema_verb(CLI::App& program, int& exit_code);
 void add_export_verb(CLI::App& program, int& exit_code);
+void add_line_ends_verb(CLI::App& program, int& exit_code);
 void add_fmu_verb(CLI::App& program, int& exit_code);
 void add_report_verb(CLI::App& program, int& exit_code);
 

@@ -44,6 +44,7 @@
 #include "deck/sections/shapes/wall_shape.hpp"
 #include "deck/supports/build_supports.hpp"
 #include "deck/surroundings/build_surroundings.hpp"
+#include "deck/surroundings/contents_flow.hpp"
 #include "deck/surroundings/vessel_table.hpp"
 #include "deck/text/further_faults.hpp"
 #include "deck/text/overrides.hpp"

@@ -136,6 +136,18 @@ std::optional<GroundedPart> Sight::grounded_part() const {
     return find_grounded_part(*of.model, std::get<WatchedContacts>(of.target).contact.rod, now.nodes);
 }
 
+// A spring exerts the opposite of what the node exerts on it.
+Vec6 Sight::reaction() const {
+    const int node = node_of(of.target);
+    Vec6 sum = now.reactions[static_cast<std::size_t>(node)];
+    for (const std::size_t spring : of.support_springs) {
+        const BushingValues& values = now.ties->of<BushingValues>()[spring];
+        sum.head<3>() -= values.axes * values.force;
+        sum.tail<3>() -= values.axes * values.moment;
+    }
+    return sum;
+}
+
 Vec3 Sight::reaction_force() const { return reaction().head<3>(); }
 
 // M + (r − about) × F of the force F and the moment M on the node at r.

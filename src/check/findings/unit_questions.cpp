@@ -52,10 +52,10 @@ struct UsualRange {
     bool hold(double value) const { return value >= least && value <= most; }
 };
 
-constexpr UsualRange gravities{0.05, 100.0};    // of moons and planets, in m/s²
-constexpr UsualRange wave_speeds{0.05, 3e4};    // of stretching, from gels to diamond, in m/s
-constexpr UsualRange densities{0.5, 2.5e5};     // from foams to platinum, and ten times as much, in kg/m³
-constexpr double steel_wave_speed = 5.2e3;  // m/s
+constexpr UsualRange gravities{0.05, 100.0};  // of moons and planets, in m/s²
+constexpr UsualRange wave_speeds{0.05, 3e4};  // of stretching, from gels to diamond, in m/s
+constexpr UsualRange densities{0.5, 2.5e5};   // from foams to platinum, and ten times as much, in kg/m³
+constexpr double steel_wave_speed = 5.2e3;    // m/s
 
 class UnitQuestions {
   public:

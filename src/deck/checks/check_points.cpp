@@ -136,17 +136,11 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
         }
     }
     check_names({&load_table(), &support_table()});
-    const bool touches_rods =
-        !context.deck.tables("contact").empty() || !context.deck.tables("obstacle").empty() ||
-        !context.deck.tables("seabed").empty();
     for (const HistoryKeys& table : tables_of<HistoryKeys>(context.deck, history_table())) {
-        const std::string& at = table.at.word;
-        const auto is_one = [&](std::string_view key) {
-            return find_index(context.deck.tables(key), at).has_value();
-        };
-        if (!std::ranges::any_of(list_tie_words(), is_one) && !is_one("tendon") && !is_one("chamber") &&
-            !is_one("obstacle") && !(has_contact && is_one("rod")))
-            points.check_place(table.at);
+        for (const CheckedWord& word : table.at.words) {
+            const std::string reason = explain_no_watched(word.word, context);
+            if (!reason.empty()) context.faults.add(word.place, word.path, reason);
+        }
         if (const auto& other = table.relative_to) points.check(other->word, other->place, other->path);
     }
     for (const AnalysisTable& table : list_analyses(context.deck)) {

@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <memory>
 
 #include "deck/loads/acting.hpp"
 #include "deck/loads/combinations.hpp"
@@ -36,7 +39,7 @@ const TableSpec& load_table() {
         .key("where", &T::where, "At which of the points the load acts, or with `on` along which elements, by their "
              "middle, as they are at t = 0; s is the arc length from the rod's start. Comparisons allow for round-off. Without "
              "`at` and `on`, at ends and corners of rods and nodes between elements of meshes.")
-            .otherwise("all").also("if filter region box plane condition")
+            .otherwise("all").also("if filter region box condition")
         .key("force", &T::force, "Force; x, y, z is where the point is then, vx, vy, vz its velocity, rx, ry, rz its rotation vector "
              "since t = 0, wx, wy, wz its angular velocity, all global.")
             .unit("mass·length/time²").otherwise("[0, 0, 0]").also("f value magnitude vector")
@@ -266,7 +269,7 @@ void add_load(const LoadTable& given, const Acting& acting, BuildContext& contex
 }
 
 bool is_fixed_in_space(const LoadTable& given) {
-    return given.at && given.force && given.frame == Frame::spatial &&
+    return given.at && !given.where && given.force && given.frame == Frame::spatial &&
            std::ranges::none_of(*given.force, [](const CheckedMotionFunction& one) {
                return static_cast<bool>(one.expression.by_motion);
            });
@@ -280,17 +283,22 @@ std::vector<SteadyLoad> list_steady_loads(const BuildContext& context) {
     for (const LoadTable& given : tables_of<LoadTable>(context.deck, load_table())) {
         const Acting acting = find_acting(given, context);
         if (acting.is_absent || !is_fixed_in_space(given)) continue;
-        SteadyLoad load{given.at->word, Vec3::Zero()};
+        Vec3 force;
         for (int i = 0; i < 3; ++i)
-            load.force[i] = rest_of((*given.force)[static_cast<std::size_t>(i)], acting)(time);
-        loads.push_back(std::move(load));
+            force[i] = rest_of((*given.force)[static_cast<std::size_t>(i)], acting)(time);
+        for (const CheckedWord& word : given.at->words) {
+            const auto found = context.names.find_all(word.word);
+            const auto* points = std::get_if<std::vector<NamedPoint>>(&found);
+            if (points == nullptr) continue;
+            for (const NamedPoint& one : *points) loads.push_back({one.text, force});
+        }
     }
     return loads;
 }
 
 void build_loads(BuildContext& context) {
-    if (const auto& gravity = top_level_of(context.deck).gravity) {
-        Acting acting = find_acting(context);
+    if (const CheckedTimeVector* gravity = find_gravity(context.deck)) {
+        Acting acting = find_gravity_acting(context);
         acting.scale = find_gravity_factor(context);
         std::array<TimeFunction, 3> components;
         for (std::size_t i = 0; i < 3; ++i) components[i] = acting.apply((*gravity)[i].function);

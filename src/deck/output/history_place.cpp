@@ -67,12 +67,12 @@ std::optional<Watched> find_thing(const auto& things, const std::string& name) {
     return Thing{*index};
 }
 
-// The tables whose names are things to watch, in a deck with contact rods too.
+// The tables whose names are things to watch, in a deck with contact or ground rods too.
 std::vector<std::string> list_watched_tables(const BuildContext& context) {
     std::vector<std::string> tables = list_tie_words();
-    tables.insert(tables.end(), {"tendon", "obstacle"});
-    if (!context.deck.tables("contact").empty() || !context.deck.tables("obstacle").empty())
-        tables.emplace_back("rod");
+    tables.insert(tables.end(), {"tendon", "chamber", "obstacle"});
+    const auto has = [&](const char* table) { return !context.deck.tables(table).empty(); };
+    if (has("contact") || has("obstacle") || has("seabed")) tables.emplace_back("rod");
     return tables;
 }
 
@@ -98,18 +98,47 @@ std::optional<Watched> find_named_thing(const std::string& name, const BuildCont
         if (!names(card_of(kind).table)) return;
         if (const std::optional<int> index = find_named(list, name)) tie = WatchedTie{kind, *index};
     });
-    if (is_tie) return tie;
-    if (names("tendon") || names("chamber")) return find_thing<WatchedTendon>(model.tendons, text);
-    if (names("obstacle")) return find_thing<WatchedObstacle>(model.contact.obstacles, text);
-    const std::optional<int> whole = find_named(model.rods, text);
+    if (tie) return tie;
+    if (names("tendon") || names("chamber")) return find_thing<WatchedTendon>(model.tendons, name);
+    if (names("obstacle")) return find_thing<WatchedObstacle>(model.contact.obstacles, name);
+    const std::optional<int> whole = find_named(model.rods, name);
     if (whole && (!model.contact.is_empty() || model.surroundings.seabed))
         return WatchedContacts{{.rod = *whole}};
-    const std::optional<PlacedPoint> placed = context.place(text);
-    if (!placed) return std::nullopt;
-    if (placed->body >= 0) return WatchedBody{.index = placed->body, .node = placed->node};
-    const Rod& rod = model.rods[static_cast<std::size_t>(placed->rod)];
-    if (placed->between) return WatchedPoint{place_between_nodes(*placed->between, rod)};
-    return WatchedPoint{place_in_rod(*placed, rod), placed->node};
+    return std::nullopt;
+}
+
+Watched watch_point(const PlacedPoint& placed, const Model& model) {
+    if (placed.body >= 0) return WatchedBody{.index = placed.body, .node = placed.node};
+    const Rod& rod = model.rods[static_cast<std::size_t>(placed.rod)];
+    if (placed.between) return WatchedPoint{place_between_nodes(*placed.between, rod)};
+    return WatchedPoint{place_in_rod(placed, rod), placed.node};
+}
+
+}  // namespace
+
+std::vector<WatchedText> find_watched(const std::string& text, const BuildContext& context) {
+    std::vector<WatchedText> found;
+    const std::vector<std::string> named = list_matching(text, context);
+    for (const std::string& name : named) {
+        if (const std::optional<Watched> thing = find_named_thing(name, context))
+            found.push_back({name, *thing});
+    }
+    if (!named.empty()) return found;
+    const auto points = context.names.find_all(text, PointNeeds::place);
+    const auto* all = std::get_if<std::vector<NamedPoint>>(&points);
+    if (all == nullptr) return found;
+    for (const NamedPoint& one : *all) {
+        if (const std::optional<PlacedPoint> placed = context.place(one.point))
+            found.push_back({one.text, watch_point(*placed, context.model)});
+    }
+    return found;
+}
+
+std::string explain_no_watched(const std::string& text, const BuildContext& context) {
+    if (!list_matching(text, context).empty()) return "";
+    const auto points = context.names.find_all(text, PointNeeds::place);
+    const auto* message = std::get_if<std::string>(&points);
+    return message == nullptr ? "" : *message;
 }
 
 }  // namespace gxrod

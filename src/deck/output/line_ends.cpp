@@ -37,10 +37,10 @@ void add_line_ends(const TableHead& table,
                    std::vector<HistoryRequest>& histories) {
     const auto add = [&](const std::string& rod, const char* what, const std::string& at) {
         HistoryRequest request{.name = name_line_end(rod, what), .at = at};
-        const std::optional<Watched> target = find_watched(at, context);
-        if (!target) return;
-        request.target = *target;
-        request.quantities = list_line_end_words(*target, context.model);
+        const std::vector<WatchedText> found = find_watched(at, context);
+        if (found.empty()) return;
+        request.target = found.front().thing;
+        request.quantities = list_line_end_words(request.target, context.model);
         if (request.quantities.empty()) return;
         if (has_history(context, request.name)) {
             context.add_fault(

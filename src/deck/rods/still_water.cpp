@@ -1,4 +1,5 @@
 #include "deck/rods/still_water.hpp"
+#include "deck/loads/gravity_table.hpp"
 
 #include <algorithm>
 
@@ -29,7 +30,7 @@ Lying find_lying(const Section* section, const BuildContext& context) {
 
 StillWater find_still_water(const BuildContext& context) {
     StillWater water;
-    if (const auto& given = top_level_of(context.deck).gravity) {
+    if (const CheckedTimeVector* given = find_gravity(context.deck)) {
         for (int i = 0; i < 3; ++i) water.gravity[i] = (*given)[static_cast<std::size_t>(i)].function(1.0);
     }
     const auto fluids = tables_of<FluidTable>(context.deck, fluid_table());

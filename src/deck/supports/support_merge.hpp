@@ -36,6 +36,7 @@ struct SupportTable : ActingTable {
     std::optional<PlaceCondition> where;
     std::optional<WordList> fix;
     std::optional<MoveTable> move;
+    std::optional<ComponentNumbers> stiffness, damping;
     std::optional<TableName> vessel;
     std::optional<Mat3> axes;
     Copies copies;

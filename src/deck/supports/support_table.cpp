@@ -30,13 +30,18 @@ const TableSpec& support_table() {
         .key("where", &T::where, "At which of these points, as they are at t = 0; s is the arc length from the rod's "
              "start. Comparisons allow for round-off. Without `at`, at ends and corners of rods and nodes between "
              "elements of meshes.")
-            .otherwise("all").also("if filter region box plane condition")
+            .otherwise("all").also("if filter region box condition")
         .key("fix", &T::fix, "position is x y z, rotation is rx ry rz, all is both.")
             .words(component_words()).also("type fixed dof dofs constrain constrained restrain components clamped")
         .key("move", &T::move, move, "Prescribed motion. Where a rotation is moved, the other two are fixed or moved "
              "too, and exp of the vector (rx, ry, rz), of any size, is the rotation since t = 0. In a dynamic "
              "analysis 0 at t = 0.")
             .also("displacement motion prescribed prescribed_displacement")
+        .key("stiffness", &T::stiffness, stiffness, "By which the support yields: force per displacement and moment "
+             "per rotation since t = 0, of components that are not fixed.")
+            .also("k spring springs spring_constant elastic subgrade foundation")
+        .key("damping", &T::damping, damping, "Force and moment per rate, likewise.")
+            .also("c dashpot viscosity")
         .key("vessel", &T::vessel, "The name of a [vessel.NAME]: what `fix` names, or the position, moves with it as if "
              "fixed to it.")
             .names_of({"vessel"}).also("attached_to ship fpso")
@@ -47,9 +52,12 @@ const TableSpec& support_table() {
              "move begins where the point is.")
             .otherwise("all").names_of({"stage"})
         .with(add_copies<T>)
-        .at_least_one_of({"fix", "move", "vessel"})
+        .at_least_one_of({"at", "where"})
+        .at_least_one_of({"fix", "move", "stiffness", "damping", "vessel"})
         .at_most_one_of({"vessel", "move"})
         .at_most_one_of({"vessel", "axes"})
+        .at_most_one_of({"vessel", "stiffness"})
+        .at_most_one_of({"vessel", "damping"})
         .shown_by(
             "[[support]]\n"
             "at  = \"gyroscope\"\n"

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 
+#include "deck/places/point_patterns.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/supports/components.hpp"
 #include "deck/supports/support_merge.hpp"
@@ -169,6 +170,18 @@ TimeFunction make_motion(const MotionOfVessel& motion,
     return TimeFunction([on_vessel, component](double t) { return on_vessel->at(t, component); });
 }
 
+// Lets the support of a node follow a vessel.
+void move_with_vessel(const SupportTable& given,
+                      int node,
+                      const MotionOfVessel& motion,
+                      BuildContext& context) {
+    const auto support = std::ranges::find(context.model.supports, node, &Support::node);
+    if (support == context.model.supports.end()) return;
+    const Vec3& place = context.model.nodes[static_cast<std::size_t>(node)].position;
+    for (const int component : components_on_vessel(given, context))
+        support->motion[static_cast<std::size_t>(component)] = make_motion(motion, place, component, context);
+}
+
 }  // namespace
 
 void move_with_vessels(const SurroundingsFiles& files, BuildContext& context) {
@@ -178,14 +191,9 @@ void move_with_vessels(const SurroundingsFiles& files, BuildContext& context) {
     for (const SupportTable& given : tables_of<SupportTable>(context.deck, support_table())) {
         if (!given.vessel || !acts_in_stage(given, context)) continue;
         const auto motion = motions.find(given.vessel->word);
-        const std::optional<PlacedPoint> point = context.place(given.at.word);
-        if (!point || motion == motions.end() || !motion->second) continue;
-        const auto support = std::ranges::find(context.model.supports, point->node, &Support::node);
-        if (support == context.model.supports.end()) continue;
-        const Vec3& place = context.model.nodes[static_cast<std::size_t>(point->node)].position;
-        for (const int component : components_on_vessel(given, context))
-            support->motion[static_cast<std::size_t>(component)] =
-                make_motion(motion->second, place, component, context);
+        if (motion == motions.end() || !motion->second) continue;
+        for (const PlacedPoint& point : find_points(given, given.at, given.where, context))
+            move_with_vessel(given, point.node, motion->second, context);
     }
 }
 
