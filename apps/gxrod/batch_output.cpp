@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -206,7 +208,12 @@ void BatchOutput::show_summary(const BatchSummary& summary, const BatchRequest& 
 
 void BatchOutput::show_members(const std::vector<MemberRange>& ranges, const BatchRequest& request) const {
     if (!prints_ || ranges.empty()) return;
-    const auto describe_extreme = [](const MemberExtreme& one) {
+    constexpr double round_off = 1e-9;  // of the largest
+    double largest = 0.0;
+    for (const MemberRange& range : ranges)
+        largest = std::max({largest, std::abs(range.largest.value), std::abs(range.least.value)});
+    const auto describe_extreme = [&](const MemberExtreme& one) {
+        if (std::abs(one.value) < round_off * largest) return fmt::format("{:>12} {:<24}", 0, "");
         return fmt::format(
             "{:>12.6g} {:<24}", one.value, fmt::format("{} {}, {}", one.member, one.end, one.combination));
     };
