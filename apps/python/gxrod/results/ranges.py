@@ -40,7 +40,7 @@ def choose_window(source: Source, start: float | None, end: float | None, stage:
 
 
 def rows_within(times: Array, window: tuple[float, float]) -> Array:
-    """Numbers of the rows in the window; ValueError if there is none."""
+    """Numbers of the rows in the window; ValueError without one."""
     slack = 1e-9 * (abs(window[0]) + abs(window[1]))
     rows = np.flatnonzero((times >= window[0] - slack) & (times <= window[1] + slack))
     if not len(rows):
