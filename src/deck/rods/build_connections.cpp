@@ -183,12 +183,20 @@ std::vector<std::vector<JoinedPoint>> list_groups(const ConnectTable& given,
         rods.clear();
         for (const Part& part : find_parts(given, *given.on, context)) rods.push_back(part.rod);
     }
-    auto groups =
-        find_coincident_points(rods, given.tolerance.value_or(coincident_place * size), nets, context);
-    if (groups.empty())
+    const double tolerance = given.tolerance.value_or(coincident_place * size);
+    auto groups = find_coincident_points(rods, tolerance, nets, context);
+    const std::string loose = explain_loose_end(rods, tolerance, groups, context);
+    if (!loose.empty()) {
+        context.add_fault(given,
+                          given.points,
+                          loose +
+                              "; a point ROD@FRACTION in a [[connect]] of both gives it a node "
+                              "there, as other numbers of elements can");
+    } else if (groups.empty()) {
         context.add_fault(given,
                           given.points,
                           "no points coincide; a larger tolerance finds points that are near to each other");
+    }
     return groups;
 }
 
@@ -200,10 +208,13 @@ void join_group(const std::vector<JoinedPoint>& group, NodeMerge& merge, BuildCo
     for (const JoinedPoint& one : group) merge.name(one.node);
     for (const JoinedPoint& one : group) {
         if (&one == &main) continue;
-        if (one.is_hinged)
-            context.hinges.push_back({one.name, main.name, main.node, one.node, one.rod});
-        else
+        const auto known = std::ranges::find(context.hinges, one.node, &MemberHinge::own_node);
+        if (!one.is_hinged)
             merge.join(main.node, one.node);
+        else if (known != context.hinges.end())  // another table has tied it, to what is the same place then
+            merge.join(known->node, main.node);
+        else
+            context.hinges.push_back({one.name, main.name, main.node, one.node, one.rod});
     }
 }
 

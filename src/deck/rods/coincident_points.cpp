@@ -1,6 +1,9 @@
 #include "deck/rods/coincident_points.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "deck/places/point_patterns.hpp"
@@ -85,6 +88,31 @@ std::vector<JoinCandidate*> take_group(std::vector<JoinCandidate>& sorted,
     return group;
 }
 
+// The share of an element, as a straight line, at which a place lies on it between its ends.
+std::optional<double> find_share(const Vec3& place, const Vec3& from, const Vec3& to, double tolerance) {
+    const Vec3 along = to - from;
+    const double share = (place - from).dot(along) / along.squaredNorm();
+    const bool is_between = share > 0.0 && share < 1.0;
+    if (!is_between || (from + share * along - place).norm() > tolerance) return std::nullopt;
+    return share;
+}
+
+// Where on a rod a place lies between nodes: "column at 0.37 of its length"; "" if it does not.
+std::string describe_place_on(const Rod& rod, const Vec3& place, double tolerance, const Model& model) {
+    const auto per_element = static_cast<std::size_t>(rod.order) + 1;
+    for (std::size_t entry = 0; entry < rod.element_nodes.size(); entry += per_element) {
+        const std::size_t last = entry + per_element - 1;
+        const auto position = [&](std::size_t i) {
+            return model.nodes[static_cast<std::size_t>(rod.element_nodes[i])].position;
+        };
+        const auto share = find_share(place, position(entry), position(last), tolerance);
+        if (!share) continue;
+        const double s = std::lerp(rod.arc_length[entry], rod.arc_length[last], *share);
+        return fmt::format("{} at {:.6g} of its length", rod.name, s / rod.length);
+    }
+    return "";
+}
+
 }  // namespace
 
 JoinedPoint make_joined(std::string name, const PlacedPoint& point, const BuildContext& context) {
@@ -96,6 +124,31 @@ JoinedPoint make_joined(std::string name, const PlacedPoint& point, const BuildC
     joined.is_hinged = (point.node == nodes.front() && has_hinge(table, "start")) ||
                        (point.node == nodes.back() && has_hinge(table, "end"));
     return joined;
+}
+
+std::string explain_loose_end(const std::vector<int>& rods,
+                              double tolerance,
+                              const std::vector<std::vector<JoinedPoint>>& groups,
+                              const BuildContext& context) {
+    std::set<int> joined;
+    for (const std::vector<JoinedPoint>& group : groups) {
+        for (const JoinedPoint& one : group) joined.insert(one.node);
+    }
+    const Model& model = context.model;
+    for (const int index : rods) {
+        const std::vector<int>& nodes = model.rods[static_cast<std::size_t>(index)].nodes;
+        if (context.names.is_meshed(index) || nodes.empty()) continue;
+        for (const int node : {nodes.front(), nodes.back()}) {
+            const Node& end = model.nodes[static_cast<std::size_t>(node)];
+            for (const int other : rods) {
+                if (joined.contains(node) || other == index) continue;
+                const std::string place = describe_place_on(
+                    model.rods[static_cast<std::size_t>(other)], end.position, tolerance, model);
+                if (!place.empty()) return fmt::format("{} lies on {}, within an element", end.name, place);
+            }
+        }
+    }
+    return "";
 }
 
 std::vector<std::vector<JoinedPoint>> find_coincident_points(const std::vector<int>& rods,

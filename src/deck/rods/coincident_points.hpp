@@ -26,4 +26,11 @@ std::vector<std::vector<JoinedPoint>> find_coincident_points(const std::vector<i
                                                              const RodNets& nets,
                                                              const BuildContext& context);
 
+// Explains which end of these rods lies on another of them within an element, so that nothing connects them;
+// "" if none does. `groups` are the points that coincide.
+std::string explain_loose_end(const std::vector<int>& rods,
+                              double tolerance,
+                              const std::vector<std::vector<JoinedPoint>>& groups,
+                              const BuildContext& context);
+
 }  // namespace gxrod

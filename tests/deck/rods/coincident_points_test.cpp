@@ -41,6 +41,19 @@ TEST_CASE("An end that meets a node within a rod is connected to it", "[deck]") 
     CHECK(model.rods[3].nodes.back() == model.rods[2].nodes.back());
 }
 
+TEST_CASE("An end that lies on a rod between its nodes is reported", "[deck]") {
+    const std::string odd = replaced(
+        tee, "[rod.column]\nsection = \"s\"\nelements = 4", "[rod.column]\nsection = \"s\"\nelements = 5");
+    CHECK(faults_of(odd + rod("brace", brace) + coincident) ==
+          "x.toml:22:10: connect[0].points: brace.start lies on column at 0.5 of its length, within an "
+          "element; a point "
+          "ROD@FRACTION in a [[connect]] of both gives it a node there, as other numbers of elements can");
+    const Model model = read(odd + rod("brace", brace) + coincident +
+                             "[[connect]]\npoints = [\"column@0.5\", \"brace.start\"]\n")
+                            .model;
+    CHECK(model.nodes.size() == read(tee + rod("brace", brace) + coincident).model.nodes.size() + 1);
+}
+
 TEST_CASE("A corner that meets a node within a rod is connected to it", "[deck]") {
     const Model model = read(tee + rod("bracket", "polyline = [[0, -1, 1], [0, 0, 1], [0, 1, 1]]") +
                              rod("other", "polyline = [[0.5, -1, 2], [0.5, 0, 2], [0.5, 0, 3]]") + coincident)
@@ -103,6 +116,18 @@ TEST_CASE("Ends with hinges are tied by joints", "[deck]") {
     CHECK(start.b.axes.col(0).isApprox(z, 1e-14));
     CHECK(start.b.axes.determinant() == Approx(1.0));
     CHECK(model.joints[1].a.anchor.node == model.rods[2].nodes.back());
+}
+
+TEST_CASE("An end with a hinge that two tables name has one joint, and what it is tied to is one node",
+          "[deck]") {
+    const Model model = read(tee + rod("brace", brace + "\nhinges = \"end\"") +
+                             rod("post", "line = { from = [1, 0, 2], to = [1, 0, 0] }") +
+                             "[[connect]]\npoints = [\"right.end\", \"brace.end\"]\n"
+                             "[[connect]]\npoints = [\"brace.end\", \"post.start\"]\n")
+                            .model;
+    CHECK(model.joints.size() == 1);
+    CHECK(model.rods[2].nodes.back() == model.rods[4].nodes.front());
+    CHECK(model.joints[0].a.anchor.node == model.rods[2].nodes.back());
 }
 
 TEST_CASE("Hinges in a plane leave its rotation free", "[deck]") {
