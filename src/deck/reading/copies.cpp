@@ -329,6 +329,12 @@ class CopyMaker {
             node.value = fmt::format("{}_{}{}", text.substr(0, end), number, text.substr(end));
     }
 
+    // Whether a text, or one of a list, has a *.
+    static bool has_pattern(const DeckNode& node) {
+        if (node.array() != nullptr) return std::ranges::any_of(*node.array(), has_pattern);
+        return node.text() != nullptr && node.text()->find('*') != std::string::npos;
+    }
+
     // What has no turned copy, or none without another key.
     void check_kind(std::string_view kind, const std::string& path, const DeckNode& table) {
         const auto refuse = [&](const char* key, const char* message) {
@@ -339,6 +345,13 @@ class CopyMaker {
             refuse("catenary", "a catenary has no copies; expected line, arc, helix, polyline or spline");
             if (table.find("y_axis") == nullptr && table.find("z_axis") == nullptr)
                 add_fault(table, path + ".copies", "copies need y_axis or z_axis, which is turned with them");
+        }
+        for (const char* key : {"at", "on", "points"}) {
+            const DeckEntry* entry = table.find(key);
+            if (entry != nullptr && has_pattern(entry->node))
+                add_fault(entry->node,
+                          path + "." + key,
+                          "a pattern names all copies at once; leave out copies, or name one of each");
         }
         refuse("where", "a condition on the place is not turned with copies; name the points");
         if (kind == "load") {
