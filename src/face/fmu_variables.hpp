@@ -15,7 +15,7 @@ struct FmuVariable {
     Causality causality;
     double start = 0.0;  // of parameters and inputs
     std::string description = {};
-    // Of an output: the history, its quantity and the component.
+    // The history of an output, its quantity and the component.
     std::size_t history = 0, quantity = 0, component = 0;
 };
 

@@ -6,7 +6,7 @@
 
 namespace gxrod {
 
-// Where a function that does not fall changes its sign: between two numbers next to each other.
+// The place where a function that does not fall changes its sign, between two numbers next to each other.
 struct RisingRoot {
     double best = 0.0;  // the smaller absolute value
     double below = 0.0, above = 0.0;

@@ -7,7 +7,7 @@
 
 namespace gxrod {
 
-// What hangs on a line at a place between its ends, so that it kinks there.
+// A weight that hangs on a line between its ends, so that the line kinks there.
 struct LineKink {
     double bending;  // least bending stiffness of the line there
     double reach;    // length over which a kink is drawn round at least

@@ -60,7 +60,7 @@ struct Sight {
     SectionStress stress() const;  // with the pressure of water on a solid section
     double exposure() const { return of.stress->find_exposure(section_resultants()); }
     const PointSurroundings& around() const;  // of a point or a body
-    // Where a rod as a whole lies on the ground; nullopt if it does not.
+    // Finds where a rod as a whole lies on the ground; nullopt if it does not.
     std::optional<GroundedPart> grounded_part() const;
     Vec3 reaction_force() const;
     Vec3 reaction_moment() const;

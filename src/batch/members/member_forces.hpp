@@ -16,7 +16,7 @@ namespace gxrod {
 // Returns whether the cases of a plan are combinations.
 bool varies_combinations(const Plan& plan);
 
-// Records the forces at the ends of all members, of which the last ones count.
+// Records the forces at the ends of all members; the last ones count.
 class MemberForces {
   public:
     // Adds a history of each end to the problem, which must outlive the record.

@@ -13,7 +13,7 @@ namespace gxrod {
 // The keys of a deck that read an input, by its name.
 using InputUses = std::map<std::string, std::vector<std::string>>;
 
-// What the deck of a model says of its parts, which the model does not know.
+// Holds what the deck of a model says of its parts, which the model does not know.
 struct DeckWords {
     InputUses uses = {};
     std::set<std::string> chambers = {};  // names of tendons that are chambers

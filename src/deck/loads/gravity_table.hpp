@@ -12,7 +12,7 @@ struct GravityTable : ActingTable {
 
 const TableSpec& gravity_table();
 
-// Returns the acceleration that a deck gives; nullptr if there is none.
+// Returns the acceleration that a deck gives; nullptr without gravity.
 const CheckedTimeVector* find_gravity(const CheckedTable& deck);
 
 // Finds how gravity acts in the stage at hand.

@@ -5,7 +5,7 @@
 #include "deck/places/build_context.hpp"
 #include "model/settings/history_request.hpp"
 
-// Both ends of lines, as output.line_ends asks for them.
+// Histories of both ends of lines, as output.line_ends asks for them.
 namespace gxrod {
 
 // Adds histories of the start and the end of each rod that the field of the table names: ROD_start and

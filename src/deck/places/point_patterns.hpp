@@ -12,7 +12,7 @@ namespace gxrod {
 
 // Finds the points that `at` names, those that satisfy `where` if that is given, each node once; without
 // `at` those of all rods. A rod that `at` names stands for its ends, its corners, and the nodes between the
-// elements of its mesh. Adds a fault if there is none, but not for a text without a point, which
+// elements of its mesh. Adds a fault if no point is left, but not for a text without a point, which
 // check_points reports.
 std::vector<PlacedPoint> find_points(const TableHead& table,
                                      const std::optional<PointPatterns>& at,

@@ -11,7 +11,7 @@
 namespace gxrod {
 
 // Finds the displacements and spins of all nodes in a buckling mode, from 1, of a problem under the loads of
-// its first stage. Throws std::runtime_error with the reason if there is none.
+// its first stage. Throws std::runtime_error with the reason if it has no such mode.
 using ModeFinder = std::vector<Vec6> (*)(const Problem& perfect, int mode);
 
 // Sets what finds modes. The deck knows no analysis; programs that run decks have one that finds them.

@@ -6,7 +6,7 @@
 
 namespace gxrod {
 
-// What hangs at a point of a rod between its ends.
+// A weight that hangs at a point of a rod between its ends.
 struct HungWeight {
     double fraction;                       // of the rod's length
     std::function<double(double)> weight;  // by the height there

@@ -6,10 +6,10 @@
 #include "model/displaced_start.hpp"
 #include "watch/members.hpp"
 
-// What displaces the start of a structure that is not perfect.
+// Displaces the start of a structure that is not perfect.
 namespace gxrod {
 
-// Returns the unit vector of the part of a direction across a unit vector; nullopt if there is none.
+// Returns the unit vector of the part of a direction across a unit vector; nullopt if they are parallel.
 std::optional<Vec3> project_across(const Vec3& direction, const Vec3& axis);
 
 // Adds a shape, displacements and spins of all nodes, so large that its largest displacement is `amplitude`.

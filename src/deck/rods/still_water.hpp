@@ -5,7 +5,7 @@
 
 #include "deck/rods/curve_table.hpp"
 
-// What acts on a line at rest before the model is built: gravity along −z, still water, level ground.
+// Holds what acts on a line at rest before the model is built: gravity along −z, still water, level ground.
 namespace gxrod {
 
 struct StillWater {

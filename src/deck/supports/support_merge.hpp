@@ -42,7 +42,7 @@ struct SupportTable : ActingTable {
     Copies copies;
 
     bool yields() const { return stiffness || damping; }
-    // Whether a component has stiffness or damping.
+    // Returns whether a component has stiffness or damping.
     bool yields(std::size_t component) const {
         return (stiffness && stiffness->values[component] > 0.0) ||
                (damping && damping->values[component] > 0.0);
