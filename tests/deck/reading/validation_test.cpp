@@ -194,12 +194,13 @@ force = [0, 0, 1]
 force_per_length = [0, 0, 1])") ==
           "x.toml:15:9: load[0].force: goes with at, and this table has on, with which go force_per_length, "
           "moment_per_length");
-    CHECK(faults_of(rod_deck + R"([[load]]
+    CHECK(
+        faults_of(rod_deck + R"([[load]]
 at = "r.end"
 force = [0, 0, 1]
 moment_per_length = [0, 0, 1])") ==
-          "x.toml:16:21: load[0].moment_per_length: goes with on, and this table has at, with which go force, "
-          "moment");
+        "x.toml:16:21: load[0].moment_per_length: goes with on, and this table has at, with which go force, "
+        "moment");
     CHECK(faults_of(rod_deck + R"([[load]]
 at = "r.end"
 on = "r"
