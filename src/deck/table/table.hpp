@@ -76,24 +76,24 @@ class Table {
     template <class Access>
     Table& key(const std::string& name, Access access, const std::string& sentence) {
         using Traits = FieldTraits<FieldOf<Access>>;
-        using Value = typename Traits::Value;
+        using Stored = typename Traits::Value;
         Binding binding = bind(access);
-        binding.kind = &value_kind<Value>;
+        binding.kind = &value_kind<Stored>;
         binding.read = [access](const ValueSource& from, TableHead& table) {
-            auto value = Kind<Value>::read(from);
+            auto value = Kind<Stored>::read(from);
             if (value) field(access, table) = std::move(*value);
             return value.has_value();
         };
         binding.print = [access](const TableHead& table) {
             const void* found = Traits::find(field(access, table));
-            return found == nullptr ? "" : Kind<Value>::print(*static_cast<const Value*>(found));
+            return found == nullptr ? "" : Kind<Stored>::print(*static_cast<const Stored*>(found));
         };
         add({.name = name, .sentence = sentence}, binding);
-        if constexpr (requires { Kind<Value>::choices(); }) last().choices = Kind<Value>::choices();
-        if constexpr (std::is_same_v<Value, FieldOf<Access>> &&
-                      requires(Value value) { Kind<Value>::default_value(value); }) {
+        if constexpr (requires { Kind<Stored>::choices(); }) last().choices = Kind<Stored>::choices();
+        if constexpr (std::is_same_v<Stored, FieldOf<Access>> &&
+                      requires(Stored value) { Kind<Stored>::default_value(value); }) {
             T fresh;
-            last().default_value = Kind<Value>::default_value(std::invoke(access, fresh));
+            last().default_value = Kind<Stored>::default_value(std::invoke(access, fresh));
         }
         return *this;
     }
