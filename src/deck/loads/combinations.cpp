@@ -98,6 +98,7 @@ void check_factors(const CombinationTable& table, const ListedCases& cases, cons
                 context.faults.add(one.value.place, one.value.path, "the deck has no gravity");
             continue;
         }
+        if (!context.faults.empty()) continue;  // the load that has it may be at fault itself
         const std::vector<std::string> known(cases.names.begin(), cases.names.end());
         const std::string hint = did_you_mean(one.name, known);
         const std::string list =

@@ -192,7 +192,7 @@ std::vector<std::vector<JoinedPoint>> list_groups(const ConnectTable& given,
                           loose +
                               "; a point ROD@FRACTION in a [[connect]] of both gives it a node "
                               "there, as other numbers of elements can");
-    } else if (groups.empty()) {
+    } else if (groups.empty() && context.faults.empty()) {  // rods at fault have no points
         context.add_fault(given,
                           given.points,
                           "no points coincide; a larger tolerance finds points that are near to each other");
