@@ -14,9 +14,9 @@ namespace {
 
 class NetMaker {
   public:
-    NetMaker(const LineMesh& mesh, const MeshLines& lines)
+    NetMaker(const LineMesh& mesh, const MeshLines& lines, int order)
         : mesh_(mesh), lines_(lines), order_(static_cast<std::size_t>(lines.orders.front())) {
-        net_.order = lines.orders.front();
+        net_.order = std::max(order, lines.orders.front());
     }
 
     RodNet make() {
@@ -69,24 +69,34 @@ class NetMaker {
                            .turn = curve.turn(curve.length())};
         if (link.element < lines_.curves.size()) element.curve = lines_.curves[link.element];
         const std::vector<double> parameters = compute_element_nodes(net_.order);
-        for (std::size_t i = 0; i <= order_; ++i) {
-            const std::size_t mesh_node = node_of(link.element, link.is_reversed ? order_ - i : i);
-            const bool is_inside = i > 0 && i < order_;
+        const std::size_t last = parameters.size() - 1;
+        for (std::size_t i = 0; i <= last; ++i) {
+            const std::size_t mesh_node = find_mesh_node(link, i, last);
+            const bool is_inside = i > 0 && i < last;
             const Vec3 position = is_inside ? cubic.position(parameters[i]) : mesh_.positions[mesh_node];
             element.nodes.push_back(find_node(mesh_node, position));
-            element.arc_length.push_back(i == order_ ? curve.length() : curve.arc_length_at(parameters[i]));
+            element.arc_length.push_back(i == last ? curve.length() : curve.arc_length_at(parameters[i]));
             element.transports.push_back(curve.transport(element.arc_length.back()));
         }
         return element;
     }
 
+    // Of node i of 0 to `last`; inner ones of an element of raised order have none.
+    std::size_t find_mesh_node(const ChainLink& link, std::size_t i, std::size_t last) const {
+        if (last != order_ && i > 0 && i < last) return RodNet::no_mesh_node;
+        const std::size_t along = i == last ? order_ : i;
+        return node_of(link.element, link.is_reversed ? order_ - along : along);
+    }
+
     int find_node(std::size_t mesh_node, const Vec3& position) {
-        const auto [entry, is_new] = numbers_.emplace(mesh_node, static_cast<int>(net_.positions.size()));
-        if (is_new) {
-            net_.positions.push_back(position);
-            net_.mesh_nodes.push_back(mesh_node);
+        const auto next = static_cast<int>(net_.positions.size());
+        if (mesh_node != RodNet::no_mesh_node) {
+            const auto [entry, is_new] = numbers_.emplace(mesh_node, next);
+            if (!is_new) return entry->second;
         }
-        return entry->second;
+        net_.positions.push_back(position);
+        net_.mesh_nodes.push_back(mesh_node);
+        return next;
     }
 
     const LineMesh& mesh_;
@@ -118,6 +128,8 @@ std::vector<double> RodNet::fractions() const {
     return found;
 }
 
-RodNet make_rod_net(const LineMesh& mesh, const MeshLines& lines) { return NetMaker(mesh, lines).make(); }
+RodNet make_rod_net(const LineMesh& mesh, const MeshLines& lines, int order) {
+    return NetMaker(mesh, lines, order).make();
+}
 
 }  // namespace gxrod

@@ -29,9 +29,10 @@ struct NetChain {
 // The lines of a mesh as a net of a rod: chains with numbered nodes, inner nodes moved along their element to
 // the Gauss-Lobatto points of its parameter.
 struct RodNet {
+    static constexpr std::size_t no_mesh_node = static_cast<std::size_t>(-1);
     int order = 1;
     std::vector<Vec3> positions;
-    std::vector<std::size_t> mesh_nodes;  // index of each in LineMesh::positions
+    std::vector<std::size_t> mesh_nodes;  // index of each in LineMesh::positions; no_mesh_node if it has none
     std::vector<NetChain> chains;
 
     double length() const;
@@ -41,8 +42,9 @@ struct RodNet {
     std::vector<double> fractions() const;
 };
 
-// Makes a net from lines, which must have elements, all of one order from 1 to 3. Throws MeshError, naming
-// the place, if an element has no length, ends where it starts or folds.
-RodNet make_rod_net(const LineMesh& mesh, const MeshLines& lines);
+// Makes a net from lines, which must have elements, all of one order from 1 to 3. Straight elements, of order
+// 1, take any `order` from 1 to 4; the others keep theirs. Throws MeshError, naming the place, if an element
+// has no length, ends where it starts or folds.
+RodNet make_rod_net(const LineMesh& mesh, const MeshLines& lines, int order = 1);
 
 }  // namespace gxrod

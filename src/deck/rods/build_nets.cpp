@@ -190,7 +190,6 @@ void check_meshed_rod(const RodTable& table, const BuildContext& context) {
     };
     refuse(table.elements);
     refuse(table.spacing);
-    refuse(table.order);
     if (table.rest)
         context.add_fault(table, table.rest, "a rod from a mesh is free of stress where the mesh has it");
     if (std::holds_alternative<CheckedProfile>(table.twist))

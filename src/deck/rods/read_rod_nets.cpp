@@ -110,7 +110,8 @@ class NetReader {
     NetReader(const MeshFiles& files, FaultList& faults, std::vector<MeshRecord>& records)
         : files_(files), faults_(faults), records_(records) {}
 
-    std::optional<NamedNet> read(const RodMeshTable& table) {
+    std::optional<NamedNet> read(const RodTable& rod) {
+        const RodMeshTable& table = *rod.mesh;
         const LineMesh* mesh = find_mesh(table);
         if (mesh == nullptr) return std::nullopt;
         const GroupKey key = group_key_of(table);
@@ -120,8 +121,17 @@ class NetReader {
             add(table, &table.group, reason);
             return std::nullopt;
         }
+        if (const int order = lines->orders.front(); order > 1 && rod.gives(rod.order)) {
+            faults_.add(
+                rod.place_of(&rod.order),
+                rod.path_of(&rod.order),
+                fmt::format("the mesh has curved elements, of order {}, which keep it; expected the key "
+                            "left out, or a mesh of order 1",
+                            order));
+            return std::nullopt;
+        }
         try {
-            RodNet net = make_rod_net(*mesh, *lines);
+            RodNet net = make_rod_net(*mesh, *lines, static_cast<int>(rod.order));
             NetPoints points = find_points(*mesh, net);
             return NamedNet{std::move(net), std::move(points)};
         } catch (const MeshError& error) {
@@ -168,9 +178,8 @@ RodNets read_rod_nets(const CheckedTable& deck,
     RodNets nets;
     const auto rods = rods_of(deck);
     for (std::size_t i = 0; i < rods.size(); ++i) {
-        const std::optional<RodMeshTable>& mesh = rods[i].get().mesh;
-        if (!mesh) continue;
-        if (auto net = reader.read(*mesh)) nets.emplace(static_cast<int>(i), *net);
+        if (!rods[i].get().mesh) continue;
+        if (auto net = reader.read(rods[i])) nets.emplace(static_cast<int>(i), *net);
     }
     return nets;
 }

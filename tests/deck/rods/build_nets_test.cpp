@@ -188,12 +188,38 @@ TEST_CASE("Points of a rod whose mesh is at fault are not faults too", "[deck]")
           std::string::npos);
 }
 
-TEST_CASE("A mesh decides the number and the order of elements", "[deck]") {
-    const std::string deck =
-        replaced(mesh_deck("cable.geo", "\"cable\""), "element = \"simo\"", "elements = 8\norder = 3");
-    CHECK(faults_of(deck) ==
-          "x.toml:7:12: rod.r.elements: comes from the mesh; leave it out\n"
-          "x.toml:8:9: rod.r.order: comes from the mesh; leave it out");
+TEST_CASE("A mesh decides the number of elements, and the order of curved ones", "[deck]") {
+    const std::string deck = mesh_deck("cable.geo", "\"cable\"");
+    CHECK(faults_of(replaced(deck, "element = \"simo\"", "elements = 8")) ==
+          "x.toml:7:12: rod.r.elements: comes from the mesh; leave it out");
+    CHECK(
+        faults_of(replaced(deck, "element = \"simo\"", "order = 3")) ==
+        "x.toml:7:9: rod.r.order: the mesh has curved elements, of order 3, which keep it; expected the key "
+        "left out, or a mesh of order 1");
+}
+
+TEST_CASE("Straight elements of a mesh take the order of the rod", "[deck]") {
+    const std::string plain = mesh_deck("truss.geo", "\"truss\"");
+    const Model before = read(plain).model;
+    const Model raised = read(replaced(plain, "element = \"simo\"", "order = 3")).model;
+    const Rod& rod = raised.rods[0];
+    const std::size_t elements = before.rods[0].element_nodes.size() / 2;
+    CHECK(rod.order == 3);
+    REQUIRE(rod.element_nodes.size() == 4 * elements);
+    CHECK(raised.nodes.size() == before.nodes.size() + 2 * elements);
+    for (std::size_t e = 0; e < elements; ++e) {
+        const auto at = [&](std::size_t i) {
+            return raised.nodes[static_cast<std::size_t>(rod.element_nodes[4 * e + i])].position;
+        };
+        for (const std::size_t end : {0U, 1U}) {
+            const auto node = static_cast<std::size_t>(before.rods[0].element_nodes[2 * e + end]);
+            CHECK(at(3 * end) == before.nodes[node].position);
+        }
+        const double inner = 0.5 * (1.0 - std::sqrt(0.2));
+        CHECK((at(1) - (1.0 - inner) * at(0) - inner * at(3)).norm() < 1e-15);
+    }
+    CHECK(raised.nodes[static_cast<std::size_t>(rod.element_nodes[1])].name.find("node") !=
+          std::string::npos);
 }
 
 TEST_CASE("A line of a mesh that goes straight back is refused", "[deck]") {
