@@ -77,7 +77,7 @@ const TableSpec& catenary_table() {
             .unit("length").required()
         .key("to", &T::to, "Where it ends.")
             .unit("length").required()
-        .key("length", &T::length, "Of the rod, free of stress: more than there is between its ends, if it has one section.")
+        .key("length", &T::length, "Of the rod, free of stress.")
             .unit("length").above(0).required()
         .key("bed", &T::bed, "Whether what hangs below a horizontal [seabed] lies on it.")
             .otherwise("false");
@@ -99,10 +99,10 @@ const Table<CurveTable>& curve_keys() {
         .key("spline", &T::spline,
              "The natural cubic spline through points, its parameter the length of the chords.")
             .unit("length")
-        .key("catenary", &T::catenary, catenary_table(), "As a line hangs between two points, z up. With several "
-             "sections, or bodies and loads at points of the rod, it hangs by its weights in still water, and "
-             "stretches. A rod that starts so is straight and without twist where it is free of stress, if `rest` does "
-             "not say otherwise.");
+        .key("catenary", &T::catenary, catenary_table(), "As a line hangs between two points, z up: with "
+             "gravity along -z by the weights of its sections and of bodies and loads at its points, in still water, "
+             "and stretched by them. A rod that starts so is straight and without twist where it is free of stress, "
+             "if `rest` does not say otherwise.");
     // clang-format on
     return table;
 }

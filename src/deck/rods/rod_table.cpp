@@ -139,7 +139,8 @@ const TableSpec& rod_table() {
              "makes them a tenth as long at the start. For boundary layers and where a line touches the ground.")
             .unit("1").above(0).otherwise("even")
             .also("grading bias sizes element_sizes spacings mesh_grading")
-        .key("order", &T::order, "Nodes per element − 1. A mesh has its own.")
+        .key("order", &T::order, "Nodes per element − 1. The straight elements of a mesh of order 1 take it, too; curved ones keep "
+             "their own.")
             .between(1, 4).also("degree p polynomial_degree")
         .key("element", &T::element, "objective: rotations relative to a triad of the element interpolated (Crisfield "
              "and Jelenić 1999). simo: incremental rotation vectors interpolated (Simo and Vu-Quoc 1986).")
@@ -348,7 +349,8 @@ void build_line(const RodTable& table,
     points.insert(points.end(), jumps.begin(), jumps.end());
     const std::vector<HungWeight> weights =
         table.catenary ? list_hung_weights(index, context) : std::vector<HungWeight>{};
-    const bool is_sectioned = table.catenary && (along.stations.size() > 1 || !weights.empty());
+    const bool is_sectioned = table.catenary && (along.stations.size() > 1 || !weights.empty() ||
+                                                 hangs_by_its_weight(table, along.stations, context));
     const std::optional<Centreline> line =
         is_sectioned ? find_sectioned_catenary(table, along.stations, weights, context)
                      : find_centreline(table, context, table.section);

@@ -92,6 +92,18 @@ std::vector<HungWeight> list_hung_weights(int rod, const BuildContext& context) 
     return weights;
 }
 
+bool hangs_by_its_weight(const RodTable& table,
+                         const std::vector<Station>& stations,
+                         const BuildContext& context) {
+    constexpr double most_stretched = 0.9;  // a shorter line is a mistake, which the plain catenary reports
+    const CatenaryTable& given = *table.catenary;
+    const double distance = (given.to - given.from).norm();
+    if (table.rest || given.length < most_stretched * distance) return false;
+    const StillWater water = find_still_water(context);
+    const Section& section = context.model.sections[static_cast<std::size_t>(stations.front().section)];
+    return has_gravity(water) && section.stiffness(0, 0) > 0.0 && water.weight_in_water(section) > 0.0;
+}
+
 std::optional<Centreline> find_sectioned_catenary(const RodTable& table,
                                                   const std::vector<Station>& stations,
                                                   const std::vector<HungWeight>& weights,

@@ -16,8 +16,14 @@ struct HungWeight {
 // rod.
 std::vector<HungWeight> list_hung_weights(int rod, const BuildContext& context);
 
-// Finds the centreline of a catenary with several sections, or with weights between its ends, as it hangs by
-// its weights in still water and stretches. Errors become faults.
+// Says whether a catenary of one section hangs along gravity and stretches: with gravity along −z, a weight
+// in water, and no rest shape of its own.
+bool hangs_by_its_weight(const RodTable& table,
+                         const std::vector<Station>& stations,
+                         const BuildContext& context);
+
+// Finds the centreline of a catenary as it hangs by the weights of its sections and those between its ends in
+// still water, and stretches. Errors become faults.
 std::optional<Centreline> find_sectioned_catenary(const RodTable& table,
                                                   const std::vector<Station>& stations,
                                                   const std::vector<HungWeight>& weights,

@@ -73,6 +73,41 @@ TEST_CASE("Lines of sections, with buoys and weights, stand in one static step",
     }
 }
 
+TEST_CASE("A line of one section hangs as one of two equal ones", "[deck]") {
+    const std::string sections =
+        "sections = [[0, \"chain\"], [0.5, \"chain\"], [0.5, \"rope\"], [1, \"rope\"]]";
+    const std::string one = replaced(line_deck, sections, "section = \"rope\"") + one_step;
+    const std::string two =
+        replaced(line_deck, sections, "sections = [[0, \"rope\"], [1, \"rope\"]]") + one_step;
+    const Problem problem = read(one);
+    const Model equal = read(two).model;
+    REQUIRE(problem.model.nodes.size() == equal.nodes.size());
+    for (std::size_t i = 0; i < equal.nodes.size(); ++i)
+        CHECK(problem.model.nodes[i].position == equal.nodes[i].position);
+    CHECK(problem.model.rods[0].start_stretch == 1);
+    const tools::StaticRun run =
+        tools::run_static(problem.model, std::get<StaticSettings>(problem.analysis()));
+    CHECK(run.steps == 1);
+    CHECK(run.iterations <= 5);
+}
+
+TEST_CASE("Without weight along -z, or with a rest shape, a line of one section keeps its length", "[deck]") {
+    const std::string sections =
+        "sections = [[0, \"chain\"], [0.5, \"chain\"], [0.5, \"rope\"], [1, \"rope\"]]";
+    const std::string one = replaced(line_deck, sections, "section = \"rope\"") + one_step;
+    const std::string rest = "rest = { line = { from = [0, 0, 0], to = [385, 0, 0] } }\nelements = 78";
+    for (const std::string& deck : {replaced(one, "gravity = [0, 0, -9.80665]", ""),
+                                    replaced(one, "rhoA = 20", "rhoA = 2"),
+                                    replaced(one, "elements = 78", rest)}) {
+        CAPTURE(deck);
+        const Model model = read(deck).model;
+        double along = 0.0;
+        for (int i = 1; i <= 78; ++i)
+            along += (place_at(model, i / 78.0) - place_at(model, (i - 1) / 78.0)).norm();
+        CHECK(along < 385);
+    }
+}
+
 TEST_CASE("Without gravity, and beyond the surface, a line of sections is refused", "[deck]") {
     CHECK_THAT(faults_of(replaced(line_deck, "gravity = [0, 0, -9.80665]", "") + one_step),
                Contains("x.toml:15") && Contains("rod.line.catenary") && Contains("gravity"));
