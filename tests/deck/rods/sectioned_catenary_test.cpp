@@ -96,9 +96,10 @@ TEST_CASE("Without weight along -z, or with a rest shape, a line of one section 
         "sections = [[0, \"chain\"], [0.5, \"chain\"], [0.5, \"rope\"], [1, \"rope\"]]";
     const std::string one = replaced(line_deck, sections, "section = \"rope\"") + one_step;
     const std::string rest = "rest = { line = { from = [0, 0, 0], to = [385, 0, 0] } }\nelements = 78";
-    for (const std::string& deck : {replaced(one, "gravity = [0, 0, -9.80665]", ""),
-                                    replaced(one, "rhoA = 20", "rhoA = 2"),
-                                    replaced(one, "elements = 78", rest)}) {
+    for (const std::string& deck :
+         {replaced(replaced(one, "gravity = [0, 0, -9.80665]", ""), ", surface = 0", ""),
+          replaced(one, "rhoA = 20", "rhoA = 2"),
+          replaced(one, "elements = 78", rest)}) {
         CAPTURE(deck);
         const Model model = read(deck).model;
         double along = 0.0;
