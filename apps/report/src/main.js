@@ -11,12 +11,13 @@ import { addFoundTabs } from "./findings/found_tabs.js";
 import { shapeOf } from "./findings/modes_tab.js";
 import { describeTime, listParts, listPathStretches, listSeams } from "./findings/stages.js";
 import { Swinging } from "./findings/swinging.js";
-import { findMostMoved, Motion } from "./motion.js";
+import { Motion } from "./motion.js";
+import { findOpening } from "./opening.js";
 import { Names } from "./scene/names.js";
 import { Picture } from "./scene/picture.js";
 import { RodPicking } from "./scene/rod_picking.js";
 import { bindPlayer } from "./player.js";
-import { showAbout, showFailure, showHeader, showModel } from "./story.js";
+import { showAbout, showFailure, showHeader, showModel, showOpening } from "./story.js";
 import { readStresses } from "./stresses/stress_data.js";
 import { addStressTab } from "./stresses/stress_tab.js";
 import { bindTabs } from "./tabs.js";
@@ -93,8 +94,15 @@ bindThemeButton(find("theme"), () => {
   charts.forEach((chart) => chart.recolour());
 });
 picture?.setColours(readTheme());
-clock.openAt(info.status === "failed" || info.is_static ? clock.last : findMostMoved(data));
+const open = () => {
+  const opening = findOpening(data, found, clock, location.hash);
+  showOpening(opening, clock, timeName);
+  clock.openAt(opening.frame);
+  return opening;
+};
+const { isAsked } = open();
+window.addEventListener("hashchange", open);
 // Of a run that moved nothing, its first mode.
 const [first] = found.modes.filter(({ shapes }) => shapes);
-if (swinging && first && clock.last === 0) swinging.choose(shapeOf(first, 0), { isPlaying: false });
+if (swinging && first && clock.last === 0 && !isAsked) swinging.choose(shapeOf(first, 0), { isPlaying: false });
 document.documentElement.dataset.ready = "true";

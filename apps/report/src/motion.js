@@ -89,16 +89,3 @@ export function rangeOf(quantity, component) {
   }
   return least <= largest ? [least, largest] : [0, 0];
 }
-
-// The frame in which a node is farthest from its place at t = 0; the last one if nothing moves noticeably.
-export function findMostMoved(data) {
-  const { values } = data.quantities.displacement;
-  const frames = data.times.length;
-  const size = values.length / frames;
-  let [most, found] = [0, frames - 1];
-  for (let i = 0; i < values.length; i += 3) {
-    const moved = componentOf(values, i, 3);
-    if (moved > most * (1 + 1e-6)) [most, found] = [moved, Math.floor(i / size)];
-  }
-  return most > 0 ? found : frames - 1;
-}

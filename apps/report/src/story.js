@@ -1,5 +1,5 @@
 import { find, make } from "./elements.js";
-import { formatCount, formatNumber } from "./format.js";
+import { formatCount, formatNumber, timeSymbol } from "./format.js";
 import { listTables } from "./joint_table.js";
 
 const statusWords = { complete: "complete", failed: "failed", interrupted: "interrupted", running: "not ended" };
@@ -85,12 +85,22 @@ export function showAbout(data, picture) {
     make("h2", {}, "What is in this page"),
     ...kept,
     make("p", {}, rounding),
+    make("p", { id: "opening" }),
     make("h2", {}, "How it is drawn"),
     make("ul", {}, ...drawing.map((sentence) => make("li", {}, sentence))),
     make("h2", {}, "Keys"),
     make("p", {}, "Space plays and pauses; the left and right keys move by one frame, Home and End to the first and the last. Click or drag in a chart to go to that time."),
     make("details", {}, make("summary", {}, "Libraries and their licences"), make("pre", {}, find("licences").textContent)),
   );
+}
+
+// Where the page opens and why: under About, and at the slider.
+export function showOpening({ frame, why, fault }, clock, timeName) {
+  const place = `${timeSymbol(timeName)} = ${formatNumber(clock.times[frame], 5)}`;
+  find("opening").textContent = `The page opens at ${place}: ${why}. An address that ends in #t= and a number opens it there.`;
+  find("time-slider").title = `opened at ${place}: ${why}`;
+  find("opening-fault")?.remove();
+  if (fault) find("warnings").append(make("p", { className: "warning", id: "opening-fault" }, `${fault}. ${find("opening").textContent}`));
 }
 
 // A failed run's reason, over the picture.

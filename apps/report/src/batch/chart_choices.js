@@ -6,6 +6,12 @@ const mostPlaces = 400; // values of a parameter of a heat map, or that a menu l
 const kindNames = { lines: "lines", points: "points", heat: "heat map", histogram: "histogram" };
 const byNames = { lines: "one line per", points: "colour", heat: "upwards" };
 
+// Of rising numbers of one sign, three or more.
+function hasEqualRatios(values) {
+  const ratios = values.slice(1).map((value, i) => value / values[i]);
+  return ratios.length > 1 && values[0] * values.at(-1) > 0 && ratios.every((ratio) => Math.abs(ratio / ratios[0] - 1) < 1e-5);
+}
+
 // What the chart shows, and the menus that choose it.
 export class ChartChoices {
   constructor(cases, onChange) {
@@ -40,11 +46,15 @@ export class ChartChoices {
     return isSampled || info.combine === "zip" ? [] : varied.filter((column) => column.values.length <= mostPlaces);
   }
 
+  // Over the swept number with most values, a line for each value of the next parameter; samples are points.
   chooseFirst() {
     const { cases, menus } = this;
     const { varied, isSampled, info } = cases;
-    const [first, second] = varied;
-    menus.value.value = (cases.collected.find((column) => column.values.length > 0) ?? cases.find("seconds")).key;
+    const ranked = [...varied].sort((a, b) => b.isNumeric - a.isNumeric || b.values.length - a.values.length);
+    const [first, second] = ranked;
+    const { collected } = cases;
+    const changes = (least) => collected.find((column) => column.values.length > least);
+    menus.value.value = (changes(1) ?? changes(0) ?? cases.find("seconds")).key;
     menus.across.value = (first ?? cases.case).key;
     menus.kind.value = isSampled || info.combine === "decks" || !first?.isNumeric ? "points" : "lines";
     const isGrid = info.combine === "grid";
@@ -53,12 +63,14 @@ export class ChartChoices {
     this.chooseScale("value");
   }
 
-  // Powers of ten where a straight scale would squeeze most of it.
+  // Powers of ten where a sweep goes by equal ratios, or a straight scale would squeeze most of it.
   chooseScale(which) {
     const column = this[which];
-    const [least, largest] = [column.values[0], column.values.at(-1)];
+    const { values } = column;
+    const [least, largest] = [values[0], values.at(-1)];
     const times = which === "across" ? 50 : 1000;
-    this.boxes[which].checked = column.isNumeric && least * largest > 0 && Math.max(largest / least, least / largest) >= times;
+    const isWide = least * largest > 0 && Math.max(largest / least, least / largest) >= times;
+    this.boxes[which].checked = column.isNumeric && (isWide || (column.group === "parameter" && hasEqualRatios(values)));
   }
 
   bind() {

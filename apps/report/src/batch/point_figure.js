@@ -11,7 +11,8 @@ export class PointFigure {
     Object.assign(this, { cases, paint, value, across });
     const kept = rows.filter((row) => Number.isFinite(across.numbers[row]));
     this.hasNoPlace = rows.length - kept.length;
-    this.x = across.isNumeric ? new Axis(across, { isLog: logAcross, values: kept.map((row) => across.numbers[row]) }) : Axis.ofPlaces(across);
+    const marks = across.group === "parameter" ? across.values : [];
+    this.x = across.isNumeric ? new Axis(across, { isLog: logAcross, values: kept.map((row) => across.numbers[row]), marks }) : Axis.ofPlaces(across);
     const withValue = kept.filter((row) => this.hasValue(row));
     this.y = value.isNumeric ? new Axis(value, { isLog: logValue, values: withValue.map((row) => value.numbers[row]) }) : Axis.ofPlaces(value);
     this.points = kept.map((row) => this.makePoint(row)).filter((point) => Number.isFinite(point.x));

@@ -2,7 +2,7 @@ import uPlot from "uplot";
 import { make } from "../elements.js";
 import { formatNumber, timeSymbol } from "../format.js";
 import { componentOf } from "../motion.js";
-import { axesOptions, rangeAround, widen } from "./plot_axes.js";
+import { axesOptions, largestSize, rangeAround, widen } from "./plot_axes.js";
 import { componentsOf, dimensionOf, titleOf } from "../quantities.js";
 import { readTheme } from "../theme.js";
 import { unitOf } from "../units.js";
@@ -48,7 +48,8 @@ export class Along {
     this.body = make("div", { className: "chart-body" });
     this.body.plotted = () => this.plot.data; // for tests: arc length, range, present, mean
     this.element = make("section", { className: "chart along" }, make("h2", {}, title), this.makeChoices(), this.makeKeys(), this.body);
-    if (quantities[first]) this.quantity.value = first;
+    if (quantities[first]) this.quantity.value = this.isNothing(first) && quantities.force ? "force" : first;
+    this.rod.value = String(this.largestRod());
     this.rod.hidden = this.rods.length < 2;
     this.rod.addEventListener("change", () => this.choose());
     this.quantity.addEventListener("change", () => this.chooseQuantity());
@@ -80,6 +81,28 @@ export class Along {
     for (const key of [present, range]) key.style.setProperty("--series", "var(--series-1)");
     mean?.style.setProperty("--series", "var(--series-2)");
     return make("div", { className: "keys" }, present, range, mean);
+  }
+
+  // Whether moments are nothing but round-off of the forces, as in cables.
+  isNothing(name) {
+    const { force } = this.quantities;
+    if (name !== "moment" || !force) return false;
+    return largestSize([this.quantities[name].values]) <= roundOff * largestSize([force.values]) * largestSize([this.data.arcLengths]);
+  }
+
+  // The rod with the largest values of a quantity of elements; of rods that are alike the first.
+  largestRod() {
+    const { of, values, isScalar } = this.quantities[this.quantity.value];
+    const { cellRods, times } = this.data;
+    const stride = isScalar ? 1 : 3;
+    const rows = values.length / stride / times.length;
+    const largest = new Map(this.rods.map(({ rod }) => [rod, 0]));
+    for (let i = 0; of === "cell" && i < values.length; i++) {
+      const rod = cellRods[Math.floor(i / stride) % rows];
+      const size = Math.abs(values[i]);
+      if (size > largest.get(rod) * (1 + roundOff)) largest.set(rod, size);
+    }
+    return [...largest].reduce((best, one) => (one[1] > best[1] * (1 + roundOff) ? one : best), [this.rods[0]?.rod, 0])[0];
   }
 
   chooseQuantity() {

@@ -222,9 +222,18 @@ function listUnstableParts({ info, stepTimes }, onPaths) {
   return [...parts, ...onPaths.unstable];
 }
 
-const headings = { energy: "Energy", history: "Histories", momentum: "Momentum", solver: "Solver" };
+const headings = { history: "Histories", energy: "Energy", momentum: "Momentum", solver: "Solver" };
 
-// All charts under headings; each is drawn when it comes into sight.
+// Whether it moves by more than round-off.
+function isMoving({ chart: { columns } }) {
+  const size = largestSize(columns);
+  return columns.some((column) => {
+    const first = column.find(Number.isFinite);
+    return column.some((value) => Number.isFinite(value) && Math.abs(value - first) > roundOff * size);
+  });
+}
+
+// All charts under headings, what the deck asks for first, and of these what moves; each is drawn when it comes into sight.
 export function showCharts(data, clock, { timeName, units, along, parts, onPaths, isStill }) {
   const heights = listLeastHeights(data.info.charts);
   const unstable = listUnstableParts(data, onPaths);
@@ -246,6 +255,7 @@ export function showCharts(data, clock, { timeName, units, along, parts, onPaths
   }, { rootMargin: "300px" });
   for (const [group, heading] of Object.entries(headings)) {
     const members = charts.filter((chart) => chart.chart.group === group);
+    if (group === "history") members.sort((a, b) => isMoving(b) - isMoving(a));
     if (members.length === 0) continue;
     panel.append(make("h2", {}, heading), ...members.map((chart) => chart.element));
   }

@@ -1,21 +1,25 @@
-import { formatNumber } from "../format.js";
+import uPlot from "uplot";
+import { formatTicks, linearTicks, logTicks } from "../figures/ticks.js";
 import { readTheme } from "../theme.js";
 
 // What the axes of all charts of a run have in common.
-function axisOptions() {
+function axisOptions(isUpright, isLog) {
+  const pixels = ({ bbox }) => (isUpright ? bbox.height : bbox.width) / uPlot.pxRatio || (isUpright ? 120 : 300);
   return {
     stroke: () => readTheme().muted,
     grid: { stroke: () => readTheme().line, width: 1 },
     ticks: { show: false },
     font: `11px ${getComputedStyle(document.body).fontFamily}`,
-    values: (plot, ticks) => ticks.map((tick) => (tick === null ? "" : formatNumber(tick, 6))),
+    splits: (plot, axis, least, largest) => (isLog ? logTicks : linearTicks)([least, largest], pixels(plot), isUpright),
+    filter: (plot, ticks) => ticks,
+    values: (plot, ticks) => formatTicks(ticks),
     gap: 4,
   };
 }
 
-export function axesOptions() {
+export function axesOptions(isLog = false) {
   const size = (plot, ticks) => 16 + 6.2 * Math.max(3, ...(ticks ?? []).map((tick) => String(tick).length));
-  return [{ ...axisOptions(), size: 26 }, { ...axisOptions(), size }];
+  return [{ ...axisOptions(false, false), size: 26 }, { ...axisOptions(true, isLog), size }];
 }
 
 export function widen(least, largest) {

@@ -1,10 +1,10 @@
-import { formatNumber } from "../format.js";
+import { formatTicks, linearTicks, logTicks, ticksAtValues } from "./ticks.js";
 
-// How one column lies along an edge of the chart: numbers, powers of ten of their size, or one place a category.
+// How one column lies along an edge of the chart: numbers, powers of ten of their size, or one place a category. `marks` are values
+// at which ticks should be.
 export class Axis {
-  constructor(column, { isLog = false, values = null, places = null } = {}) {
-    this.column = column;
-    this.places = places;
+  constructor(column, { isLog = false, values = null, places = null, marks = [] } = {}) {
+    Object.assign(this, { column, places, marks });
     this.isLog = isLog && !places && column.isNumeric;
     this.takesSize = this.isLog && values.some((value) => value < 0);
     this.range = places ? [-0.5, places.length - 0.5] : this.findRange(values);
@@ -43,13 +43,6 @@ export class Axis {
     return value === 0 ? NaN : Math.abs(value);
   }
 
-  // As many digits as distinguish neighbouring ticks.
-  get digits() {
-    const [least, largest] = this.range;
-    const size = Math.max(Math.abs(least), Math.abs(largest));
-    return this.isLog ? 6 : Math.min(15, Math.max(6, 3 + Math.ceil(Math.log10(size / (largest - least)))));
-  }
-
   get label() {
     const { name } = this.column;
     if (!this.isLog) return name;
@@ -65,16 +58,18 @@ export class Axis {
     return this.places.map((value) => this.say(value));
   }
 
-  // Where ticks go in so many pixels; undefined leaves it to the chart.
+  // Where ticks go in so many pixels; null where there are none.
   ticks(pixels, isUpright) {
     if (this.places) return thinPlaces(this.names.length, pixels);
     if (!this.column.isNumeric) return null;
-    return this.isLog ? logTicks(this.range, pixels / (isUpright ? 26 : 62)) : undefined;
+    const marks = this.marks.map((value) => this.place(value)).sort((a, b) => a - b);
+    return ticksAtValues(marks, this.range, pixels, isUpright, this.isLog) ?? (this.isLog ? logTicks : linearTicks)(this.range, pixels, isUpright);
   }
 
-  write(tick) {
-    if (!this.places) return formatNumber(tick, this.digits);
-    return Number.isInteger(tick) && tick in this.places ? this.say(this.places[tick]) : "";
+  // Labels of these ticks.
+  write(ticks) {
+    if (!this.places) return formatTicks(ticks.map((tick) => tick ?? NaN));
+    return ticks.map((tick) => (Number.isInteger(tick) && tick in this.places ? this.say(this.places[tick]) : ""));
   }
 
   say(value) {
@@ -90,20 +85,4 @@ const widthOfNames = (names) => names.length * (14 + 6.4 * Math.max(...names.map
 function thinPlaces(count, pixels) {
   const stride = Math.max(1, Math.ceil((count * 18) / pixels));
   return Array.from({ length: count }, (_, i) => i).filter((i) => i % stride === 0);
-}
-
-// 1, 2 and 5 times powers of ten, or powers only, at most so many.
-function logTicks([least, largest], most) {
-  const [first, last] = [Math.floor(Math.log10(least)), Math.ceil(Math.log10(largest))];
-  for (const factors of [[1, 2, 3, 4, 5, 6, 7, 8, 9], [1, 2, 5], [1]]) {
-    const ticks = [];
-    for (let power = first; power <= last; power++) {
-      for (const factor of factors) ticks.push(Number(`${factor}e${power}`));
-    }
-    const inside = ticks.filter((tick) => tick >= least && tick <= largest);
-    if (inside.length <= most || factors.length === 1) {
-      return inside.filter((_, i) => i % Math.max(1, Math.ceil(inside.length / most)) === 0);
-    }
-  }
-  return [];
 }

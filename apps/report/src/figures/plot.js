@@ -73,15 +73,13 @@ export class Plot {
       labelGap: 0,
       gap: 5,
       size: isUpright ? widthOfTicks : 24,
-      values: (plot, ticks) => ticks.map((tick) => (tick === null ? "" : axis.write(tick))),
+      values: (plot, ticks) => axis.write(ticks),
+      splits: (plot) => axis.ticks(pixels(plot), isUpright) ?? [],
+      filter: (plot, ticks) => ticks,
     };
     if (!isUpright && axis.places) {
       options.rotate = (plot) => (axis.isSlanted(pixels(plot)) ? slant : 0);
       options.size = (plot) => (axis.isSlanted(pixels(plot)) ? 12 + 6.4 * longestName(axis) * Math.sin((slant * Math.PI) / 180) + 10 : 24);
-    }
-    if (axis.ticks(400, isUpright) !== undefined) {
-      options.splits = (plot) => axis.ticks(pixels(plot), isUpright);
-      options.filter = (plot, ticks) => ticks;
     }
     return options;
   }

@@ -127,14 +127,14 @@ function listQuantities({ first, count }, rows, units, timeName) {
     labels.forEach((label, i) => {
       if (!(spreads[i] > roundOff * largest)) return;
       const unit = unitOf(dimension, units);
-      const name = `${title}: ${inWords(quantity)}${labels.length > 1 ? ` ${inWords(label)}` : ""}${unit && unit !== dimension ? `, ${unit}` : ""}`;
+      const name = `${title}: ${inWords(quantity)}${labels.length > 1 ? ` ${inWords(label)}` : ""}${unit ? `, ${unit}` : ""}`;
       const entry = { name, values: columns[i], say };
       quantities.push(entry);
       const rank = [quantity === "displacement" || quantity === "position" ? 1 : 0, label === "magnitude" ? 0 : 1, spreads[i]];
       if (!best || compare(rank, best.rank) > 0) best = { entry, rank };
     });
   }
-  const along = { name: `${timeName} ${timeSymbol(timeName)}`, values: rows.times, say };
+  const along = { name: `${timeName} ${timeSymbol(timeName)}${timeName === "time" ? `, ${unitOf("time", units)}` : ""}`, values: rows.times, say };
   quantities.push(along);
   (best?.entry ?? along).isFirst = true;
   return quantities;

@@ -1,6 +1,6 @@
 import uPlot from "uplot";
 import { find, make } from "../elements.js";
-import { formatNumber } from "../format.js";
+import { axesOptions } from "../charts/plot_axes.js";
 import { readTheme } from "../theme.js";
 import { nameOf } from "./story.js";
 
@@ -32,13 +32,6 @@ class StudyChart {
   }
 
   options(width) {
-    const axis = {
-      stroke: () => readTheme().muted,
-      grid: { stroke: () => readTheme().line, width: 1 },
-      ticks: { show: false },
-      font: `11px ${getComputedStyle(document.body).fontFamily}`,
-      values: (plot, ticks) => ticks.map((tick) => (tick === null ? "" : formatNumber(tick, 6))),
-    };
     return {
       width,
       height,
@@ -47,10 +40,7 @@ class StudyChart {
       pxAlign: 0,
       padding: [10, 10, 0, 0],
       scales: { x: { time: false }, y: this.isLog ? { distr: 3 } : {} },
-      axes: [
-        { ...axis, size: 26, gap: 4 },
-        { ...axis, size: 66, gap: 4, ...(this.isLog ? { splits: powersOf } : {}) },
-      ],
+      axes: axesOptions(this.isLog),
       series: [{}, ...this.lines.map((line, i) => ({ stroke: () => readTheme().series[i % 4], width: 1.5, points: { show: this.times.length < 40, size: 5 } }))],
     };
   }
@@ -58,15 +48,6 @@ class StudyChart {
   recolour() {
     this.plot?.redraw(false, true);
   }
-}
-
-// Ten to whole numbers, at most six of them.
-function powersOf(plot, axis, least, largest) {
-  const [first, last] = [Math.ceil(Math.log10(least) - 1e-9), Math.floor(Math.log10(largest) + 1e-9)];
-  const stride = Math.max(1, Math.ceil((last - first + 1) / 6));
-  const powers = [];
-  for (let power = first; power <= last; power += stride) powers.push(Number(`1e${power}`));
-  return powers;
 }
 
 function componentsOf(series) {
