@@ -9,7 +9,8 @@
 
 namespace gxrod {
 
-// Prints; a closed pipe or a full disk does not stop the work.
+// Prints; a closed pipe or a full disk does not stop the work. On a terminal, sentences are broken between
+// words.
 void say_text(std::FILE* out, std::string_view text);
 
 template <class... Arguments>

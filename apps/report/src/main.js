@@ -21,6 +21,7 @@ import { showAbout, showFailure, showHeader, showModel, showOpening } from "./st
 import { readStresses } from "./stresses/stress_data.js";
 import { addStressTab } from "./stresses/stress_tab.js";
 import { bindTabs } from "./tabs.js";
+import { addPictureKey } from "./saving/picture_key.js";
 import { isWet, listTensions } from "./charts/tensions.js";
 import { TouchDown } from "./charts/touch_down.js";
 import { bindThemeButton, readTheme } from "./theme.js";
@@ -84,6 +85,7 @@ if (picture) {
   new Names(picture, find("canvas"));
   if (stressTab) bindPlace(stressTab.place);
   showFailure(info);
+  addPictureKey(picture.stage);
   const legend = document.querySelector(".overlay.top");
   picture.stage.covered = () => (find("colouring").hidden && !swinging?.chosen ? 0 : legend.offsetTop + legend.offsetHeight);
   picture.stage.resize();

@@ -1,6 +1,7 @@
 import { find, make } from "./elements.js";
 import { formatCount, formatNumber, timeSymbol } from "./format.js";
 import { listTables } from "./joint_table.js";
+import { makeTableKeys } from "./saving/tables.js";
 
 const statusWords = { complete: "complete", failed: "failed", interrupted: "interrupted", running: "not ended" };
 
@@ -33,12 +34,13 @@ function makeTable({ title, columns, rows, note }) {
     table.append(make("thead", {}, make("tr", {}, ...columns.map((name) => make("th", { scope: "col" }, name)))));
   }
   const body = rows.map(([first, ...others]) =>
-    make("tr", {}, make("th", { scope: "row" }, first), ...others.map((cell) => make("td", {}, inTable(cell)))),
+    make("tr", {}, make("th", { scope: "row", exact: first }, first), ...others.map((cell) => make("td", { exact: cell }, inTable(cell)))),
   );
   table.append(make("tbody", {}, ...body));
   return make(
     "section",
     {},
+    makeTableKeys(() => table, () => title),
     make("h2", {}, title),
     make("div", { className: "table", tabIndex: 0 }, table),
     note ? make("p", { className: "note" }, note) : null,

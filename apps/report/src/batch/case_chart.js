@@ -3,6 +3,7 @@ import { formatNumber } from "../format.js";
 import { ChartChoices } from "./chart_choices.js";
 import { HeatFigure } from "./heat_figure.js";
 import { HistogramFigure } from "./histogram_figure.js";
+import { makeSvgKey } from "../saving/svg.js";
 import { Paint } from "./paint.js";
 import { Plot } from "../figures/plot.js";
 import { count, PointFigure } from "./point_figure.js";
@@ -16,6 +17,7 @@ export class CaseChart {
     this.rows = [];
     this.choices = new ChartChoices(cases, () => this.draw());
     this.plot = new Plot(find("plot"), attention, (row) => this.describe(row));
+    find("plot").before(makeSvgKey(() => document.querySelector(".stage"), () => this.readChart()));
   }
 
   show(rows) {
@@ -42,6 +44,14 @@ export class CaseChart {
     find("plot").setAttribute("aria-label", `${this.figure.y.label}, over ${this.figure.x.label}`);
     this.showKeys();
     this.showWords(rows);
+  }
+
+  // As a file of its own.
+  readChart() {
+    const { plot } = this.plot;
+    const { x, y } = this.figure;
+    const title = this.choices.kind === "heat" ? this.figure.scaleAxis.label : y.label;
+    return { canvas: plot.ctx.canvas, draw: () => plot.batch(() => plot.redraw(true, true)), title: `${title} over ${x.label}` };
   }
 
   showKeys() {

@@ -1,6 +1,6 @@
 import { find, make } from "../elements.js";
 import { formatCount } from "../format.js";
-import { saveRows } from "./save_rows.js";
+import { saveLatex, saveRows } from "./save_rows.js";
 
 const rowHeight = 27;
 const spare = 12; // rows drawn beyond those in sight, above and below
@@ -60,6 +60,7 @@ export class CaseTable {
       this.mark();
     });
     find("save-rows").addEventListener("click", () => saveRows(this.cases, this.rows));
+    find("save-latex").addEventListener("click", () => saveLatex(this.cases, this.rows, this.fields));
   }
 
   // Shows these rows, in the order chosen.
@@ -159,6 +160,7 @@ function listFields(cases) {
     isNumeric: column.isNumeric,
     width: widthFor(column.name, measured.map((row) => column.show(row)), 220),
     rank: (row) => (column.isNumeric ? column.numbers[row] : column.texts[row]),
+    say: (row) => column.show(row),
     cell: (row) => [column.show(row)],
     hint: (row) => column.write(row),
   });
@@ -168,6 +170,7 @@ function listFields(cases) {
     isNumeric: false,
     width: widthFor(name, measured.map((row) => texts[row]), 420),
     rank: (row) => texts[row],
+    say: (row) => texts[row],
     cell: (row) => [texts[row]],
     hint: (row) => texts[row],
   });

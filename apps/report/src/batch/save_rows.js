@@ -1,7 +1,5 @@
-import { make } from "../elements.js";
-
-// A cell of a CSV as RFC 4180 has it.
-const quote = (text) => (/[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+import { fileStem, saveText } from "../saving/files.js";
+import { writeCsv, writeLatex } from "../saving/tables.js";
 
 // These rows as CSV, with the names of index.csv.
 export function writeRows(cases, rows) {
@@ -14,12 +12,18 @@ export function writeRows(cases, rows) {
     ...[...collected, ...run].map((column) => [column.key, (row) => column.write(row) || "nan"]),
     ["warning", (row) => cases.warnings[row]],
   ];
-  const lines = [fields.map(([name]) => quote(name)), ...rows.map((row) => fields.map(([, write]) => quote(write(row))))];
-  return lines.map((cells) => `${cells.join(",")}\n`).join("");
+  return writeCsv([fields.map(([name]) => name), ...rows.map((row) => fields.map(([, write]) => write(row)))]);
 }
 
-export function saveRows(cases, rows) {
-  const address = URL.createObjectURL(new Blob([writeRows(cases, rows)], { type: "text/csv" }));
-  make("a", { href: address, download: `${cases.info.folder || "batch"}.csv` }).click();
-  setTimeout(() => URL.revokeObjectURL(address), 60000);
+const stem = ({ info }) => fileStem(info.folder || "batch");
+
+export const saveRows = (cases, rows) => saveText(`${stem(cases)}.csv`, "text/csv", writeRows(cases, rows));
+
+// These rows as a table of LaTeX: what the page says of each case, without columns that say nothing.
+export function saveLatex(cases, rows, fields) {
+  const cells = rows.map((row) => fields.map((field) => field.say(row)));
+  const kept = fields.map((_, i) => i).filter((i) => i === 0 || cells.some((line) => line[i] !== ""));
+  const pick = (line) => kept.map((i) => line[i]);
+  const table = [pick(fields.map(({ name }) => name)), ...cells.map(pick)];
+  saveText(`${stem(cases)}.tex`, "text/x-tex", writeLatex(table, 1, cases.info.title || cases.info.folder || "batch"));
 }

@@ -5,6 +5,7 @@ import { componentOf } from "../motion.js";
 import { axesOptions, largestSize, rangeAround, widen } from "./plot_axes.js";
 import { componentsOf, dimensionOf, titleOf } from "../quantities.js";
 import { readTheme } from "../theme.js";
+import { addSvgKey } from "../saving/svg.js";
 import { unitOf } from "../units.js";
 
 const height = 190;
@@ -48,6 +49,8 @@ export class Along {
     this.body = make("div", { className: "chart-body" });
     this.body.plotted = () => this.plot.data; // for tests: arc length, range, present, mean
     this.element = make("section", { className: "chart along" }, make("h2", {}, title), this.makeChoices(), this.makeKeys(), this.body);
+    const length = unitOf("length", units);
+    addSvgKey(this.element, () => this.plot, { across: `arc length s${length === "length" ? "" : `, ${length}`}` });
     if (quantities[first]) this.quantity.value = this.isNothing(first) && quantities.force ? "force" : first;
     this.rod.value = String(this.largestRod());
     this.rod.hidden = this.rods.length < 2;

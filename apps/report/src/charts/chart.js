@@ -1,9 +1,10 @@
 import uPlot from "uplot";
 import { find, make } from "../elements.js";
 import { formatNumber, inWords } from "../format.js";
-import { axesOptions, largestSize, rangeAround, widen } from "./plot_axes.js";
+import { axesOptions, largestSize, nameAcross, rangeAround, widen } from "./plot_axes.js";
 import { nameQuantity } from "../quantities.js";
 import { readTheme } from "../theme.js";
+import { addSvgKey } from "../saving/svg.js";
 import { unitOf } from "../units.js";
 
 const height = 168;
@@ -29,6 +30,7 @@ export class Chart {
       make("div", { className: "keys" }, ...this.keys),
       this.body,
     );
+    addSvgKey(this.element, () => this.plot, { across: nameAcross(timeName, units) });
     this.line = make("div", { className: "now" });
   }
 

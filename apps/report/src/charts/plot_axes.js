@@ -1,5 +1,7 @@
 import uPlot from "uplot";
 import { formatTicks, linearTicks, logTicks } from "../figures/ticks.js";
+import { timeSymbol } from "../format.js";
+import { unitOf } from "../units.js";
 import { readTheme } from "../theme.js";
 
 // What the axes of all charts of a run have in common.
@@ -20,6 +22,11 @@ function axisOptions(isUpright, isLog) {
 export function axesOptions(isLog = false) {
   const size = (plot, ticks) => 16 + 6.2 * Math.max(3, ...(ticks ?? []).map((tick) => String(tick).length));
   return [{ ...axisOptions(false, false), size: 26 }, { ...axisOptions(true, isLog), size }];
+}
+
+// "time t, s": what the axis across is of a chart over the steps.
+export function nameAcross(timeName, units) {
+  return `${timeName} ${timeSymbol(timeName)}${timeName === "time" ? `, ${unitOf("time", units)}` : ""}`;
 }
 
 export function widen(least, largest) {

@@ -2,9 +2,10 @@ import uPlot from "uplot";
 import { listPlaces } from "./along.js";
 import { make } from "../elements.js";
 import { formatNumber, timeSymbol } from "../format.js";
-import { axesOptions, rangeAround, widen } from "./plot_axes.js";
+import { axesOptions, nameAcross, rangeAround, widen } from "./plot_axes.js";
 import { heightOfGround } from "../scene/surroundings.js";
 import { readTheme } from "../theme.js";
+import { addSvgKey } from "../saving/svg.js";
 import { unitOf } from "../units.js";
 
 const height = 150;
@@ -60,6 +61,7 @@ export class TouchDown {
       make("div", { className: "keys" }, key),
       this.body,
     );
+    addSvgKey(this.element, () => this.plot, { across: nameAcross(data.info.time_name, units) });
     clock.listen(() => this.follow());
     new ResizeObserver(() => this.resize()).observe(this.body);
     if (this.rods.length > 0) this.choose();

@@ -1,6 +1,8 @@
 import { make } from "../elements.js";
 import { Plot } from "../figures/plot.js";
 import { formatNumber } from "../format.js";
+import { addSvgKey } from "../saving/svg.js";
+import { makeTableKeys } from "../saving/tables.js";
 import { unitOf } from "../units.js";
 import { LocusFigure } from "./locus_figure.js";
 import { describeMass, describeValue, listColumns, titles } from "./mode_values.js";
@@ -62,7 +64,9 @@ export class ModesTab {
       key.style.setProperty("--series", `var(--series-${(i % 4) + 1})`);
       return key;
     });
-    return make("section", { className: "chart" }, make("h3", {}, "Eigenvalues λ in the complex plane"), make("div", { className: "keys" }, ...keys), body);
+    const section = make("section", { className: "chart" }, make("h3", {}, "Eigenvalues λ in the complex plane"), make("div", { className: "keys" }, ...keys), body);
+    addSvgKey(section, () => this.plot.plot);
+    return section;
   }
 
   makeList(modes) {
@@ -72,11 +76,13 @@ export class ModesTab {
     const bodies = modes.words.map((words, i) => this.makeMode(modes, i, columns));
     const kind = titles[modes.kind] ?? modes.kind;
     const title = modes.stage === modes.kind ? kind : `${modes.stage}: ${kind}`;
+    const table = make("table", {}, make("thead", {}, head), ...bodies);
     return make(
       "section",
       { className: "modes" },
+      makeTableKeys(() => table, () => title),
       make("h2", {}, title),
-      make("div", { className: "table", tabIndex: 0 }, make("table", {}, make("thead", {}, head), ...bodies)),
+      make("div", { className: "table", tabIndex: 0 }, table),
       ...this.listNotes(modes).map((note) => make("p", { className: "note" }, note)),
     );
   }

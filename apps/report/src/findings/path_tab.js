@@ -1,6 +1,8 @@
 import { make } from "../elements.js";
+import { nameAcross } from "../charts/plot_axes.js";
 import { Plot } from "../figures/plot.js";
-import { formatNumber, inWords, timeSymbol } from "../format.js";
+import { formatNumber, inWords } from "../format.js";
+import { addSvgKey } from "../saving/svg.js";
 import { unitOf } from "../units.js";
 import { PathFigure, describePoint, marks } from "./path_figure.js";
 
@@ -20,6 +22,8 @@ export class PathTab {
     this.plot = new Plot(this.body, this.attention, () => []);
     this.body.figure = () => this.plot.figure; // for tests
     this.element = make("section", { className: "chart" }, this.makeChoices(), this.makeKeys(), this.body, this.makePoints());
+    const titleOf = () => [this.y, this.x].map((menu) => menu.selectedOptions[0].textContent).join(" over ");
+    addSvgKey(this.element, () => this.plot.plot, { titleOf });
     clock.listen(() => this.follow());
     swinging?.listen(() => this.follow());
     this.show();
@@ -134,7 +138,7 @@ function listQuantities({ first, count }, rows, units, timeName) {
       if (!best || compare(rank, best.rank) > 0) best = { entry, rank };
     });
   }
-  const along = { name: `${timeName} ${timeSymbol(timeName)}${timeName === "time" ? `, ${unitOf("time", units)}` : ""}`, values: rows.times, say };
+  const along = { name: nameAcross(timeName, units), values: rows.times, say };
   quantities.push(along);
   (best?.entry ?? along).isFirst = true;
   return quantities;

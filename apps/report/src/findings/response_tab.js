@@ -1,6 +1,7 @@
 import { make } from "../elements.js";
 import { Plot } from "../figures/plot.js";
 import { inWords } from "../format.js";
+import { withSvgKey } from "../saving/svg.js";
 import { unitOf } from "../units.js";
 import { ResponseFigure } from "./response_figure.js";
 
@@ -56,7 +57,9 @@ export class ResponseTab {
     bodies.forEach((body, i) => (body.figure = () => [above, below][i].figure)); // for tests
     const keys = make("div", { className: "keys" }, ...drawn.map((curve, i) => makeKey(curve, curves[i].component, show)));
     show();
-    return make("section", { className: "chart" }, make("h3", {}, title, make("small", {}, unit)), keys, ...bodies);
+    const names = [`amplitude${unit ? `, ${unit}` : ""}`, "phase"];
+    const figures = bodies.map((body, i) => withSvgKey(body, [above, below][i], keys, `${title}: ${names[i]}`));
+    return make("section", { className: "chart" }, make("h3", {}, title, make("small", {}, unit)), keys, ...figures);
   }
 
   acrossOf(omegas) {

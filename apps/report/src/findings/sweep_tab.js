@@ -1,6 +1,7 @@
 import { make } from "../elements.js";
 import { Plot } from "../figures/plot.js";
 import { formatNumber } from "../format.js";
+import { withSvgKey } from "../saving/svg.js";
 import { unitOf } from "../units.js";
 import { SweepFigure } from "./sweep_figure.js";
 
@@ -64,7 +65,9 @@ export class SweepTab {
       return make("p", { className: "note" }, make("b", {}, `${kind} ${begins ? "begins" : "ends"}`), ` at ${sweep.key} = ${formatNumber(value, 8)}${frequency}`);
     });
     show();
-    return make("section", { className: "chart" }, make("h3", {}, `${sweep.stage}: modes over ${sweep.key}`), keys, ...sentences, ...bodies);
+    const title = `${sweep.stage}: modes over ${sweep.key}`;
+    const figures = bodies.map((body, i) => withSvgKey(body, plots[i], keys, `${title}, ${parts[i].up}`));
+    return make("section", { className: "chart" }, make("h3", {}, title), keys, ...sentences, ...figures);
   }
 
   recolour() {

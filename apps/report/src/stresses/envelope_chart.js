@@ -2,6 +2,7 @@ import { make } from "../elements.js";
 import { Plot } from "../figures/plot.js";
 import { titleOf } from "../quantities.js";
 import { EnvelopeFigure } from "./envelope_figure.js";
+import { addSvgKey } from "../saving/svg.js";
 import { readWorst } from "./stress_data.js";
 
 // A chart of the largest values of all steps along the chosen rod. Clicking a place chooses it.
@@ -12,6 +13,7 @@ export class EnvelopeChart {
     Object.assign(this.body, { figure: () => this.figure, chart: () => this }); // for tests
     this.title = make("h3", {});
     this.element = make("section", { className: "chart" }, this.title, this.body);
+    addSvgKey(this.element, () => this.plot?.plot);
     const attention = { pointed: -1, chosen: -1, listen() {}, point: (row) => (attention.pointed = row) };
     attention.choose = (row) => place.hold(this.points[row]);
     this.attention = attention;

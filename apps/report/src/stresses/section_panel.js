@@ -1,6 +1,7 @@
 import { listPlaces } from "../charts/along.js";
 import { make } from "../elements.js";
 import { formatNumber } from "../format.js";
+import { makeSvgKey } from "../saving/svg.js";
 import { ColourScale } from "../scene/colours.js";
 import { measures, measureSection, surveyValues } from "./measures.js";
 import { SectionPicture } from "./section_picture.js";
@@ -38,6 +39,7 @@ export class SectionPanel {
     return make(
       "section",
       { className: "section" },
+      makeSvgKey(() => this.element, () => this.readPicture()),
       make("h2", {}, "Section"),
       make("div", { className: "along-choices" }, this.rod, this.measure, make("span", { className: "over" }, "A click on a rod chooses a place, too.")),
       make("label", { className: "place" }, this.slider, this.where),
@@ -46,6 +48,12 @@ export class SectionPanel {
       this.extreme,
       this.forces,
     );
+  }
+
+  // As a file of its own.
+  readPicture() {
+    const words = [this.measure.selectedOptions[0].textContent, this.words.rod(this.place.rod), this.where.textContent];
+    return { canvas: this.picture.canvas, draw: () => this.picture.redraw(), title: words.join(", ") };
   }
 
   bind() {

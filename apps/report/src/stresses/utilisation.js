@@ -1,6 +1,7 @@
 import { make } from "../elements.js";
 import { formatNumber } from "../format.js";
 import { titleOf } from "../quantities.js";
+import { makeTableKeys } from "../saving/tables.js";
 import { listWorst } from "./stress_data.js";
 
 const fewRows = 12;
@@ -16,7 +17,8 @@ export class Utilisation {
       this.showsAll = !this.showsAll;
       this.show();
     });
-    this.element = make("section", { className: "utilisation" }, this.body, this.more, this.note);
+    const keys = makeTableKeys(() => this.body.querySelector("table"), () => "stresses");
+    this.element = make("section", { className: "utilisation" }, keys, this.body, this.more, this.note);
     place.listen(() => this.mark());
   }
 

@@ -1,6 +1,7 @@
 import uPlot from "uplot";
 import { find, make } from "../elements.js";
 import { axesOptions } from "../charts/plot_axes.js";
+import { addSvgKey } from "../saving/svg.js";
 import { readTheme } from "../theme.js";
 import { nameOf } from "./story.js";
 
@@ -8,7 +9,7 @@ const height = 150;
 
 // A chart over the run: lines = [{ label, values }], null where there is no value.
 class StudyChart {
-  constructor({ title, lines, isLog = false, times }) {
+  constructor({ title, lines, isLog = false, times, across }) {
     this.lines = lines;
     this.isLog = isLog;
     this.times = times;
@@ -20,6 +21,7 @@ class StudyChart {
       return key;
     });
     this.element = make("section", { className: "chart" }, make("h3", {}, title), make("div", { className: "keys" }, ...keys), this.body);
+    addSvgKey(this.element, () => this.plot, { across });
   }
 
   draw() {
@@ -75,9 +77,9 @@ export function showSeries(study) {
   const clock = study.analysis === "static" ? "load factor" : "time";
   for (const series of study.series) {
     const times = study.times.slice(0, series.values.length);
-    charts.push(new StudyChart({ title: `${nameOf(series)} over ${clock}`, lines: componentsOf(series), times }));
+    charts.push(new StudyChart({ title: `${nameOf(series)} over ${clock}`, lines: componentsOf(series), times, across: clock }));
     const errors = errorsOf(series, study.tolerance, times.length);
-    if (errors.length > 0) charts.push(new StudyChart({ title: `${nameOf(series)}: estimated error, relative to its change`, lines: errors, times, isLog: true }));
+    if (errors.length > 0) charts.push(new StudyChart({ title: `${nameOf(series)}: estimated error, relative to its change`, lines: errors, times, isLog: true, across: clock }));
   }
   const byElement = new Map(charts.map((chart) => [chart.element, chart]));
   const observer = new IntersectionObserver(

@@ -1,5 +1,6 @@
 import { find, make } from "../elements.js";
 import { formatCount, formatNumber, inWords } from "../format.js";
+import { makeTableKeys } from "../saving/tables.js";
 
 // "0.12 %", or "3·10⁻⁷" of what is small.
 export function formatShare(share) {
@@ -33,12 +34,13 @@ export function showJudgement(study) {
   find("judgement").append(make("ul", {}, ...study.judgement.map((sentence) => make("li", {}, sentence))));
 }
 
-function makeTable(columns, rows) {
+function makeTable(title, columns, rows) {
   const head = make("thead", {}, make("tr", {}, ...columns.map((name) => make("th", { scope: "col" }, name))));
   const body = rows.map(([first, ...cells]) =>
     make("tr", {}, make("th", { scope: "row" }, first), ...cells.map((cell) => (cell instanceof Node ? cell : make("td", {}, cell)))),
   );
-  return make("div", { className: "table", tabIndex: 0 }, make("table", {}, head, make("tbody", {}, ...body)));
+  const table = make("table", {}, head, make("tbody", {}, ...body));
+  return make("div", {}, makeTableKeys(() => table, () => title), make("div", { className: "table", tabIndex: 0 }, table));
 }
 
 // What step or mesh adds, and the order in which it falls.
@@ -68,7 +70,7 @@ export function showErrors(study) {
   const step = study.analysis === "static" ? "load steps" : "step";
   const goal = formatShare(study.tolerance);
   find("errors").append(
-    makeTable(["series", "change", step, "order", "mesh", "order", "error", `right to ${clock}`], rows),
+    makeTable("errors", ["series", "change", step, "order", "mesh", "order", "error", `right to ${clock}`], rows),
     make(
       "p",
       { className: "note" },
@@ -112,7 +114,7 @@ export function showProperties(study) {
     const run = findRun(study, name);
     if (run) rows.push([name, run.untried ? `not tried: ${run.untried}` : run.failure ? `not the same: ${run.failure}` : "the same to the last bit"]);
   }
-  find("properties").append(makeTable(["", ""], rows.map(([name, words]) => [name, make("td", { className: "words" }, words)])));
+  find("properties").append(makeTable("properties", ["", ""], rows.map(([name, words]) => [name, make("td", { className: "words" }, words)])));
 }
 
 export function showRuns(study) {
@@ -125,7 +127,7 @@ export function showRuns(study) {
     formatNumber(run.seconds, 3),
     make("td", { className: "words" }, run.failure || run.set.map((change) => `--set ${change}`).join(" ")),
   ]);
-  find("runs").append(makeTable(["run", "elements", "unknowns", "steps", "Newton", "seconds", ""], rows));
+  find("runs").append(makeTable("runs", ["run", "elements", "unknowns", "steps", "Newton", "seconds", ""], rows));
 }
 
 export function showAbout() {
