@@ -10,6 +10,8 @@ import matplotlib
 
 from ..seal import doubt_of
 from .compare import draw_runs, read_run, short_names
+from .convergence import read_convergence
+from .error_figure import describe_errors, draw_errors, write_latex
 from .errors import FileFault, PlotError, UsageError
 from .page import draw_page
 from .results import read_results
@@ -26,6 +28,7 @@ examples:
   gxrod-plot flyer.vtkhdf --what histories --history tip root/moment
   gxrod-plot coarse.vtkhdf fine.vtkhdf --history tip/displacement
   gxrod-plot column.vtkhdf --x top/displacement/y --y load-factor --size 6 4 --no-title
+  gxrod-plot sweep --error                         errors of a batch over its mesh or step, with their orders
   gxrod-plot --figures figures                     Figs. 2-4 from `gxrod verify rubin2007 --figures figures`
 
 exit codes: 0 done, 2 usage, 4 a file could not be read or written"""
@@ -37,6 +40,8 @@ def main(arguments):
     try:
         if request.figures:
             written = draw_figures(Path(request.figures), request.format, save)
+        elif request.error:
+            written = draw_convergence(request)
         else:
             written = [draw(request)]
     except PlotError as error:
@@ -63,6 +68,24 @@ def draw(request):
     else:
         read_results(request.results[0], lambda results: save(draw_page(results, request), output))
     return output
+
+
+def draw_convergence(request):
+    """Draws errors of a batch or a study, prints their tables; returns the paths of picture and table."""
+    if len(request.results) != 1:
+        raise UsageError("--error needs one folder of a batch, or one study")
+    output = output_path(request)
+    panels = read_convergence(request.results[0], request)
+    save(draw_errors(panels, request), output)
+    print(describe_errors(panels))
+    if not request.latex:
+        return [output]
+    table = output.with_suffix(".tex")
+    try:
+        table.write_text(write_latex(panels), encoding="utf-8")
+    except OSError as error:
+        raise FileFault(f"{table}: cannot be written: {error.strerror or error}") from error
+    return [output, table]
 
 
 def warn_of_doubt(paths):
@@ -107,6 +130,11 @@ def parse(arguments):
                                                     "NAME/QUANTITY/COMPONENT of a history; COMPONENT is w, x, y, z or magnitude")
     parser.add_argument("--y", nargs="+", action="extend", metavar="NAME", default=[],
                         help="what to draw, named as for --x; without a component, all of them")
+    parser.add_argument("--error", action="store_true",
+                        help="of the folder of a batch: errors of what it collects over the key that it refines (--x KEY), against the finest "
+                             "run, with their orders; or of the file that `gxrod verify DECK --json` printed")
+    parser.add_argument("--reference", type=float, metavar="VALUE", help="exact value of the column --y, for --error")
+    parser.add_argument("--latex", action="store_true", help="with --error: also writes its tables, beside the picture, as .tex")
     parser.add_argument("--size", nargs=2, type=positive_number, metavar=("WIDTH", "HEIGHT"),
                         help="size of the picture in inches (by default what its contents need)")
     titles = parser.add_mutually_exclusive_group()
@@ -119,6 +147,8 @@ def parse(arguments):
     request.window = (request.start, request.end, request.stage)
     if request.what != "range" and (request.quantity or request.window != (None, None, None)):
         parser.error("--quantity, --from, --to and --stage go with --what range")
+    if not request.error and (request.latex or request.reference is not None):
+        parser.error("--reference and --latex go with --error")
     if bool(request.results) == bool(request.figures):
         parser.error("give a results file, or --figures DIR")
     return request
@@ -139,7 +169,7 @@ def positive_integer(text):
 
 
 def output_path(request):
-    path = Path(request.output) if request.output else Path(Path(request.results[0]).stem + ".png")
+    path = Path(request.output) if request.output else Path(Path(request.results[0]).resolve().stem + ".png")
     if path.suffix.lower() not in FORMATS:
         raise UsageError(f"{path}: pictures end in {', '.join(FORMATS)}")
     return path

@@ -1,9 +1,10 @@
 """Several results in one figure, and one quantity against another: a colour for each file, or for each curve."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import matplotlib
+import numpy as np
 
 from .columns import read_columns
 from .errors import FileFault, UsageError
@@ -35,7 +36,21 @@ def read_run(results, request, name):
     if len(across) != 1:
         raise UsageError(f"--x {request.x}: give one component, as {request.x}/x")
     upwards = [column for wanted in names_upwards(results, request) for column in read_columns(results, wanted)]
+    if results.has_paths:
+        across, upwards = (split_branches(columns, results) for columns in (across, upwards))
     return Run(name, results.time_label, across[0], upwards)
+
+
+def split_branches(columns, results):
+    """The columns with a gap before each branch of a path, which then starts where it leaves another one."""
+    starts = [(path.rows[1], path.rows[0]) for stage in results.paths() for path in stage.paths if len(path.rows) > 1 and path.rows[1] != path.rows[0] + 1]
+    at = [start for start, _ in sorted(starts) for _ in range(2)]
+    split = []
+    for column in columns:
+        values = np.asarray(column.values, dtype=float)
+        added = [value for _, origin in sorted(starts) for value in (np.nan, values[min(origin, len(values) - 1)])]
+        split.append(replace(column, values=np.insert(values, at, added)))
+    return split
 
 
 def names_upwards(results, request):
@@ -108,8 +123,8 @@ def draw_curves_of(axes, curves, runs):
         colour = colour_of(runs.index(run), len(runs)) if is_by_run else colour_of(i, len(curves))
         drawn.append((run.across.values, column.values, colour, column.label))
     across, column = curves[0][0].across, curves[0][1]
-    title = column.label if is_by_run or len(curves) == 1 else ""
-    draw_panel(axes, drawn, title, with_unit(across), column.unit,
+    is_alone = is_by_run or len(curves) == 1
+    draw_panel(axes, drawn, column.label if is_alone else "", with_unit(across), with_unit(column) if is_alone else column.unit,
                has_legend=not is_by_run and len(curves) > 1)
 
 

@@ -98,21 +98,21 @@ def draw_paths(figure, stages, curves):
         if curve is None:
             axes.remove()
         else:
-            draw_path(axes, stage, *curve)
+            draw_path(axes, stage, len(stages) > 1, *curve)
     handles = list_keys(stages)
     keys.legend(handles=handles, loc="center", ncol=len(handles), handlelength=2.2)
 
 
-def draw_path(axes, stage, label, values, dimension, unit):
+def draw_path(axes, stage, has_stage, label, values, dimension, unit):
     for number, path in enumerate(stage.paths):
         for rows, is_stable in split_by_stability(path):
             axes.plot(*break_turns(values[rows], stage.load_factors[rows], dimension), color=colour_of(number),
                       linestyle="-" if is_stable else (0, (4, 2)))
     for kind, row in stage.points:
         axes.plot(values[row], stage.load_factors[row], MARKERS[kind][0], color=BLACK, markersize=5, zorder=3)
-    axes.set_title(label)
-    axes.set_xlabel(unit)
-    axes.set_ylabel("load factor")
+    axes.set_title(stage.stage if has_stage else "")
+    axes.set_xlabel(f"{label} ({unit})" if unit else label)
+    axes.set_ylabel("load factor λ")
 
 
 def break_turns(values, loads, dimension):
