@@ -214,7 +214,8 @@ def read_study(path):
         lines = []
         for one in series:
             differences = np.array((one[part] or {}).get("differences", []), dtype=float)
-            if len(differences) == 2 and one["scale"] > 0 and (differences > 0).all():
+            least = max(10.0 * (one.get("round_off") or 0.0), 1e-10 * one["scale"])
+            if len(differences) == 2 and one["scale"] > 0 and (differences > 0).all() and differences[0] > least:
                 lines.append(Line(f"{one['point']} {one['quantity'].replace('_', ' ')}", x, differences, differences / one["scale"], 1.0))
         if lines:
             panels.append(Panel(f"{study.get('title') or study.get('deck', '')}: {across}", across, "change by halving, relative",

@@ -46,11 +46,13 @@ export class ChartChoices {
     return isSampled || info.combine === "zip" ? [] : varied.filter((column) => column.values.length <= mostPlaces);
   }
 
-  // Over the swept number with most values, a line for each value of the next parameter; samples are points.
+  // Over the first swept number, of more than two values if there is one, with a line for each value of the next parameter; samples
+  // are points.
   chooseFirst() {
     const { cases, menus } = this;
     const { varied, isSampled, info } = cases;
-    const ranked = [...varied].sort((a, b) => b.isNumeric - a.isNumeric || b.values.length - a.values.length);
+    const rank = (column) => (column.isNumeric ? Math.min(column.values.length, 3) : 0);
+    const ranked = [...varied].sort((a, b) => rank(b) - rank(a));
     const [first, second] = ranked;
     const { collected } = cases;
     const changes = (least) => collected.find((column) => column.values.length > least);
