@@ -3,6 +3,7 @@
 import csv
 import json
 import sys
+import types
 import unittest
 
 import h5py
@@ -12,8 +13,11 @@ from program import GXROD_PLOT, SOURCE, ProgramTest
 sys.path.insert(0, str(SOURCE / "apps" / "python"))
 sys.dont_write_bytecode = True
 
-from gxrod.plot.path import split_by_stability  # noqa: E402
-from gxrod.plot.results import read_results  # noqa: E402
+from gxrod.plot.compare import draw_runs, read_run  # noqa: E402
+from gxrod.plot.histories import history_panels  # noqa: E402
+from gxrod.plot.path import draw_paths, path_curves, split_by_stability  # noqa: E402
+from gxrod.plot.results import choose_histories, read_results  # noqa: E402
+from gxrod.plot.style import new_figure  # noqa: E402
 
 DECK = SOURCE / "docs/examples/sway/sway.toml"
 BIFURCATION, LIMIT, SWAYED_LIMIT = 327.6277845, 946.3035197, 411.0760129733
@@ -71,6 +75,23 @@ class Paths(ProgramTest):
         self.gxrod("sway.vtkhdf", "-o", "sway.png", program=GXROD_PLOT)
         self.gxrod("sway.vtkhdf", "--x", "crown/displacement/y", "--y", "load-factor", "-o", "xy.png", program=GXROD_PLOT)
         self.assertTrue((self.folder / "sway.png").stat().st_size > 10000)
+
+    def test_both_axes_have_names_and_branches_do_not_join(self):
+        request = types.SimpleNamespace(x="crown/displacement/x", y=["load-factor"], what="all", history=[], title=None, size=None)
+        run = read_results(self.folder / "sway.vtkhdf", lambda file: read_run(file, request, "sway"))
+        [axes] = draw_runs([run], request).axes
+        self.assertEqual((axes.get_xlabel(), axes.get_ylabel()), ("crown: displacement x (length)", "load factor"))
+        x, y = axes.get_lines()[0].get_data()
+        gaps = np.flatnonzero(np.isnan(x))
+        self.assertEqual((len(gaps), list(gaps)), (2, list(np.flatnonzero(np.isnan(y)))))
+        for gap in gaps:
+            self.assertAlmostEqual(y[gap + 1] / BIFURCATION, 1.0, delta=1e-6)
+
+        def labels(results):
+            figure = new_figure(8, 6)
+            draw_paths(figure, results.paths(), path_curves(history_panels(choose_histories(results, []))))
+            return {(axes.get_xlabel(), axes.get_ylabel()) for axes in figure.axes}
+        self.assertIn(("crown: displacement x (length)", "load factor λ"), read_results(self.folder / "sway.vtkhdf", labels))
 
     def test_shapes_are_about_the_equilibria_at_their_points(self):
         with h5py.File(self.folder / "sway.path.vtkhdf") as shapes, h5py.File(self.folder / "sway.vtkhdf") as file:

@@ -135,7 +135,7 @@ class Labels(unittest.TestCase):
 
     def test_curves_over_each_other_have_units(self):
         texts = draw("gears", "--x", "shaft/angle", "--y", "time", "rack/drive")
-        for text in ("shaft: angle (rad)", "s", "N"):
+        for text in ("shaft: angle (rad)", "time (s)", "rack: drive (N)"):
             self.assertIn(text, texts)
         self.assertIn("N·mm", draw("gears", "--what", "ledger"))
         self.assertIn("time (s)", draw("gears", "--x", "time", "--y", "rack/drive"))

@@ -1,5 +1,6 @@
 """gxrod report of the folder of a batch: the page in a browser, and the pages of cases that it leads to."""
 
+import base64
 import csv
 import io
 import json
@@ -18,6 +19,7 @@ from browser import LAPTOP, PHONE, Browser
 from PIL import Image
 from program import GXROD, SPINNING_BODY, ProgramTest
 from report_pages import EVIL_NAME, EVIL_TEXT, MARK
+from saving import CATCH, READ, Picture
 
 WHY = "step 12 at t = 0.12: Newton's method did not converge, residual largest at arm.end"
 SCHEMES = ("newmark-simplified", "sdirk-4")
@@ -79,7 +81,24 @@ def make_names(folder):
     return batch.write()
 
 
-BATCHES = {"grid": make_grid, "names": make_names, "sample": make_sample, "large": make_large, "evil": make_evil}
+def make_mesh(folder):
+    """A mesh refined for two orders, the key with two values first; values that differ in their eighth digit, and one that is constant."""
+    batch = BatchFolder(folder, ["rod.a.order", "rod.a.elements"], ["constant", "close", "tip"])
+    for order in (1, 2):
+        for elements in (2, 4, 8, 16, 32):
+            batch.add([order, elements], [7, 1000000 + 0.01 * elements, -elements**-2.0 * order], warning="long " * 200 if elements == 4 else "")
+    return batch.write()
+
+
+def make_steps(folder):
+    """A sweep by equal differences with many values, and no plan of sampling."""
+    batch = BatchFolder(folder, ["parameters.mass"], ["tip"])
+    for i in range(31):
+        batch.add([round(0.07 + 0.013 * i, 6)], [3e-7 * i**2 + 2e-5])
+    return batch.write()
+
+
+BATCHES = {"mesh": make_mesh, "steps": make_steps, "grid": make_grid, "names": make_names, "sample": make_sample, "large": make_large, "evil": make_evil}
 
 
 def setUpModule():
@@ -475,6 +494,77 @@ class Safety(BatchPageTest):
         requests = self.browser.take_requests()
         self.assertIn(page, requests)
         self.assertEqual([url for url in requests if url != page and not url.startswith("data:")], [])
+
+
+class Ticks(BatchPageTest):
+    def picture(self):
+        self.run_script(CATCH)
+        self.run_script("document.querySelector('.stage [data-format=SVG]').click()")
+        [[name, data]] = self.browser.driver.execute_async_script(READ)
+        self.assertTrue(name.endswith(".svg"))
+        return Picture(base64.b64decode(data))
+
+    def assert_honest(self, ticks, is_log):
+        """Labels are all different, and their numbers are where they stand."""
+        self.assertGreater(len(ticks), 2)
+        places, numbers, texts = zip(*ticks)
+        self.assertEqual(len(set(texts)), len(texts), texts)
+        values = np.log(numbers) if is_log else np.array(numbers)
+        slope, start = np.polyfit(values, places, 1)
+        np.testing.assert_allclose(slope * values + start, places, atol=1.1)  # labels stand at whole pixels
+
+    def test_a_sweep_by_ratios_is_logarithmic_with_its_own_values(self):
+        self.open("mesh")
+        for menu, value in (("#across", "rod.a.elements"), ("#by", "rod.a.order"), ("#value", "close"), ("#kind", "lines")):
+            self.assertEqual(self.menu(menu)["value"], value)
+        self.assertTrue(self.run_script("return document.getElementById('log-across').checked"))
+        picture = self.picture()
+        across = picture.ticks("middle")
+        self.assertEqual([text for _, _, text in across], ["2", "4", "8", "16", "32"])
+        self.assert_honest(across, is_log=True)
+        self.assert_honest(picture.ticks("end"), is_log=False)
+        self.choose("#value", "tip")
+        self.assert_honest(self.picture().ticks("end"), is_log=False)
+        for words in ("rod.a.elements, logarithmic", "tip"):
+            self.assertIn(words, self.picture().texts)
+
+    def test_steps_are_of_1_2_or_5(self):
+        for size in (LAPTOP, PHONE, (400, 800), (1280, 800)):
+            self.open("steps", size)
+            self.assertFalse(self.run_script("return document.getElementById('log-across').checked"))
+            picture = self.picture()
+            for anchor in ("middle", "end"):
+                ticks = picture.ticks(anchor)
+                self.assert_honest(ticks, is_log=False)
+                numbers = sorted(number for _, number, _ in ticks)
+                steps = np.diff(numbers)
+                np.testing.assert_allclose(steps, steps[0], rtol=1e-9)
+                self.assertIn(f"{steps[0]:.6e}"[0], "125")
+                self.assertAlmostEqual(numbers[0] / steps[0], round(numbers[0] / steps[0]), delta=1e-6)
+
+    def test_the_rows_shown_are_saved_as_a_table_of_latex(self):
+        self.open("grid")
+        self.choose("#status-filter", "failed")
+        self.run_script(CATCH)
+        self.run_script("document.getElementById('save-latex').click()")
+        [[name, data]] = self.browser.driver.execute_async_script(READ)
+        self.assertEqual(name, "grid.tex")
+        lines = base64.b64decode(data).decode().splitlines()
+        rows = [line for line in lines if line.endswith("\\\\")]
+        self.assertEqual(len(rows), 3)
+        self.assertIn("Newton's method did not converge, residual largest at arm.end", rows[1])
+        self.assertEqual({row.count(" & ") for row in rows}, {rows[0].count(" & ")})
+        self.assertIn("time\\_step", rows[0])
+
+    def test_a_long_warning_is_in_full_where_its_case_is_chosen(self):
+        for size in (LAPTOP, (400, 800)):
+            self.open("mesh", size)
+            self.run_script("[...document.querySelectorAll('#table tr[data-row]')].find((row) => row.cells[0].textContent === '2').click()")
+            self.browser.settle()
+            self.assertEqual(self.text("#chosen").count("long "), 200)
+            self.assertLessEqual(self.run_script("const c = document.getElementById('chosen'); return c.scrollWidth - c.clientWidth"), 0)
+            self.assertLessEqual(self.run_script("return document.documentElement.scrollWidth"), size[0])
+            self.tick("#table tr.chosen td")
 
 
 class Looks(BatchPageTest):

@@ -123,11 +123,13 @@ class Paths(FoundTest):
         self.open("sway")
         range_of = lambda: self.browser.run("return document.querySelector('#path .figure').figure().x.range")
         self.assertLess(range_of()[0], -80)
+        labels = self.browser.run("const { x, y } = document.querySelector('#path .figure').figure(); return [x.label, y.label]")
+        self.assertEqual(labels, ["crown: displacement x, length", "load factor λ"])
         self.press("#path .keys button", 2)  # path.1−
         self.assertGreater(range_of()[0], -80)
         self.browser.run("""
             const menu = document.querySelector('#path select[aria-label=Across]');
-            menu.value = [...menu.options].find((option) => option.textContent === 'crown: displacement y').value;
+            menu.value = [...menu.options].find((option) => option.textContent === 'crown: displacement y, length').value;
             menu.dispatchEvent(new Event('change'));""")
         self.browser.settle()
         x = self.browser.run("return document.querySelector('#path .figure').figure().places[0].map(({ x }) => x)")
