@@ -27,22 +27,22 @@ class BatchGuide(ProgramTest):
     @unittest.skipIf(os.environ.get("GXROD_SANITIZED") == "1", "takes a minute under sanitizers; Release runs it")
     def test_commands(self):
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()),
-                         ["people.csv", "people.toml", "plank.toml", "random.toml", "sweep.toml"])
+                         ["people.csv", "people.toml", "plank.toml", "random.toml", "refined.toml", "sweep.toml"])
         deck = (self.folder / "plank.toml").read_text()
         self.write("thin.toml", deck.replace("height = 0.05", "height = 0.03"))
         commands = commands_of(GUIDE)
-        self.assertEqual(len(commands), 8)
+        self.assertEqual(len(commands), 10)
         for command in commands:
             done = self.run_command(command)
             if "--dry-run" in command:
                 self.assertIn("12: parameters.height = 0.06, parameters.rise = 0.8", done.stdout)
                 self.assertFalse((self.folder / "sweep").exists())
-        for folder, cases in {"sweep": 12, "random": 40, "people": 3, "both": 2}.items():
+        for folder, cases in {"sweep": 12, "random": 40, "people": 3, "refined": 12, "both": 2}.items():
             lines = (self.folder / folder / "index.csv").read_text().splitlines()
             self.assertEqual(len(lines), cases + 1, folder)
             self.assertTrue(all(",done," in line for line in lines[1:]), folder)
         self.assertFalse((self.folder / "random" / "cases").exists())
-        for file in ("0001.png", "sweep/report.html", "sweep.png"):
+        for file in ("0001.png", "sweep/report.html", "sweep.png", "refined.png", "refined.tex"):
             self.assertTrue((self.folder / file).exists(), file)
 
         printed = re.search(r"It prints\n\n```\n(.*?)```", self.page, re.DOTALL).group(1)
@@ -66,7 +66,7 @@ class BatchGuide(ProgramTest):
 
     def test_every_plan_is_right(self):
         plans = [block for block in re.findall(r"```toml\n(.*?)```", self.page, re.DOTALL) if block.startswith("deck")]
-        self.assertEqual(len(plans), 4)
+        self.assertEqual(len(plans), 5)
         for number, plan in enumerate(plans):
             with self.subTest(plan=plan):
                 done = self.gxrod("batch", self.write(f"plan_{number}.toml", plan), "--dry-run")

@@ -561,7 +561,7 @@ class Ticks(BatchPageTest):
             self.open("mesh", size)
             self.run_script("[...document.querySelectorAll('#table tr[data-row]')].find((row) => row.cells[0].textContent === '2').click()")
             self.browser.settle()
-            self.assertEqual(self.text("#chosen").count("long "), 200)
+            self.assertEqual(self.text("#chosen").count("long"), 200)
             self.assertLessEqual(self.run_script("const c = document.getElementById('chosen'); return c.scrollWidth - c.clientWidth"), 0)
             self.assertLessEqual(self.run_script("return document.documentElement.scrollWidth"), size[0])
             self.tick("#table tr.chosen td")
