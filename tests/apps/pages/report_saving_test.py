@@ -65,7 +65,7 @@ class Saving(PageTest):
             for name, value in element.attrib.items():
                 self.assertNotIn("var(", value, name)
                 self.assertIsNone(re.search(r"oklch|color-mix|color\(", value), value)
-        self.assertIn("#5d6675", {element.get("fill") for element in picture.root.iter()})
+        self.assertTrue(picture.curves("#2f6fd0"), {element.get("stroke") for element in picture.root.iter()})
         self.assertEqual(self.browser.run("return document.documentElement.dataset.theme"), before)
         self.assertEqual(self.browser.take_errors(), [])
 

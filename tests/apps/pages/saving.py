@@ -44,6 +44,7 @@ class Picture:
     def curves(self, colour):
         """Points [n,2] of each stroked path of a colour."""
         paths = [path for path in self.plot().iter(f"{SVG}path") if path.get("stroke") == colour]
+        assert all(path.get("d").startswith("M") for path in paths), "a path without a start is drawn by no program"
         return [np.array([[float(part) for part in point.split()] for point in re.findall(r"[ML]([-\d.]+ [-\d.]+)", path.get("d"))]) for path in paths]
 
 
