@@ -12,9 +12,11 @@ from .formats import FORMATS, SECTIONS, find_format, read_blade, read_section_me
 from .moordyn import read_moordyn
 from .mooring_deck import write_mooring
 from .moorprops import read_moorprops, write_section
+from .openfast import read_turbine
 from .section_mesh import SectionMesh
 from .section_writing import write_section_mesh
 from .text import ImportFault
+from .turbine_deck import write_turbine
 from .windio_layup import read_windio_layup
 from .writing import write_deck
 
@@ -25,6 +27,7 @@ examples:
   gxrod-import IEA-15-240-RWT.yaml --layup 0.5 -o half.toml  windIO: a section by its layers and webs, with its mesh
   gxrod-import IEA_15MW.htc --body blade1 -o blade.toml      HAWC2
   gxrod-import ElastoDyn_blade.dat --length 117 -o blade.toml
+  gxrod-import turbine.fst -o turbine.toml                   OpenFAST: tower, nacelle, hub and blades
   gxrod-import lines.txt -o lines.toml                       MoorDyn
   gxrod-import MoorProps_default.yaml --line chain --diameter 0.1 -o section.toml
   gxrod-import box.sg -o box.toml                            VABS, PreVABS, SONATA: a section with its mesh, box.msh
@@ -40,7 +43,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         kind = request.format or find_format(request.file)
         if request.layup is not None and kind != "windio":
             raise ImportFault(f"{request.file}: --layup is for windIO files, this is of the format {kind}; leave it out")
-        written = import_layup(request) if request.layup is not None else {"moordyn": import_lines, "moorpy": import_section, **dict.fromkeys(SECTIONS, import_section_mesh)}.get(kind, import_blade)(request)
+        written = import_layup(request) if request.layup is not None else {"openfast": import_turbine, "moordyn": import_lines, "moorpy": import_section, **dict.fromkeys(SECTIONS, import_section_mesh)}.get(kind, import_blade)(request)
     except FileError as error:
         print(f"gxrod-import: {error}", file=sys.stderr)
         return 2 if isinstance(error, ImportFault) else 4
@@ -54,6 +57,15 @@ def import_blade(request: argparse.Namespace) -> list[Path]:
     written = write_deck(blade, request.output, inline=request.inline)
     print(f"{len(blade.fractions)} stations, {blade.length:.6g} m, {blade.total_mass:.6g} kg ({blade.source})")
     say(blade.notes, blade.warnings)
+    return written
+
+
+def import_turbine(request: argparse.Namespace) -> list[Path]:
+    blade = read_blade(request.blade, body=request.body, st_file=request.st, length=request.length) if request.blade else None
+    turbine = read_turbine(request.file, blade)
+    written = write_turbine(turbine, request.output)
+    print(f"tower {turbine.tower.length:.6g} m, {turbine.blades} blades of {turbine.blade.length:.6g} m, {turbine.total_mass:.6g} kg, the rotor {turbine.rotor_mass:.6g} kg ({turbine.source})")
+    say([*turbine.notes, *turbine.blade.notes], [*turbine.warnings, *(f"{name}: {each}" for name, kind in (("tower", turbine.tower), ("blade", turbine.blade)) for each in kind.warnings)])
     return written
 
 
@@ -98,13 +110,13 @@ def put_section_mesh(section: SectionMesh, request: argparse.Namespace) -> list[
 
 
 def parse(arguments: Sequence[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="gxrod-import", description="Writes a blade, mooring lines or a section of another program as a deck of gxrod.", epilog=EPILOG,
+    parser = argparse.ArgumentParser(prog="gxrod-import", description="Writes a blade, a turbine, mooring lines or a section of another program as a deck of gxrod.", epilog=EPILOG,
                                      allow_abbrev=False, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("file", metavar="FILE", help="BeamDyn primary file, windIO yaml, htc or st file of HAWC2, ElastoDyn blade file, MoorDyn file, MoorPy's MoorProps, VABS input, folder of BECAS")
+    parser.add_argument("file", metavar="FILE", help="BeamDyn primary file, windIO yaml, htc or st file of HAWC2, ElastoDyn blade or primary file, .fst of OpenFAST, MoorDyn file, MoorPy's MoorProps, VABS input, folder of BECAS")
     parser.add_argument("-o", "--output", metavar="DECK", help="deck to write, with a CSV file of its sections or a mesh beside it (FILE's name with .toml)")
     parser.add_argument("--format", choices=FORMATS, help="by default what the contents of FILE show")
     parser.add_argument("--inline", action="store_true", help="sections in the deck itself, a [section.NAME] for each station")
-    parser.add_argument("--blade", metavar="FILE", help="BeamDyn: blade file, in place of the one that the primary file names")
+    parser.add_argument("--blade", metavar="FILE", help="BeamDyn: blade file, in place of the one that the primary file names; OpenFAST: a blade of any format, in place of its own")
     parser.add_argument("--st", metavar="FILE", help="HAWC2: st file, in place of the one that the htc file names")
     parser.add_argument("--body", metavar="NAME", help="HAWC2: body of the htc file (the first one with a blade's name)")
     parser.add_argument("--set", nargs=2, type=int, metavar=("NUMBER", "SUBSET"), help="HAWC2: table of the st file (that of the htc file, or 1 1)")

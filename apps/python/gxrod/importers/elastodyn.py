@@ -31,14 +31,17 @@ def read_elastodyn(path: AnyPath, length: float | None) -> Blade:
     found = Blade(title=lines.lines[1].strip(), source=f"ElastoDyn: {lines.path.name}", fractions=table["BlFract"],
                   stiffness=stiffness_of(flapwise, edgewise, length), mass=mass_of(masses, length),
                   points=np.array([[0.0, 0.0, 0.0], [0.0, 0.0, length]]), twist_fractions=table["BlFract"], twist=-np.radians(table["StrcTwst"]),
-                  notes=["ElastoDyn has bending and mass only. Assumed: a straight axis through all centres, no couplings; extension and shear "
-                         f"stiff (EA = GA = {STIFF:g} EI/L²), torsion stiff (GJ = {STIFF_TORSION:g} (EI flapwise + edgewise)), hardly any rotary "
-                         f"inertia (radius of gyration {SLENDER:g} L). For a blade that twists, import a BeamDyn, HAWC2 or windIO file"])
+                  notes=[f"{note_of_bending()}. For a blade that twists, import a BeamDyn, HAWC2 or windIO file"])
     found.warnings += [*tuned(lines), *damped(lines), *idle_columns(lines)]
     unused = find_unused(lines)
     found.notes += unused.notes("ElastoDyn's modes")
     found.warnings += unused.warnings()
     return check_blade(found, lambda i, what, todo: lines.fault(what, todo, first + i))
+
+
+def note_of_bending() -> str:
+    return (f"ElastoDyn has bending and mass only. Assumed: a straight axis through all centres, no couplings; extension and shear stiff (EA = GA = {STIFF:g} EI/L²), "
+            f"torsion stiff (GJ = {STIFF_TORSION:g} times the sum of both EI), hardly any rotary inertia (radius of gyration {SLENDER:g} L)")
 
 
 def read_table(lines: Lines) -> tuple[dict[str, Array], int]:
@@ -53,13 +56,13 @@ def read_table(lines: Lines) -> tuple[dict[str, Array], int]:
     return {name: rows[:, names.index(name)] for name in COLUMNS}, lines.at - count
 
 
-def value_of(lines: Lines, key: str, default: float | None = None) -> float:
+def value_of(lines: Lines, key: str, default: float | None = None, what: str = "give a whole blade file of ElastoDyn") -> float:
     """Of `value key - …`; names of old files have brackets, BldFlDmp(1)."""
     line = lines.find(lambda text: text.split()[1:2] == [key])
     if not line and default is not None:
         return default
     if not line:
-        raise lines.fault(f"there is no line with {key}", "give a whole blade file of ElastoDyn", 0)
+        raise lines.fault(f"there is no line with {key}", what, 0)
     lines.at = line + 1
     return lines.number(lines[line].split()[0], f"expected a number for {key}")
 

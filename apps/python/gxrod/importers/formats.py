@@ -12,13 +12,14 @@ from .elastodyn import is_elastodyn, read_elastodyn
 from .hawc2 import is_hawc2, read_hawc2
 from .moordyn import is_moordyn
 from .moorprops import is_moorprops
+from .openfast import is_openfast
 from .section_mesh import SectionMesh
 from .text import ImportFault, read_text
 from .vabs import is_vabs, read_vabs
 from .windio import is_windio, read_windio
 
 BLADES = {"beamdyn": is_beamdyn, "windio": is_windio, "hawc2": is_hawc2, "elastodyn": is_elastodyn}
-KNOWN_BY = {"moordyn": is_moordyn, "moorpy": is_moorprops, "vabs": is_vabs, **BLADES}
+KNOWN_BY = {"openfast": is_openfast, "moordyn": is_moordyn, "moorpy": is_moorprops, "vabs": is_vabs, **BLADES}
 SECTIONS = {"vabs": read_vabs, "becas": read_becas}
 FORMATS = (*KNOWN_BY, "becas")
 
@@ -33,7 +34,7 @@ def find_format(path: AnyPath) -> str:
     for name, is_this in KNOWN_BY.items():
         if is_this(text):
             return name
-    raise ImportFault(f"{path}: neither a BeamDyn primary file, a windIO yaml, an htc or st file of HAWC2, an ElastoDyn blade file, an input file of MoorDyn, MoorPy's MoorProps nor an input of VABS; "
+    raise ImportFault(f"{path}: neither a BeamDyn primary file, a windIO yaml, an htc or st file of HAWC2, an ElastoDyn blade file, a .fst file of OpenFAST, ElastoDyn's primary file, an input file of MoorDyn, MoorPy's MoorProps nor an input of VABS; "
                       f"give one of these, or name its format: --format {' | '.join(FORMATS)}")
 
 
@@ -58,6 +59,8 @@ def read_blade(path: AnyPath, format: str | None = None, *, blade_file: AnyPath 
         return read_elastodyn(path, length)
     if kind in SECTIONS:
         raise ImportFault(f"{path}: has a section, not a blade; read it with read_section_mesh")
+    if kind == "openfast":
+        raise ImportFault(f"{path}: has a turbine, not a blade; read it with read_turbine, or read a blade file that it names")
     if kind in KNOWN_BY:
         raise ImportFault(f"{path}: has lines, not a blade; read it with read_moordyn or read_moorprops")
     raise ImportFault(f'{path}: there is no format "{kind}"; give one of {", ".join(BLADES)}')
