@@ -32,7 +32,8 @@ GROUPS = [
                      "results/frames": ["Frames", "Frame", "Fields", "Rod"], "results/ranges": ["Range"], "results/stresses": ["SectionStress", "Envelope", "ResultSection"], "results/contacts": ["Contacts", "ContactFrame"], "results/tables": ["Table"],
                      "results/stages": ["Stage", "ShapesStage", "Sweep", "Response", "Answers", "PathStage", "Shapes"], "plot": ["draw"], "page": ["Page"]}),
     ("Fatigue", "", {"fatigue": ["rainflow", "Cycles", "SNCurve", "damage", "equivalent_range"]}),
-    ("Blades and sections of other programs", "", {"importers/formats": ["read_blade", "read_section_mesh"], "importers/writing": ["write_deck"], "importers/blade": ["Blade"],
+    ("Blades, turbines and sections of other programs", "", {"importers/formats": ["read_blade", "read_section_mesh"], "importers/writing": ["write_deck"], "importers/blade": ["Blade"],
+                                                      "importers/openfast": ["read_turbine"], "importers/turbine_deck": ["write_turbine"], "importers/turbine": ["Turbine"],
                                                       "importers/section_writing": ["write_section_mesh"], "importers/windio_layup": ["read_windio_layup"], "importers/section_mesh": ["SectionMesh", "SectionLayer", "SectionMaterial"],
                                                       "importers/sections": ["from_sectionproperties"]}),
     ("Mooring lines of other programs", "", {"importers/moordyn": ["read_moordyn"], "importers/mooring_deck": ["write_mooring"], "importers/mooring": ["Mooring", "Line", "LineType", "Place", "Body"],
@@ -41,7 +42,7 @@ GROUPS = [
     ("Errors", "", {"errors": ["Error", "DeckError", "Fault", "ConvergenceError", "EvaluationError", "FileError", "UnknownNameError"]}),
 ]
 CONSTRUCTED = {"Deck": "gxrod.Deck", "SNCurve": "gxrod.fatigue.SNCurve", "Simulation": "gxrod.Simulation", "RodEnv": "gxrod.gym.RodEnv", "RodVectorEnv": "gxrod.gym.RodVectorEnv"}  # by users; others are handed out
-PREFIXES = {"gym": "gxrod.gym.", "torch": "gxrod.torch.", "jax": "gxrod.jax.", "fatigue": "gxrod.fatigue.", "plot": "gxrod.plot.", **dict.fromkeys(("importers/formats", "importers/writing", "importers/section_writing", "importers/windio_layup", "importers/sections", "importers/moordyn", "importers/mooring_deck", "importers/moorprops"), "gxrod.importers.")}
+PREFIXES = {"gym": "gxrod.gym.", "torch": "gxrod.torch.", "jax": "gxrod.jax.", "fatigue": "gxrod.fatigue.", "plot": "gxrod.plot.", **dict.fromkeys(("importers/formats", "importers/openfast", "importers/turbine_deck", "importers/writing", "importers/section_writing", "importers/windio_layup", "importers/sections", "importers/moordyn", "importers/mooring_deck", "importers/moorprops"), "gxrod.importers.")}
 NAMES = {name for _, _, modules in GROUPS for names in modules.values() for name in names}
 TYPES = {"Array": "array", "WholeArray": "array of int", "NDArray[np.complex128]": "complex array"}
 

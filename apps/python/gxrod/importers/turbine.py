@@ -86,10 +86,12 @@ class Turbine:
 
     @property
     def rotor_mass(self) -> float:
+        """Of the hub and the blades."""
         return self.hub_mass + self.blades * (self.blade.total_mass + self.tip_mass)
 
     @property
     def total_mass(self) -> float:
+        """Of the tower and all on it."""
         return self.tower.total_mass + self.yaw_bearing_mass + self.nacelle_mass + self.rotor_mass
 
 
