@@ -28,6 +28,7 @@ export function readTheme() {
     line: colour("line"),
     rod: colour("rod"),
     body: colour("body"),
+    obstacle: colour("obstacle"),
     path: colour("path"),
     bad: colour("bad"),
     series: [1, 2, 3, 4].map((i) => colour(`series-${i}`)),

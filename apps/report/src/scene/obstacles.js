@@ -4,8 +4,10 @@ import {
 } from "three";
 import { decode } from "../data.js";
 import { Bounds, toQuaternion } from "./ends.js";
+import { isWithin } from "./within.js";
 
-const nearby = 0.6; // of the model's size: a patch that is farther from it does not widen the view
+const nearby = 0.6; // of the model's size: what is farther from it does not widen the view
+const margin = 0.1; // likewise, for what is around the model
 const y = new Vector3(0, 1, 0);
 const z = new Vector3(0, 0, 1);
 
@@ -34,21 +36,36 @@ export class Obstacles {
       mark.group.clear();
       const geometry = this.shape(mark, centre, reach);
       if (!geometry) continue;
-      const mesh = new Mesh(geometry, mark.hollow || mark.shape === "mesh" ? this.hollow : this.solid);
+      const mesh = new Mesh(geometry, this.isAround(mark) ? this.hollow : this.solid);
       mesh.renderOrder = 2;
       mark.group.add(mesh, new LineSegments(outline(mark, geometry), this.edges));
       geometry.computeBoundingBox();
       const { min, max } = geometry.boundingBox;
       geometry.boundingBox.getCenter(mark.place);
-      // Of what is large, the part next to the rods.
-      const limit = nearby * Math.max(reach, 0.5 * this.size);
+      // Of what is large, the part next to the rods; of a plane, which has no end, its nearest point.
+      const limit = (this.isAround(mark) ? margin : nearby) * Math.max(reach, 0.5 * this.size);
+      if (mark.shape === "plane") {
+        if (mark.farness <= reach + limit) bounds.include(mark.foot);
+        continue;
+      }
       const clip = (corner) => corner.clone().clampScalar(-1e30, 1e30).clamp(centre.clone().subScalar(reach + limit), centre.clone().addScalar(reach + limit));
-      if (mark.shape === "plane" && mark.farness > reach + limit) continue;
       bounds.include(clip(min));
       bounds.include(clip(max));
     }
     this.move();
     return bounds.corners;
+  }
+
+  isAround({ hollow, shape }) {
+    return hollow || shape === "mesh";
+  }
+
+  // Whether a point is inside one of them, where they are now.
+  contain(point) {
+    return this.marks.some((mark) => {
+      const { position, quaternion } = mark.group;
+      return isWithin(mark, point.clone().sub(position).applyQuaternion(quaternion.clone().invert()));
+    });
   }
 
   shape(mark, centre, reach) {
@@ -57,9 +74,10 @@ export class Obstacles {
       const normal = new Vector3(...mark.normal);
       const distance = centre.clone().sub(points[0]).dot(normal);
       mark.farness = Math.abs(distance);
+      mark.foot = centre.clone().addScaledVector(normal, -distance);
       const side = 2.3 * reach;
       const turn = Math.abs(normal.z) > 0.999 ? new Quaternion().setFromUnitVectors(z, normal) : uprightTurn(normal);
-      return new PlaneGeometry(side, side).applyQuaternion(turn).translate(...centre.addScaledVector(normal, -distance).toArray());
+      return new PlaneGeometry(side, side).applyQuaternion(turn).translate(...mark.foot.toArray());
     }
     if (mark.shape === "mesh") return shapeMesh(mark);
     // All others are round about a point, a straight line or a curve.
@@ -81,7 +99,7 @@ export class Obstacles {
   }
 
   setColours(theme) {
-    for (const material of [this.solid, this.hollow]) material.color.set(theme.body);
+    for (const material of [this.solid, this.hollow]) material.color.set(theme.obstacle);
     this.edges.color.set(theme.muted);
   }
 }
@@ -102,13 +120,15 @@ function uprightTurn(normal) {
 }
 
 // A solid one has round ends, a hollow one none: it is drawn as far as the rods are.
-function shapeCylinder({ radius, hollow }, [from, to], centre, reach) {
+function shapeCylinder(mark, [from, to], centre, reach) {
+  const { radius, hollow } = mark;
   const axis = to.clone().sub(from);
   const length = axis.length();
   axis.divideScalar(length);
   if (!hollow) return placeOnAxis(new CapsuleGeometry(radius, length, 12, 48, Math.min(64, Math.ceil(length / radius))), from.clone().add(to).multiplyScalar(0.5), axis);
   const middle = centre.clone().sub(from).dot(axis);
   const [start, end] = [Math.min(0, middle - reach), Math.max(length, middle + reach)];
+  mark.span = [start, end];
   return placeOnAxis(new CylinderGeometry(radius, radius, end - start, 64, 1, true), from.clone().addScaledVector(axis, 0.5 * (start + end)), axis);
 }
 

@@ -22,6 +22,7 @@ export class Picture {
     this.data = data;
     this.motion = motion;
     this.stage = new Stage(canvas);
+    this.stage.hides = (point) => this.parts.obstacles.contain(point);
     Object.assign(canvas, { motion: () => motion, picture: () => this }); // for tests
     this.size = measure(data, motion);
     const solid = { rods: new Tubes(data, motion, this.size), bodies: new Bodies(data, motion, this.size) };
@@ -155,16 +156,24 @@ export class Picture {
     return joinBounds([widenBox([least, largest], margin), this.parts.bodies.bounds(), this.parts.loads.bounds()]);
   }
 
-  // Along the shortest side of what is flat, else obliquely from above.
+  // Along the shortest side of what is flat, else obliquely from above; from the other side where an obstacle is in the way.
   resetView() {
     const [least, largest] = this.isInState ? this.stateBounds : this.boundsOfPoints();
     const sides = least.map((x, i) => largest[i] - x);
     const flat = sides.map((side, i) => side < 1e-3 * this.size && !this.parts.contacts.areAlong(i));
     const isBodyAlone = flat.every(Boolean); // or several about one point
-    if (!isBodyAlone && flat[2]) this.stage.look([0, 0, -1], [0, 1, 0]);
-    else if (!isBodyAlone && flat[1]) this.stage.look([0, 1, 0], [0, 0, 1]);
-    else if (!isBodyAlone && flat[0]) this.stage.look([-1, 0, 0], [0, 0, 1]);
-    else this.stage.look(sides[0] >= sides[1] ? [-0.38, 1, -0.42] : [-1, -0.38, -0.42], [0, 0, 1]);
+    this.lookFreely(listViews(isBodyAlone ? [] : flat, sides));
+  }
+
+  // The first view from outside of all obstacles, or the one that steps back least.
+  lookFreely(views) {
+    let best = null;
+    for (const view of views) {
+      this.stage.look(...view);
+      if (!best || this.stage.steps < best.steps) best = { view, steps: this.stage.steps };
+      if (this.stage.steps === 0) return;
+    }
+    this.stage.look(...best.view);
   }
 
   setColours(theme) {
@@ -183,6 +192,17 @@ export class Picture {
     for (const lines of [...this.shapes.children, ...this.state.children]) lines.material.color.set(this.theme.muted);
     for (const grid of this.grid.children) grid.material.color.set(this.theme.line);
   }
+}
+
+// Directions and what is up in them: the best one first, then those from the other sides.
+export function listViews(flat, sides) {
+  if (flat[2]) return [[[0, 0, -1], [0, 1, 0]], [[0, 0, 1], [0, 1, 0]]];
+  if (flat[1]) return [1, -1].map((y) => [[0, y, 0], [0, 0, 1]]);
+  if (flat[0]) return [-1, 1].map((x) => [[x, 0, 0], [0, 0, 1]]);
+  const [x, y] = sides[0] >= sides[1] ? [-0.38, 1] : [-1, -0.38];
+  const above = [[x, y], [-x, y], [x, -y], [-x, -y]].map(([x, y]) => [[x, y, -0.42], [0, 0, 1]]);
+  const along = [[[-1, 0, 0], [0, 0, 1]], [[0, 1, 0], [0, 0, 1]], [[0, 0, -1], [0, 1, 0]]];
+  return [...above, ...above.map(([[x, y, z], up]) => [[x, y, -z], up]), ...along];
 }
 
 // [least, largest] corners around boxes, of which some may be empty.
@@ -218,7 +238,7 @@ function replaceIn(group, lines) {
 function measure(data, motion) {
   const [least, largest] = joinBounds([motion.bounds(), boundsOfEnds(data)]);
   const path = Math.hypot(...least.map((x, i) => largest[i] - x));
-  const bodies = data.info.bodies.map((body) => 2.5 * (Math.max(...body.half_sizes) + Math.hypot(...body.centre)));
+  const bodies = data.info.bodies.map((body) => 2.5 * (body.reach ?? Math.max(...body.half_sizes) + Math.hypot(...body.centre)));
   return Math.max(path, ...bodies) || 1;
 }
 

@@ -3,6 +3,7 @@ import { OrbitControls } from "three";
 import { Gizmo } from "./gizmo.js";
 
 const fieldOfView = 32;
+const stepsBack = [1, 1.2, 1.5, 2, 2.7, 3.6, 5, 7, 10, 14];
 
 // The canvas with its camera: turns, zooms and pans, and draws when something has changed.
 export class Stage {
@@ -70,13 +71,21 @@ export class Stage {
     this.controls.target.copy(this.centre);
     this.camera.position.copy(this.centre).add(back);
     this.camera.lookAt(this.centre);
-    this.camera.position.copy(this.centre).addScaledVector(back, this.distanceFor(back));
+    this.stepBack(back, this.distanceFor(back));
     const radius = this.box[0].distanceTo(this.box[1]);
     this.camera.near = radius / 500;
     this.camera.far = radius * 100;
     this.camera.updateProjectionMatrix();
     this.controls.update();
     this.draw();
+  }
+
+  // To a distance from the centre, or farther if that is inside an obstacle: `hides` says so of a point. In one that is much larger than the model it stays.
+  stepBack(back, distance) {
+    const placeAt = (factor) => this.centre.clone().addScaledVector(back, factor * distance);
+    const free = stepsBack.find((factor) => !this.hides?.(placeAt(factor)));
+    this.steps = free === undefined ? stepsBack.length : stepsBack.indexOf(free);
+    this.camera.position.copy(placeAt(free ?? 1));
   }
 
   // The distance from which all corners of the box are within the picture, with a margin.
