@@ -75,7 +75,7 @@ export function showAbout(data, picture) {
   const rounding = "Numbers are rounded to single precision, some seven digits; times are exact. While the motion plays, the picture is interpolated between frames; when it is paused, it shows a computed frame.";
   const drawing = [
     "Rods are ellipses with semi-axes 2√(EIz/EA) along section y and 2√(EIy/EA) along z, within limits: thin rods stay visible and thick ones slender. The dark stripe marks the side of section y.",
-    "Bodies are cuboids of the same mass and inertia; the line they leave is the path of the centre of mass or, if that does not move, of the z axis. Axes x, y, z are red, green, blue.",
+    "Bodies are as their looks in the deck say, else the shape with which they touch or the cuboid of the same mass and inertia; the line they leave is the path of the centre of mass or, if that does not move, of the z axis. Axes x, y, z are red, green, blue.",
     "Supports: a block clamps a node, a ball lets it rotate, a cylinder is a hinge about its axis; otherwise each cone holds a displacement and each ring a rotation. Violet supports move as prescribed.",
     "Joints are balls, sleeves on a pin (hinges) or on a rail as long as their way (cylinders, screws; sliders are blocks), balls around a rod (sleeves along it), crosses (universal joints), plates (planes), bars (distances), blocks (welds, and smaller ones that hold some directions). Grey joints are on the ground, violet ones are moved by a motor. Bars go to the nodes. Pointing at one tells its name.",
     "Springs are coils, dampers pistons, bushings boxes.",

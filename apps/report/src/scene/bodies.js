@@ -4,13 +4,14 @@ import {
 } from "three";
 import { makeArrow } from "./arrows.js";
 import { toQuaternion } from "./ends.js";
+import { Outlines } from "./outlines.js";
 import { axisColours } from "../theme.js";
 
 const mostPaths = 100;
 const axes = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)];
 
-// Rigid bodies: the shape with which they touch, or the cuboid of their mass and inertia, the body axes, an arm from the node to the centre of mass, and the
-// path. Those on joints or bushings are clear, so that these are seen in them.
+// Rigid bodies: their looks in the deck, or the shape with which they touch, or the cuboid of their mass and inertia; the body axes, an arm from the
+// node to the centre of mass, and the path. Those on joints or bushings are clear unless their looks are given, so that these are seen in them.
 export class Bodies {
   constructor(data, motion, size) {
     this.motion = motion;
@@ -19,6 +20,7 @@ export class Bodies {
     this.group = new Group();
     this.paths = new Group();
     this.jointed = new Set([...data.info.joints, ...data.info.bushings].flatMap(({ ends }) => ends.map(({ node }) => node)));
+    this.outlines = new Outlines(data.info.bodies);
     this.bodies = data.info.bodies.map((body) => this.makeBody(body, size));
     this.lines = this.bodies.slice(0, mostPaths).map(() => this.makePath(data.times.length));
   }
@@ -28,33 +30,42 @@ export class Bodies {
     const half = body.half_sizes;
     const largest = Math.max(...half);
     const drawn = largest > 0 ? Math.max(largest, 0.015 * size) : 0.02 * size;
-    const round = body.shape && new Round(body.shape);
-    const sides = round ? [round.reach, round.reach, round.reach] : half.map((h) => 2 * Math.max(largest > 0 ? h * (drawn / largest) : drawn, 0.04 * drawn));
-    const box = round ? round.surface() : new BoxGeometry(...sides);
-    const isClear = this.jointed.has(body.node);
-    const cuboid = new Mesh(box, isClear ? this.clear : this.surface);
-    const edges = new LineSegments(round ? round.lines() : new EdgesGeometry(box), new LineBasicMaterial({ transparent: true, opacity: 0.6 }));
+    const outline = this.outlines.of(body);
+    const round = body.shape && !outline && new Round(body.shape);
+    const cuboid = half.map((h) => 2 * Math.max(largest > 0 ? h * (drawn / largest) : drawn, 0.04 * drawn));
+    const sides = outline?.sides ?? (round ? [round.reach, round.reach, round.reach] : cuboid);
+    const box = outline?.surface ?? (round ? round.surface() : new BoxGeometry(...sides));
+    const isClear = this.jointed.has(body.node) && !outline;
+    const surface = new Mesh(box, isClear ? this.clear : this.surface);
+    const lines = outline?.lines ?? (round ? round.lines() : new EdgesGeometry(box));
+    const edges = new LineSegments(lines, new LineBasicMaterial({ transparent: true, opacity: 0.6 }));
     this.edgeMaterials = [...(this.edgeMaterials ?? []), edges.material];
     const centre = new Vector3(...body.centre);
-    for (const part of [cuboid, edges]) {
+    for (const part of outline ? [] : [surface, edges]) {
       part.position.copy(round ? round.centre : centre);
       part.quaternion.copy(round ? round.turn : toQuaternion(body.axes));
-      group.add(part);
     }
+    group.add(surface, edges);
     axes.forEach((axis, i) => {
-      const share = isClear ? 0.5 : 1; // joints have axes, too
+      const share = isClear || outline ? 0.5 : 1; // joints have axes, too
       const longest = Math.max(...sides);
       const arrow = makeArrow(axisColours[i], share * (0.9 * longest + 0.02 * size), share * (0.0018 * size + 0.006 * longest));
       arrow.position.copy(centre);
       arrow.quaternion.setFromUnitVectors(axes[2], axis);
       group.add(arrow);
     });
-    if (centre.length() > 0) {
+    if (centre.length() > 0 && !outline) {
       const arm = new BufferGeometry().setFromPoints([new Vector3(), centre]);
       group.add(new Line(arm, edges.material));
     }
     this.group.add(group);
-    return { ...body, group, centre, attitude: toQuaternion(body.attitude), sides, isClear, reach: Math.max(...sides) };
+    const around = outline ?? { middle: centre, turn: toQuaternion(body.axes) }; // the box that has the sides
+    return { ...body, group, centre, around, attitude: toQuaternion(body.attitude), sides, isClear, hasLooks: Boolean(outline), reach: Math.max(...sides) };
+  }
+
+  // Whether the node carries a body whose looks are given.
+  hasLooks(node) {
+    return this.bodies.some((body) => body.node === node && body.hasLooks);
   }
 
   // Distances behind and before an end of a joint at which a line along a direction of t = 0 leaves the cuboid of the body that
@@ -63,8 +74,8 @@ export class Bodies {
     const body = this.bodies.find((candidate) => candidate.node === node);
     if (!body) return [0, 0];
     const back = body.attitude.clone().invert();
-    const boxBack = toQuaternion(body.axes).invert();
-    const place = arm.clone().applyQuaternion(back).sub(body.centre).applyQuaternion(boxBack).toArray();
+    const boxBack = body.around.turn.clone().invert();
+    const place = arm.clone().applyQuaternion(back).sub(body.around.middle).applyQuaternion(boxBack).toArray();
     const way = direction.clone().applyQuaternion(back).applyQuaternion(boxBack).toArray();
     const half = body.sides.map((side) => 0.5 * side);
     if (place.some((x, i) => Math.abs(x) > 1.001 * half[i])) return [0, 0];
@@ -124,8 +135,8 @@ export class Bodies {
     const largest = [-Infinity, -Infinity, -Infinity];
     this.lines.forEach((line, body) => {
       const { array } = line.geometry.attributes.position;
-      const { sides, reach, isClear } = this.bodies[body];
-      const room = isClear ? 0.5 * Math.hypot(...sides) : 0.75 * reach;
+      const { sides, reach, isClear, around } = this.bodies[body];
+      const room = around.farness ? around.farness : isClear ? 0.5 * Math.hypot(...sides) : 0.75 * reach;
       const include = (x, i) => {
         least[i % 3] = Math.min(least[i % 3], x - room);
         largest[i % 3] = Math.max(largest[i % 3], x + room);

@@ -7,7 +7,7 @@ import { symbolColours } from "../theme.js";
 const x = new Vector3(1, 0, 0);
 
 // Joints as symbols at their points, with the axes that their sides carry; what slides is on a rail as long as its way in all
-// frames. Bars join the points to the nodes that carry them, so that bodies on joints look like links.
+// frames. Bars join the points to the nodes that carry them, so that bodies on joints look like links, unless the deck says what they look like.
 export class Joints {
   // `rods` and `bodies` say what is around the points, which symbols reach out of.
   constructor(data, motion, size, { rods, bodies }) {
@@ -41,7 +41,7 @@ export class Joints {
       mark.knob = makeKnob(material, symbolSize);
       this.group.add(mark.bar, mark.knob);
     }
-    mark.arms = ends.map((end) => (end.isApart(this.size) ? makeBar(this.links, this.barRadius) : null));
+    mark.arms = ends.map((end) => (end.isApart(this.size) && !this.bodies.hasLooks(end.node) ? makeBar(this.links, this.barRadius) : null));
     for (const arm of mark.arms) if (arm) this.group.add(arm);
     return mark;
   }
