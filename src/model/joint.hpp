@@ -46,11 +46,14 @@ struct Friction {
     bool acts() const { return force > 0.0 || lever > 0.0; }
 };
 
-// Bounds of a free coordinate, beyond which a spring and a damper act; without stiffness it stops there.
+// Bounds of a free coordinate, beyond which a spring and a damper act; without stiffness it stops there. At
+// the depth g they push with stiffness gⁿ (1 + hysteresis ġ) + damping ġ, and never pull.
 struct CoordinateLimits {
     std::optional<double> lower, upper;
     double stiffness = 0.0;
     double damping = 0.0;
+    double exponent = 1.0;    // n
+    double hysteresis = 0.0;  // time/length
 
     bool act() const { return lower || upper; }
     bool are_rigid() const { return act() && stiffness == 0.0; }
@@ -67,6 +70,17 @@ struct JointCoordinate {
     TimeFunction rest;  // value at which the spring is free of force
     Friction friction;
     CoordinateLimits limits;
+};
+
+// Play between the points of a joint, a pin in a hole or a ball in a socket: free within a distance of each
+// other, across the axis if the joint has one, and in contact beyond it.
+struct JointClearance {
+    CoordinateLimits contact;  // its upper bound is the distance
+    double friction = 0.0;     // Coulomb's coefficient, on the surface of the pin or ball
+    double radius = 0.0;       // radius of the pin or ball
+    double slip_speed = 0.0;   // at which friction is 1/√2 of its limit; positive with friction
+
+    bool dissipates() const { return friction > 0.0 || contact.damping > 0.0 || contact.hysteresis > 0.0; }
 };
 
 // The largest force and moment that a joint holds. It breaks at the end of a step in which it holds more, and
@@ -90,6 +104,7 @@ struct Joint {
     // For a generic joint: whether it holds the displacements along A's axes, and the turns about them. Of
     // turns that are not held two are those of a universal joint.
     std::array<bool, 6> held{};
+    std::optional<JointClearance> clearance = {};  // of a ball, a hinge or a cylinder
     JointStrength strength;
     bool acts = true;  // in the stage at hand; otherwise it holds nothing
 

@@ -43,6 +43,10 @@ std::string lacks_friction(const Watched& target, const Model& model) {
                : "this joint has no turn about one axis and no slide that could rub";
 }
 
+std::string lacks_clearance(const Watched& target, const Model& model) {
+    return joint_of(target, model).clearance ? "" : "this joint has no clearance";
+}
+
 const char* dimension_of_slide(bool is_of_slide) { return is_of_slide ? "force" : "force·length"; }
 
 const char* dimension_of_drive(const Watched& target, const Model& model) {
@@ -58,6 +62,11 @@ const char* dimension_of_friction(const Watched& target, const Model& model) {
 const char* dimension_of_gear(const Watched& target, const Model& model) {
     const Gear& gear = model.gears[static_cast<std::size_t>(std::get<WatchedTie>(target).index)];
     return dimension_of_slide(!gear.sides[1].is_turn);
+}
+
+const char* dimension_of_play(const Watched& target, const Model& model) {
+    const Gear& gear = model.gears[static_cast<std::size_t>(std::get<WatchedTie>(target).index)];
+    return gear.sides[1].is_turn ? "angle" : "length";
 }
 
 // Forces are those that A exerts on B. Of both drives one at most is not 0.
@@ -85,6 +94,8 @@ constexpr Quantity joint_lines[]{
     Quantity("friction", "moment of the friction of a turn, force of that of a slide", "force·length", Axes::none,
              [](const Sight& see) { return see.joint().friction; })
         .sized(Size::unknown).unless(lacks_friction).measured(dimension_of_friction),
+    Quantity("play", "distance of the points of a joint with clearance, across its axis", "length", Axes::none,
+             [](const Sight& see) { return see.joint().play; }).unless(lacks_clearance),
     Quantity("gap", "how far the joint's equations are from being satisfied", "length", Axes::none,
              [](const Sight& see) { return see.joint().gap; }),
     Quantity("holds", "1 while the joint holds, 0 where it does not act or is broken", "1", Axes::none,
@@ -96,6 +107,9 @@ constexpr Quantity gear_lines[]{
              "ratio times it", "force·length", Axes::none,
              [](const Sight& see) { return see.joint().drive_turn + see.joint().drive_slide; })
         .sized(Size::unknown).measured(dimension_of_gear),
+    Quantity("play", "ratio × first + second, which teeth with backlash leave free within a range", "angle", Axes::none,
+             [](const Sight& see) { return see.joint().play; })
+        .sized(Size::unknown).measured(dimension_of_play),
     Quantity("gap", "how far the gear's equation is from being satisfied", "length", Axes::none,
              [](const Sight& see) { return see.joint().gap; })};
 // clang-format on
@@ -104,6 +118,6 @@ constexpr Quantity gear_lines[]{
 
 constinit const QuantityTable quantities_of_joints{joint_lines, SnapshotPart::ties, "joints"};
 constinit const QuantityTable quantities_of_gears{
-    gear_lines, SnapshotPart::ties, "gears", "a gear has drive and gap only; its joints have the rest"};
+    gear_lines, SnapshotPart::ties, "gears", "a gear has drive, play and gap only; its joints have the rest"};
 
 }  // namespace gxrod

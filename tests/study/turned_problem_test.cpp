@@ -155,6 +155,17 @@ friction = { slide = { force = 0.3 } }
 [joint.sleeve]
 type = "sleeve"
 between = ["arm", "bead"]
+[body.bob]
+mass = 0.2
+inertia = [0.01, 0.01, 0.01]
+at = [3, 3, 2]
+velocity = [0.1, 0.5, 0.3]
+angular_velocity = [1, 2, 0]
+[joint.loose]
+type = "ball"
+between = ["cart", "bob"]
+at = [3, 3, 2]
+clearance = { gap = 0.005, stiffness = 1e3, exponent = 1.5, damping = 2, friction = 0.2, radius = 0.1, slip_speed = 0.1 }
 [gear.reduction]
 joints = ["pin", "driven"]
 ratio = -3
@@ -200,7 +211,11 @@ quantities = ["slide", "slide_rate", "force", "force_a"]
 [[history]]
 name = "gear"
 at = "reduction"
-quantities = ["drive", "gap"]
+quantities = ["drive", "play", "gap"]
+[[history]]
+name = "loose"
+at = "loose"
+quantities = ["play", "force", "moment"]
 [[history]]
 name = "cable"
 at = "cable"

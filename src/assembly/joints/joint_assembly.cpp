@@ -62,6 +62,7 @@ JointAssembly::JointAssembly(const Model& model) : model_(&model), wide_(model) 
             are_driven_ = are_driven_ || is_driven_by(*laws);
             is_damped_ = is_damped_ || is_damped_by(*laws);
         }
+        is_damped_ = is_damped_ || (joint.clearance && joint.clearance->dissipates());
         first_rows_.push_back(first_rows_.back() + rows.count());
         // Behind the node that carries fewer, so that no block grows large.
         int owner = joint.b.anchor.node;

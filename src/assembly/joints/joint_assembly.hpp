@@ -183,6 +183,8 @@ class JointAssembly : public Contribution {
     // Measures the speed of both sides in a row's coordinate: the sum of what each has of it at most.
     double measure_speed(const JointMotions& at, std::size_t joint, int row) const;
     void let_go(State& state, std::size_t joint) const;
+    // Computes the dissipation of contact in the joint's clearance, as compute_damping_action.
+    double compute_contact_action(const State& state, std::size_t joint) const;
     // Whether the tangent with these values has the equation of a row.
     bool has_equation(std::size_t joint, int row, const std::vector<double>& values) const;
     JointPlace place_of(const std::vector<NodeMotion>& nodes, std::size_t joint, const State& state) const;

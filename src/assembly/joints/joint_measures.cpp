@@ -104,9 +104,20 @@ double JointAssembly::compute_damping_action(const State& state) const {
         after.turn.rate = after.turn.value - before.turn.value;
         after.slide.rate = after.slide.value - before.slide.value;
         action += compute_coordinate_damping_power(joint.turn, after.turn) +
-                  compute_coordinate_damping_power(joint.slide, after.slide);
+                  compute_coordinate_damping_power(joint.slide, after.slide) +
+                  compute_contact_action(state, i);
     }
     return action + wide_.compute_damping_action(state);
+}
+
+// Of contact in a clearance, whose dissipation is not quadratic in rates: the mean power at both ends.
+double JointAssembly::compute_contact_action(const State& state, std::size_t index) const {
+    const std::optional<ClearanceForce>& clearance = forces_[index].clearance();
+    if (!clearance) return 0.0;
+    const double step = state.trial_time - state.time;
+    return 0.5 * step * step *
+           (clearance->compute_damping_power(motions(state.previous, index)) +
+            clearance->compute_damping_power(motions(state.trial, index)));
 }
 
 double JointAssembly::compute_slip_dissipation(const State& state) const {
@@ -151,6 +162,7 @@ std::vector<JointValues> JointAssembly::compute_joint_values(const State& state,
         values.moment_in_joint = axes.transpose() * values.moment;
         values.holds = holds(state, i);
         if (!values.holds) continue;
+        if (const auto& clearance = forces_[i].clearance()) values.play = clearance->compute_distance(at);
         const auto drive = [&](const JointCoordinate& laws, int motor_row) {
             return motor_row < 0 ? laws.drive(time) : state.joints_trial[i].multipliers[motor_row];
         };

@@ -1,5 +1,6 @@
 #include "check/mechanism/joint_gradient.hpp"
 
+#include "constraints/joints/gear_rows.hpp"
 #include "constraints/joints/sleeve_rows.hpp"
 #include "model/ties/ties.hpp"
 
@@ -47,6 +48,12 @@ WideGradient compute_slide_gradient(const Model& model, int sleeve) {
     WideGradient gradient = compute_start_gradient(moved, rows);
     gradient.rows = gradient.rows.middleRows(SleeveMotion::slide, 1).eval();
     return gradient;
+}
+
+WideGradient compute_mesh_gradient(const Model& model, int gear) {
+    Gear rigid = model.gears[static_cast<std::size_t>(gear)];
+    rigid.teeth.reset();
+    return compute_start_gradient(model, GearRows(model, rigid));
 }
 
 WideGradient compute_start_gradient(const Model& model, const WideRows& rows) {

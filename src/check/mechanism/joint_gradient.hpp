@@ -24,5 +24,7 @@ WideGradient compute_start_gradient(const Model& model, const WideRows& rows);
 
 // Computes the gradient of a sleeve's slide, by index in Model::sleeves, one row.
 WideGradient compute_slide_gradient(const Model& model, int sleeve);
+// Computes the gradient of what the teeth of a gear resist, by index in Model::gears, one row.
+WideGradient compute_mesh_gradient(const Model& model, int gear);
 
 }  // namespace gxrod

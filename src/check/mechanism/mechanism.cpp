@@ -107,6 +107,7 @@ class EquationBuilder {
 
     void add_gear(int index, Equations& built) const {
         const GearRows rows(model_, model_.gears[index]);
+        if (rows.count() == 0) return;  // teeth that yield hold nothing exactly
         const WideGradient gradient = compute_start_gradient(model_, rows);
         const std::size_t number = number_of(model_, TieKind::gear, static_cast<std::size_t>(index));
         Equations::Row row{.joint = static_cast<int>(number),

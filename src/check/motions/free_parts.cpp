@@ -56,6 +56,10 @@ class TiedParts {
             const WideGradient gradient = compute_start_gradient(model_, *rows);
             if (std::ranges::binary_search(whole.nodes, gradient.nodes.front())) add(carry(gradient));
         }
+        for (const int index : whole.ties(TieKind::gear)) {
+            if (model_.gears[index].teeth && *model_.gears[index].teeth->upper == 0.0)
+                add(carry(compute_mesh_gradient(model_, index)));
+        }
         for (const int index : whole.ties(TieKind::sleeve)) {
             if (model_.sleeves[index].slide.stiffness > 0.0)
                 add(carry(compute_slide_gradient(model_, index)));

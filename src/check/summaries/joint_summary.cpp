@@ -28,6 +28,21 @@ std::string describe_strength(const JointStrength& strength) {
     return text;
 }
 
+std::string describe_clearance(const JointClearance& clearance) {
+    const CoordinateLimits& contact = clearance.contact;
+    std::string text = fmt::format("; clearance {:.6g} (stiffness {:.6g}", *contact.upper, contact.stiffness);
+    if (contact.exponent != 1.0) text += fmt::format(", exponent {:.6g}", contact.exponent);
+    if (clearance.friction > 0.0) text += fmt::format(", friction {:.6g}", clearance.friction);
+    return text + ")";
+}
+
+// "", or what the teeth of a gear leave free.
+std::string describe_teeth(const std::optional<CoordinateLimits>& teeth) {
+    if (!teeth) return "";
+    return fmt::format(
+        " within a backlash of {:.6g}, stiffness {:.6g}", *teeth->upper - *teeth->lower, teeth->stiffness);
+}
+
 // The axes of a joint, or the length of a distance, with what it has to do with them.
 std::string describe_axes(const Joint& joint) {
     return fmt::format(fmt::runtime(card_of(joint.kind).summary),
@@ -85,7 +100,8 @@ std::string describe_joint(const Model& model, const Joint& joint) {
                             describe_anchor(model, joint.b.anchor));
     }
     return text + describe_actions("turn", joint.turn) + describe_actions("slide", joint.slide) +
-           describe_strength(joint.strength) + "\n";
+           (joint.clearance ? describe_clearance(*joint.clearance) : "") + describe_strength(joint.strength) +
+           "\n";
 }
 
 std::string describe_sleeve(const Model& model, const Sleeve& sleeve) {
@@ -117,11 +133,12 @@ ItemList list_gears(const Model& model) {
         const auto name = [&](const GearSide& side) {
             return fmt::format("{} of {}", side.is_turn ? "turn" : "slide", model.joints[side.joint].name);
         };
-        gears.items.push_back(fmt::format("gear {}: {:.6g} × {} + {} = 0\n",
+        gears.items.push_back(fmt::format("gear {}: {:.6g} × {} + {} = 0{}\n",
                                           gear.name,
                                           gear.ratio,
                                           name(gear.sides[0]),
-                                          name(gear.sides[1])));
+                                          name(gear.sides[1]),
+                                          describe_teeth(gear.teeth)));
     }
     return gears;
 }

@@ -38,6 +38,7 @@ GearRows::GearRows(const Model& model, const Gear& gear) : name_("gear " + gear.
         else
             term.slide = coordinates.slide->product();
     }
+    if (gear.teeth) teeth_.limits = *gear.teeth;
 }
 
 // Appends a node that is not there yet.
@@ -60,18 +61,25 @@ JointFrames GearRows::frames_of(const Term& term, const WidePlace& place, Constr
     return {{motion(term.nodes[0]), motion(term.nodes[1])}, term.arms, level};
 }
 
-Eigen::VectorXd GearRows::compute_values(const WidePlace& place,
-                                         ConstraintLevel level,
-                                         const TimeSpan& /*step*/) const {
-    double value = 0.0;
+ScalarJet GearRows::compute_jet(const WidePlace& place, ConstraintLevel level) const {
+    ScalarJet sum{};
     for (const Term& term : terms_) {
         const JointFrames frames = frames_of(term, place, level);
         const double turn_before = place.state.joints_previous[static_cast<std::size_t>(term.joint)].turn;
         const ScalarJet jet =
             term.turn ? term.turn->compute_jet(frames, turn_before) : term.slide->compute_jet(frames);
-        value += term.factor * at_level(jet, level);
+        sum.value += term.factor * jet.value;
+        sum.rate += term.factor * jet.rate;
+        sum.acceleration += term.factor * jet.acceleration;
     }
-    return Eigen::VectorXd::Constant(1, value);
+    return sum;
+}
+
+Eigen::VectorXd GearRows::compute_values(const WidePlace& place,
+                                         ConstraintLevel level,
+                                         const TimeSpan& /*step*/) const {
+    if (has_laws()) return {};
+    return Eigen::VectorXd::Constant(1, at_level(compute_jet(place, level), level));
 }
 
 // By the unknowns of all nodes.
@@ -82,7 +90,7 @@ void GearRows::add_row(const Term& term, const PairRow& row, Eigen::MatrixXd& su
     }
 }
 
-Eigen::MatrixXd GearRows::compute_gradient(const WidePlace& place) const {
+Eigen::MatrixXd GearRows::compute_row(const WidePlace& place) const {
     Eigen::MatrixXd gradient = Eigen::MatrixXd::Zero(1, size());
     for (const Term& term : terms_) {
         const JointFrames frames = frames_of(term, place, ConstraintLevel::position);
@@ -93,32 +101,32 @@ Eigen::MatrixXd GearRows::compute_gradient(const WidePlace& place) const {
     return gradient;
 }
 
-Eigen::MatrixXd GearRows::compute_acceleration_derivative(
-    const WidePlace& place, const std::vector<NodeLinearization>& linearizations) const {
-    Eigen::MatrixXd derivative = Eigen::MatrixXd::Zero(1, size());
+Eigen::MatrixXd GearRows::compute_change(const WidePlace& place,
+                                         const std::vector<NodeLinearization>& linearizations,
+                                         const ScalarJet& weights) const {
+    Eigen::MatrixXd change = Eigen::MatrixXd::Zero(1, size());
     for (const Term& term : terms_) {
         const JointFrames frames = frames_of(term, place, ConstraintLevel::acceleration);
         const auto linearization = [&](int node) -> const NodeLinearization& {
             return value_at(linearizations, node, linearization_of_ground);
         };
         const JointLinearizations of_sides{linearization(term.nodes[0]), linearization(term.nodes[1])};
+        const ScalarJet weighted{
+            term.factor * weights.value, term.factor * weights.rate, term.factor * weights.acceleration};
         PairRow row = PairRow::Zero();
-        visit_coordinate(term, [&](const auto& it) {
-            it.add_change(frames, of_sides, {0.0, 0.0, term.factor}, row);
-        });
-        add_row(term, row, derivative);
+        visit_coordinate(term, [&](const auto& it) { it.add_change(frames, of_sides, weighted, row); });
+        add_row(term, row, change);
     }
-    return derivative;
+    return change;
 }
 
-Eigen::MatrixXd GearRows::compute_force_derivative(const WidePlace& place,
-                                                   const Eigen::VectorXd& multipliers) const {
+Eigen::MatrixXd GearRows::compute_turned(const WidePlace& place, double multiplier) const {
     Eigen::MatrixXd derivative = Eigen::MatrixXd::Zero(size(), size());
     for (const Term& term : terms_) {
         const JointFrames frames = frames_of(term, place, ConstraintLevel::position);
         JointReaction reaction;
         visit_coordinate(
-            term, [&](const auto& it) { it.add_reaction(frames, multipliers[0] * term.factor, reaction); });
+            term, [&](const auto& it) { it.add_reaction(frames, multiplier * term.factor, reaction); });
         const PairMatrix of_sides = reaction.compute_derivative(frames);
         for (int pair = 0; pair < 4; ++pair) {
             const int row = term.columns[static_cast<std::size_t>(pair / 2)];
@@ -128,6 +136,22 @@ Eigen::MatrixXd GearRows::compute_force_derivative(const WidePlace& place,
         }
     }
     return derivative;
+}
+
+Eigen::MatrixXd GearRows::compute_gradient(const WidePlace& place) const {
+    return has_laws() ? Eigen::MatrixXd(0, size()) : compute_row(place);
+}
+
+Eigen::MatrixXd GearRows::compute_acceleration_derivative(
+    const WidePlace& place, const std::vector<NodeLinearization>& linearizations) const {
+    if (has_laws()) return Eigen::MatrixXd(0, size());
+    return compute_change(place, linearizations, {0.0, 0.0, 1.0});
+}
+
+Eigen::MatrixXd GearRows::compute_force_derivative(const WidePlace& place,
+                                                   const Eigen::VectorXd& multipliers) const {
+    if (has_laws()) return Eigen::MatrixXd::Zero(size(), size());
+    return compute_turned(place, multipliers[0]);
 }
 
 // A gear's parts sit in those that carry the joints.
@@ -141,14 +165,51 @@ Eigen::VectorXd GearRows::compute_ground_force(const WidePlace& place,
         visit_coordinate(term, [&](const auto& it) { it.add_gradient(frames, term.factor, row); });
         add_row(term, row, exerted);
     }
-    return exerted.transpose() * multipliers;
+    return exerted.transpose() * (has_laws() ? compute_push(place).value : multipliers[0]);
 }
 
-JointValues GearRows::compute_joint_values(const WidePlace& /*place*/,
-                                           const Eigen::VectorXd& multipliers) const {
+JointValues GearRows::compute_joint_values(const WidePlace& place, const Eigen::VectorXd& multipliers) const {
     JointValues values;
-    values.drive_turn = multipliers[0];
+    values.drive_turn = has_laws() ? compute_push(place).value : multipliers[0];
+    values.play = compute_jet(place, ConstraintLevel::position).value;
     return values;
+}
+
+CoordinateForce GearRows::compute_push(const WidePlace& place) const {
+    return compute_coordinate_force(teeth_, compute_jet(place, ConstraintLevel::velocity), {}, 0.0);
+}
+
+Eigen::VectorXd GearRows::compute_law_force(const WidePlace& place) const {
+    return compute_row(place).transpose() * compute_push(place).value;
+}
+
+// The motions are their placement: all nodes of a stage have the same.
+Eigen::MatrixXd GearRows::compute_law_tangent(const WidePlace& place,
+                                              const std::vector<NodeLinearization>& linearizations) const {
+    const CoordinateForce push = compute_push(place);
+    if (push.value == 0.0) return Eigen::MatrixXd::Zero(size(), size());
+    return linearizations.front().placement * compute_turned(place, push.value) +
+           compute_row(place).transpose() *
+               compute_change(place, linearizations, {push.by_coordinate, push.by_rate, 0.0});
+}
+
+double GearRows::compute_strain_energy(const WidePlace& place) const {
+    if (!has_laws()) return 0.0;
+    return compute_coordinate_energy(teeth_, compute_jet(place, ConstraintLevel::position).value, {}, 0.0);
+}
+
+double GearRows::compute_damping_power(const WidePlace& place) const {
+    if (!is_damped()) return 0.0;
+    return compute_coordinate_damping_power(teeth_, compute_jet(place, ConstraintLevel::velocity));
+}
+
+double GearRows::compute_damping_action(const WidePlace& place) const {
+    if (!is_damped()) return 0.0;
+    ScalarJet after = compute_jet(place, ConstraintLevel::position);
+    const WidePlace before{
+        place.state.previous, place.state, place.before, place.slips_before, place.time, place.held};
+    after.rate = after.value - compute_jet(before, ConstraintLevel::position).value;
+    return compute_coordinate_damping_power(teeth_, after);
 }
 
 }  // namespace gxrod

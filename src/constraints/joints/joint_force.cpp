@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "constraints/joints/bound_push.hpp"
+
 namespace gxrod {
 
 namespace {
@@ -11,26 +13,26 @@ namespace {
 struct LimitPush {
     double depth = 0.0;
     double rate = 0.0;
-    double force = 0.0;      // ≥ 0, towards the inside
-    double direction = 0.0;  // of the force, along the coordinate
+    double direction = 0.0;  // of the push, along the coordinate
+    BoundPush push{};        // towards the inside
 };
 
 LimitPush compute_push(const CoordinateLimits& limits, const ScalarJet& coordinate) {
     LimitPush push;
     if (limits.upper && coordinate.value > *limits.upper)
-        push = {coordinate.value - *limits.upper, coordinate.rate, 0.0, -1.0};
+        push = {coordinate.value - *limits.upper, coordinate.rate, -1.0};
     else if (limits.lower && coordinate.value < *limits.lower)
-        push = {*limits.lower - coordinate.value, -coordinate.rate, 0.0, 1.0};
-    push.force = std::max(limits.stiffness * push.depth + limits.damping * push.rate, 0.0);
+        push = {*limits.lower - coordinate.value, -coordinate.rate, 1.0};
+    push.push = compute_bound_push(limits, push.depth, push.rate);
     return push;
 }
 
 void add_limits(const CoordinateLimits& limits, const ScalarJet& coordinate, CoordinateForce& force) {
-    const LimitPush push = compute_push(limits, coordinate);
+    const auto [depth, rate, direction, push] = compute_push(limits, coordinate);
     if (push.force == 0.0) return;
-    force.value += push.direction * push.force;
-    force.by_coordinate -= limits.stiffness;
-    force.by_rate -= limits.damping;
+    force.value += direction * push.force;
+    force.by_coordinate -= push.by_depth;
+    force.by_rate -= push.by_rate;
 }
 
 double compute_strength(const Friction& friction, double held) {
@@ -108,7 +110,7 @@ double compute_coordinate_energy(const JointCoordinate& laws,
                                  double slip) {
     const double stretch = coordinate - inputs.rest;
     const double depth = compute_push(laws.limits, {coordinate, 0.0, 0.0}).depth;
-    double energy = 0.5 * (laws.stiffness * stretch * stretch + laws.limits.stiffness * depth * depth);
+    double energy = 0.5 * laws.stiffness * stretch * stretch + compute_bound_energy(laws.limits, depth);
     if (laws.friction.acts()) {
         const double elastic = std::min(std::abs(coordinate - slip), laws.friction.stick);
         energy +=
@@ -118,9 +120,8 @@ double compute_coordinate_energy(const JointCoordinate& laws,
 }
 
 double compute_coordinate_damping_power(const JointCoordinate& laws, const ScalarJet& coordinate) {
-    const LimitPush push = compute_push(laws.limits, coordinate);
-    return laws.damping * coordinate.rate * coordinate.rate +
-           (push.force - laws.limits.stiffness * push.depth) * push.rate;
+    const auto [depth, rate, direction, push] = compute_push(laws.limits, coordinate);
+    return laws.damping * coordinate.rate * coordinate.rate + (push.force - push.elastic) * rate;
 }
 
 double compute_slip(const Friction& friction, double coordinate, double slip) {
@@ -142,6 +143,7 @@ JointForces::JointForces(const Joint& joint)
     const JointCoordinates coordinates(joint);
     if (is_acted_on(turn_laws_)) turn_ = coordinates.turn;
     if (is_acted_on(slide_laws_) && coordinates.slide) slide_ = coordinates.slide->product();
+    if (joint.clearance) clearance_.emplace(joint);
 }
 
 template <class Visit>
@@ -166,6 +168,7 @@ PairRow JointForces::compute_force(const JointMotions& motions,
         const auto on_b = compute_coordinate_force(it.laws, it.jet, inputs.*it.inputs, slips.*it.slip);
         it.coordinate.add_gradient(frames, on_b.value, force);
     });
+    if (clearance_) force += clearance_->compute_force(motions);
     return force;
 }
 
@@ -180,6 +183,7 @@ PairMatrix JointForces::compute_tangent(const JointMotions& motions,
         const auto force = compute_coordinate_force(it.laws, it.jet, inputs.*it.inputs, slips.*it.slip);
         add_coordinate_tangent(it.coordinate, force, frames, linearizations, tangent);
     });
+    if (clearance_) tangent += clearance_->compute_tangent(motions, linearizations);
     return tangent;
 }
 
@@ -204,6 +208,7 @@ double JointForces::compute_strain_energy(const JointMotions& motions,
     visit(rates_at(motions), turn_before, [&](const auto& it) {
         energy += compute_coordinate_energy(it.laws, it.jet.value, inputs.*it.inputs, slips.*it.slip);
     });
+    if (clearance_) energy += clearance_->compute_energy(motions);
     return energy;
 }
 
@@ -212,6 +217,7 @@ double JointForces::compute_damping_power(const JointMotions& motions, double tu
     visit(rates_at(motions), turn_before, [&](const auto& it) {
         power += compute_coordinate_damping_power(it.laws, it.jet);
     });
+    if (clearance_) power += clearance_->compute_damping_power(motions);
     return power;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "constraints/joints/clearance_force.hpp"
 #include "constraints/joints/joint_coordinate.hpp"
 #include "state/joint_state.hpp"
 
@@ -60,13 +61,13 @@ double compute_slip_dissipation(const Friction& friction, double held, double sl
 struct JointInputs {
     CoordinateInputs turn, slide;
 };
-// The forces on the coordinates of one joint.
+// The forces on the coordinates of one joint, and of contact in its clearance.
 class JointForces {
   public:
     explicit JointForces(const Joint& joint);
 
     // Whether nothing acts on any of them.
-    bool is_empty() const { return !turn_ && !slide_; }
+    bool is_empty() const { return !turn_ && !slide_ && !clearance_; }
 
     // Computes forces, and moments about the nodes, on (A, B), by their (δr, δφ).
     PairRow compute_force(const JointMotions& motions,
@@ -91,6 +92,8 @@ class JointForces {
                                  const JointInputs& inputs,
                                  const JointSlips& slips) const;
     double compute_damping_power(const JointMotions& motions, double turn_before) const;
+    // The contact in the joint's clearance; nullopt if the joint has none.
+    const std::optional<ClearanceForce>& clearance() const { return clearance_; }
 
     JointSlips compute_slips(const JointMotions& motions, double turn_before, const JointSlips& before) const;
     JointSlips compute_first_slips(const JointMotions& motions, double turn_before) const;
@@ -118,6 +121,7 @@ class JointForces {
     JointArms arms_;
     std::optional<JointTurn> turn_;
     std::optional<LinkProduct> slide_;
+    std::optional<ClearanceForce> clearance_;
     JointCoordinate turn_laws_, slide_laws_;
 };
 

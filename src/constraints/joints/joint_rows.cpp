@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/ties/joint_card.hpp"
+
 namespace gxrod {
 
 namespace {
@@ -29,7 +31,10 @@ JointRows::JointRows(const Joint& joint) : arms_(arms_of(joint)), coordinates_(j
     }
     is_linear_ = (joint.kind == JointKind::ball || joint.kind == JointKind::weld) &&
                  is_at_node(joint.a.anchor) && is_at_node(joint.b.anchor);
-    add_kind(joint);
+    if (joint.clearance)
+        add_loose(joint);
+    else
+        add_kind(joint);
     add_motors(joint);
     add_stops(joint);
 }
@@ -74,6 +79,14 @@ void JointRows::add_kind(const Joint& joint) {
         case JointKind::free:
             break;
     }
+}
+
+// With a clearance the points are free: of a ball in all directions, else across the axis.
+void JointRows::add_loose(const Joint& joint) {
+    const JointCard& card = card_of(joint.kind);
+    if (!card.has_turn) return;
+    if (!card.has_slide) add({.is_length = true, .product = {carry_on_a(joint, 0), separation()}});
+    add_aligned_axes(joint);
 }
 
 // The points coincide: d = 0, by global components.

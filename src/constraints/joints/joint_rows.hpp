@@ -119,6 +119,7 @@ class JointRows {
     int find_motor_row(Motor motor) const;
     void add(const Row& row) { rows_[count_++] = row; }
     void add_kind(const Joint& joint);
+    void add_loose(const Joint& joint);
     void add_points();
     void add_aligned_axes(const Joint& joint);
     void add_equal_axes(const Joint& joint);

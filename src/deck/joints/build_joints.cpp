@@ -40,6 +40,7 @@ void build_joint(const JointTable& given, double size, BuildContext& context) {
                 joint.held[i] = joint.held[i] || components[i];
         }
     }
+    if (given.clearance) joint.clearance = build_clearance(given, context);
     if (given.breaks) joint.strength = {given.breaks->force, given.breaks->moment};
     check_coordinates(given, context);
     if (joint.kind == JointKind::free) check_action(given, context);

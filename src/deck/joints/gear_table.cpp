@@ -14,6 +14,9 @@ namespace {
 struct GearTable : TableHead {
     JointNames joints;
     double ratio = 0.0;
+    double backlash = 0.0;
+    std::optional<double> stiffness;
+    double damping = 0.0;
     Copies copies;
 };
 
@@ -31,6 +34,14 @@ const TableSpec& gear_table() {
              "of a turn and the slide of a rack the radius of the pinion.")
             .unit("second/first").required().remark("how far the second goes back while the first goes on by 1")
             .also("n i gear_ratio transmission radius")
+        .key("backlash", &T::backlash, "The play of the second coordinate while the first one rests: half of it to each side of "
+             "where it is at t = 0.")
+            .unit("angle or length").at_least(0).otherwise("0").only_with("stiffness").also("play clearance gap lash")
+        .key("stiffness", &T::stiffness, "Of the teeth, beyond the backlash: moment per angle, or force per length, on the second "
+             "coordinate.")
+            .unit("moment/angle or force/length").above(0).otherwise("rigid").also("k mesh_stiffness tooth_stiffness")
+        .key("damping", &T::damping, "Of teeth that touch; they never pull.")
+            .unit("moment·time/angle or force·time/length").at_least(0).only_with("stiffness").also("c d mesh_damping")
         .with(add_copies<T>)
         .shown_by(
             "[joint.shaft]\n"
@@ -55,6 +66,11 @@ class GearBuilder {
         Gear gear;
         gear.name = given_.name;
         gear.ratio = given_.ratio;
+        if (given_.stiffness)
+            gear.teeth = {.lower = -0.5 * given_.backlash,
+                          .upper = 0.5 * given_.backlash,
+                          .stiffness = *given_.stiffness,
+                          .damping = given_.damping};
         if (gear.ratio == 0.0)
             context_.add_fault(
                 given_, given_.ratio, "a ratio of 0 does not tie the joints; expected another number");

@@ -117,6 +117,35 @@ const TableSpec& limits_table() {
     });
 }
 
+const TableSpec& clearance_table() {
+    using T = JointClearanceTable;
+    // clang-format off
+    static const TableSpec table = Table<T>("joint.NAME.clearance", "")
+        .key("gap", &T::gap, "How far the points are apart when they touch: the radius of the hole less that of the pin.")
+            .unit("length").above(0).required().remark("the radius of the hole less that of the pin")
+            .also("c size play radial_clearance clearance")
+        .key("stiffness", &T::stiffness, "Of the contact: the force is stiffness × depth^exponent.")
+            .unit("force/length^exponent").above(0).required().remark("of the contact").also("k hertz_stiffness")
+        .key("exponent", &T::exponent, "Of the depth: 1.5 of a ball by Hertz.")
+            .unit("1").between(1, 3).also("n power")
+        .key("damping", &T::damping, "Force per rate of the depth; contact never pulls.")
+            .unit("force·time/length").at_least(0).also("c_d d viscosity")
+        .key("restitution", &T::restitution, "How much of its speed an impact gives back, close to 1: the force is multiplied by "
+             "1 + 3 (1 − restitution²)/(4 impact_speed) × the rate of the depth.")
+            .unit("1").between(0, 1).otherwise("no such loss").also("e coefficient_of_restitution")
+        .key("impact_speed", &T::impact_speed, "The speed of impact for which restitution is given. Required with it.")
+            .unit("length/time").above(0).only_with("restitution").also("initial_speed v0")
+        .key("friction", &T::friction, "Coulomb's coefficient on the surface of the pin or ball.")
+            .unit("1").at_least(0).also("mu friction_coefficient coefficient")
+        .key("radius", &T::radius, "Of the pin or ball. Required with friction.")
+            .unit("length").above(0).only_with("friction").also("pin_radius journal_radius")
+        .key("slip_speed", &T::slip_speed, "The speed of slip at which friction has 0.7 of its limit. Required with friction.")
+            .unit("length/time").above(0).only_with("friction").also("transition_speed v_s")
+        .at_most_one_of({"damping", "restitution"});
+    // clang-format on
+    return table;
+}
+
 const TableSpec& break_table() {
     using T = JointBreakTable;
     // clang-format off
@@ -137,6 +166,9 @@ bool is_at_two_places(const JointCard& card) { return !card.is_at_one_place; }
 bool has_free_coordinate(const JointCard& card) { return card.has_turn || card.has_slide; }
 bool has_axis(const JointCard& card) {
     return (has_free_coordinate(card) && is_between_nodes(card)) || is_generic(card);
+}
+bool can_be_loose(const JointCard& card) {
+    return card.kind == JointKind::ball || card.kind == JointKind::hinge || card.kind == JointKind::cylinder;
 }
 bool has_lead(const JointCard& card) { return card.kind == JointKind::screw; }
 
@@ -213,6 +245,9 @@ void add_holding_keys(Table<JointTable>& table) {
     using T = JointTable;
     // clang-format off
     table
+        .key("clearance", &T::clearance, clearance_table(), "Of a pin in its hole, or a ball in its socket: the points are free "
+             "within a gap, across the axis of a hinge or cylinder, and touch beyond it. B carries the pin.")
+            .otherwise("none").only_for(types_that(can_be_loose)).also("play gap backlash")
         .key("breaks", &T::breaks, break_table(), "The joint breaks at the end of a step in which it holds more, and holds "
              "nothing from then on: neither its equations nor what acts on its coordinates.")
             .only_for(types_that(holds_anything)).also("break strength breaks_at break_at fails")

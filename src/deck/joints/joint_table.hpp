@@ -33,6 +33,15 @@ struct CoordinateTable : One {
     std::optional<One> turn, slide;
 };
 
+struct JointClearanceTable : TableHead {
+    double gap = 0.0;
+    double stiffness = 0.0;
+    double exponent = 1.0;
+    double damping = 0.0;
+    std::optional<double> restitution, impact_speed, radius, slip_speed;
+    double friction = 0.0;
+};
+
 struct JointBreakTable : TableHead {
     std::optional<double> force, moment;
 };
@@ -49,6 +58,7 @@ struct JointTable : ActingTable {
     std::optional<CoordinateTable<JointSpringTable>> spring;
     std::optional<CoordinateTable<JointFrictionTable>> friction;
     std::optional<CoordinateTable<JointLimitsTable>> limits;
+    std::optional<JointClearanceTable> clearance;
     std::optional<JointBreakTable> breaks;
     Copies copies;
 
@@ -79,6 +89,9 @@ void set_coordinates(const JointTable& given, double size, Joint& joint, const B
 
 // Builds the slide as it acts in the current stage, likewise.
 JointCoordinate build_slide(const JointTable& given, double size, const BuildContext& context);
+
+// Builds the clearance of a joint that has one, with faults of what contradicts it.
+JointClearance build_clearance(const JointTable& given, const BuildContext& context);
 
 // Sets the points and axes of both sides in `joint`, which has its kind. Returns whether it could; if not,
 // there is a fault or a point without a node. `size` is the size of the model.

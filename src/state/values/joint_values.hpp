@@ -19,7 +19,8 @@ struct JointValues {
     double drive_slide = 0.0;  // force that drives the slide, likewise
     double friction = 0.0;     // moment or force of it
     double gap = 0.0;          // how far the joint's equations are from being satisfied, a length
-    bool holds = true;         // whether it acts in the stage, and is not broken
+    double play = 0.0;  // distance of the points of a joint with clearance; ratio × first + second of a gear
+    bool holds = true;  // whether it acts in the stage, and is not broken
 };
 
 }  // namespace gxrod

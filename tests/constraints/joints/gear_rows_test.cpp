@@ -175,3 +175,66 @@ TEST_CASE("What a gear exerts through joints on the ground is the ground's", "[c
             CHECK(of_ground.isZero(0.0));
     });
 }
+
+namespace {
+
+// Calls check(sample, rows) for each kind with teeth that are pushed from both sides, and once free ones.
+template <class Check>
+void for_each_yielding_gear(Check&& check) {
+    for_each_gear([&](const GearSample& rigid, const GearRows& rows) {
+        const double sum = rows.compute_values(rigid.here(), Level::position, {})[0];
+        for (const auto& [lower, upper] : {std::pair{sum - 3.0, sum - 0.6}, {sum + 0.4, sum + 2.0}}) {
+            GearSample sample = rigid;
+            sample.model.gears[0].teeth = {.lower = lower, .upper = upper, .stiffness = 90.0, .damping = 0.7};
+            check(sample, sample.rows());
+        }
+    });
+}
+
+}  // namespace
+
+TEST_CASE("Teeth that yield have no equation, and push by the slope of their energy",
+          "[constraints][joints][gear]") {
+    for_each_yielding_gear([](GearSample sample, const GearRows& rows) {
+        CHECK(rows.count() == 0);
+        CHECK(rows.has_laws());
+        for (NodeMotion& motion : sample.state.trial) {
+            motion.v.setZero();
+            motion.omega.setZero();
+        }
+        const Eigen::MatrixXd slope = differentiate_gear(sample, {.placement = 1.0}, [&](const Nodes& nodes) {
+            return Eigen::VectorXd(
+                Eigen::VectorXd::Constant(1, rows.compute_strain_energy(sample.at(nodes))));
+        });
+        CHECK(slope.norm() > 1.0);
+        CHECK(relative_difference(-rows.compute_law_force(sample.here()).transpose(), slope) < tolerance);
+    });
+}
+
+TEST_CASE("The tangent of teeth that yield is the derivative of their force", "[constraints][joints][gear]") {
+    for_each_yielding_gear([](const GearSample& sample, const GearRows& rows) {
+        for (const auto& [what, linearization] : make_linearizations()) {
+            INFO(what);
+            const Eigen::MatrixXd expected =
+                differentiate_gear(sample, linearization, [&](const Nodes& nodes) {
+                    return rows.compute_law_force(sample.at(nodes));
+                });
+            const std::vector<NodeLinearization> all(4, linearization);
+            const Eigen::MatrixXd tangent = rows.compute_law_tangent(sample.here(), all);
+            CHECK((tangent - expected).norm() < tolerance * (1.0 + expected.norm()));
+        }
+    });
+}
+
+TEST_CASE("Teeth within their backlash are free", "[constraints][joints][gear]") {
+    for_each_gear([](GearSample sample, const GearRows& rigid) {
+        const double sum = rigid.compute_values(sample.here(), Level::position, {})[0];
+        sample.model.gears[0].teeth = {
+            .lower = sum - 1e-3, .upper = sum + 1e-3, .stiffness = 90.0, .damping = 0.7};
+        const GearRows rows = sample.rows();
+        CHECK(rows.compute_law_force(sample.here()).isZero(0.0));
+        CHECK(rows.compute_strain_energy(sample.here()) == 0.0);
+        CHECK(rows.compute_damping_power(sample.here()) == 0.0);
+        CHECK(rows.compute_joint_values(sample.here(), {}).play == sum);
+    });
+}
