@@ -1,5 +1,7 @@
 """Stresses on the page of gxrod report, in a browser: colours of rods, sections, envelopes and the table of rods."""
 
+import base64
+import io
 import re
 import unittest
 
@@ -7,7 +9,9 @@ import gxrod_stress
 import h5py
 import numpy as np
 import report_pages
+from PIL import Image
 from report_pages import PageTest, set_up_pages
+from saving import CATCH, READ, SVG, Picture
 
 
 def setUpModule():
@@ -148,6 +152,24 @@ class StressPage(PageTest):
             middle = file["VTKHDF/CellData/arc_length"][()][file["VTKHDF/CellData/rod"][()] == 1][-1]
             length = file["rods/length"][1]
         self.assertAlmostEqual(self.panel("panel.place.s"), 2 * middle - length, delta=0.02 * length)
+
+    def test_sections_and_tables_are_saved(self):
+        self.open_stress()
+        self.show_section()
+        self.browser.run(CATCH)
+        self.browser.run("document.querySelector('.section [data-format=SVG]').click();"
+                         "document.querySelectorAll('.utilisation .save button').forEach((key) => key.click())")
+        files = {name.rsplit(".")[-1]: base64.b64decode(data) for name, data in self.browser.driver.execute_async_script(READ)}
+        picture = Picture(files["svg"])
+        [image] = [element for element in picture.root.iter(f"{SVG}image")]
+        pixels = np.asarray(Image.open(io.BytesIO(base64.b64decode(image.get("href").split(",")[1]))).convert("RGBA")).astype(int)
+        self.assertGreater((pixels[..., 3] == 255).mean(), 0.01)
+        ticks = self.browser.run("return [...document.querySelectorAll('.section-ticks span')].map((tick) => tick.textContent)")
+        for words in (*ticks, "y", "z"):
+            self.assertIn(words, picture.texts)
+        table = files["csv"].decode().splitlines()
+        self.assertEqual(len(table), 1 + len(self.rows()))
+        self.assertEqual(files["tex"].decode().count("\\\\"), 1 + len(self.rows()))
 
     def test_pages_without_stresses_have_no_tab(self):
         self.open("plain")

@@ -36,10 +36,11 @@ export class SectionPanel {
 
   makeElement() {
     this.rod.hidden = this.place.rods.length < 2;
+    this.saveKey = makeSvgKey(() => this.element, () => this.readPicture());
     return make(
       "section",
       { className: "section" },
-      makeSvgKey(() => this.element, () => this.readPicture()),
+      this.saveKey,
       make("h2", {}, "Section"),
       make("div", { className: "along-choices" }, this.rod, this.measure, make("span", { className: "over" }, "A click on a rod chooses a place, too.")),
       make("label", { className: "place" }, this.slider, this.where),
@@ -112,7 +113,7 @@ export class SectionPanel {
     const section = this.stresses.sections[state.section];
     this.where.textContent = `s = ${words.with(state.s, "length")}, ${state.words}`;
     const why = whyNothing(section, state);
-    for (const part of [this.figure, this.bar.parentElement, this.forces]) part.hidden = Boolean(why);
+    for (const part of [this.saveKey, this.figure, this.bar.parentElement, this.forces]) part.hidden = Boolean(why);
     this.extreme.textContent = why;
     if (!why) this.draw(section, state);
   }
