@@ -79,7 +79,7 @@ void check_names(const CheckedTable& deck, FaultList& faults) {
 }
 
 // What acts in each stage that takes steps; the model has that of the first stage.
-void build_actions(const SurroundingsFiles& files, BuildContext& context) {
+void build_actions(const SurroundingsFiles& files, const LoadFiles& loads, BuildContext& context) {
     for (std::size_t i = 0; i < context.stages.size(); ++i) {
         if (i > 0 && !has_steps(context.stages[i].analysis)) continue;
         context.stage = i;
@@ -92,7 +92,7 @@ void build_actions(const SurroundingsFiles& files, BuildContext& context) {
         check_velocities(context);
         build_joint_actions(context);
         build_sleeve_actions(context);
-        build_loads(context);
+        build_loads(loads, context);
         build_rotation(context);
         build_tendons(context);
         build_actuations(context);
@@ -148,6 +148,7 @@ Problem build_problem(const CheckedTable& deck, const DeckFiles& files, FaultLis
     const SectionFiles section_files = read_section_files(deck, files.tables, faults, problem.record.meshes);
     const SurroundingsFiles surroundings =
         read_surroundings_files(deck, files.tables, faults, problem.record.meshes);
+    const LoadFiles loads = read_load_files(deck, files.tables, faults, problem.record.meshes);
     std::map<std::string, std::shared_ptr<const TriangleMesh>> obstacle_meshes =
         read_obstacle_meshes(deck, files.meshes, faults, problem.record.meshes, problem.notes);
     auto section_meshes = read_section_meshes(deck, files.meshes, faults, problem.record.meshes);
@@ -176,7 +177,7 @@ Problem build_problem(const CheckedTable& deck, const DeckFiles& files, FaultLis
     build_sleeves(context);
     build_plane(context);
     build_initial(context);
-    build_actions(surroundings, context);
+    build_actions(surroundings, loads, context);
     build_path_targets(context);
     build_excitation(context);
     choose_schemes(context);

@@ -274,6 +274,13 @@ def line_load(deck, draw):
     add_load(deck, on="beam", force_per_length=["0.2*P*s", 0, f"{draw.uniform(-1, 1)}*P"])
 
 
+@feature("load-file")
+def loads_of_a_file(deck, draw):
+    """At stations, over time in kinds that have it."""
+    file = pathlib.Path(__file__).with_name("stations.csv")
+    add_load(deck, on="beam", file=str(file), frame=draw.choice(["body", "spatial", "follower"]), factor="P")
+
+
 @feature("load-place")
 def load_by_place(deck, draw):
     add_load(deck, at="beam.end", force=["-0.5*P*(x - 1)", "-0.3*P*y", 0])

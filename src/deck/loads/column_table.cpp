@@ -54,23 +54,27 @@ class BinaryOutput {
 };
 
 // The formats of binary output.
-enum OutputFormat : std::int16_t { with_times = 1, without_times = 2, not_packed = 3, with_long_names = 4 };
+struct OutputFormat {
+    static constexpr std::int16_t with_times = 1, without_times = 2, not_packed = 3, with_long_names = 4;
+};
 
 bool is_binary_output(std::string_view bytes) {
-    return bytes.size() > 10 && bytes[0] >= with_times && bytes[0] <= with_long_names && bytes[1] == '\0';
+    return bytes.size() > 10 && bytes[0] >= OutputFormat::with_times &&
+           bytes[0] <= OutputFormat::with_long_names && bytes[1] == '\0';
 }
 
 // Every number is packed as (number · scale + offset) in 16 bits, times in 32 bits.
 ColumnTable read_binary_output(std::string_view bytes, const std::string& file) {
     BinaryOutput input(bytes, file);
     const auto format = input.next<std::int16_t>();
-    const std::size_t letters = format == with_long_names ? static_cast<std::uint16_t>(input.next<std::int16_t>()) : 10;
+    const std::size_t letters =
+        format == OutputFormat::with_long_names ? static_cast<std::uint16_t>(input.next<std::int16_t>()) : 10;
     const std::size_t channels = static_cast<std::uint32_t>(input.next<std::int32_t>());
     const std::size_t rows = static_cast<std::uint32_t>(input.next<std::int32_t>());
     const auto first = input.next<double>();
     const auto second = input.next<double>();
     std::vector<double> scales(channels, 1.0), offsets(channels, 0.0);
-    if (format != not_packed) {
+    if (format != OutputFormat::not_packed) {
         scales = input.next_numbers<float>(channels);
         offsets = input.next_numbers<float>(channels);
     }
@@ -80,31 +84,38 @@ ColumnTable read_binary_output(std::string_view bytes, const std::string& file) 
     for (std::size_t i = 0; i <= channels; ++i) table.names.push_back(input.next_text(letters));
     for (std::size_t i = 0; i <= channels; ++i) input.next_text(letters);  // units
     std::vector<double> times(rows);
-    if (format == with_times) times = input.next_numbers<std::int32_t>(rows);
+    if (format == OutputFormat::with_times) times = input.next_numbers<std::int32_t>(rows);
     for (std::size_t row = 0; row < rows; ++row) {
-        table.values.push_back(format == with_times ? (times[row] - second) / first : first + second * static_cast<double>(row));
+        table.values.push_back(format == OutputFormat::with_times
+                                   ? (times[row] - second) / first
+                                   : first + second * static_cast<double>(row));
         for (std::size_t i = 0; i < channels; ++i) {
-            const double number = format == not_packed ? input.next<double>() : input.next<std::int16_t>();
+            const double number =
+                format == OutputFormat::not_packed ? input.next<double>() : input.next<std::int16_t>();
             table.values.push_back((number - offsets[i]) / scales[i]);
         }
     }
     return table;
 }
 
-std::vector<std::string> split_words(const std::string& line) {
+std::vector<std::string> split_columns(const std::string& line) {
     std::istringstream words(line);
     std::vector<std::string> found;
     for (std::string word; words >> word;) found.push_back(word);
     return found;
 }
 
-void add_row(const std::vector<std::string>& fields, int line, const std::string& file, ColumnTable& table) {
+void add_output_row(const std::vector<std::string>& fields,
+                    int line,
+                    const std::string& file,
+                    ColumnTable& table) {
     const std::string place = fmt::format("{}:{}", file, line);
     if (fields.size() != table.columns())
         throw FileError(place, fmt::format("expected {} columns, found {}", table.columns(), fields.size()));
     for (const std::string& field : fields) {
         const std::optional<double> number = read_finite(field);
-        if (!number) throw FileError(place, fmt::format("expected a finite number, found \"{}\"", shorten(field)));
+        if (!number)
+            throw FileError(place, fmt::format("expected a finite number, found \"{}\"", shorten(field)));
         table.values.push_back(*number);
     }
     table.lines.push_back(line);
@@ -117,12 +128,12 @@ ColumnTable read_text_output(std::string_view bytes, const std::string& file) {
     int line = 0;
     for (std::string text; std::getline(lines, text);) {
         ++line;
-        const std::vector<std::string> words = split_words(text);
+        const std::vector<std::string> words = split_columns(text);
         if (words.empty()) continue;
         if (table.names.empty()) {
             if (words.front() == "Time") table.names = words;
         } else if (!words.front().starts_with('(')) {
-            add_row(words, line, file, table);
+            add_output_row(words, line, file, table);
         }
     }
     return table;
@@ -134,7 +145,7 @@ bool is_text_output(std::string_view bytes) {
     for (int line = 0; line < 100 && at < bytes.size(); ++line) {
         const std::size_t end = std::min(bytes.find('\n', at), bytes.size());
         const std::string text(bytes.substr(at, end - at));
-        const std::vector<std::string> words = split_words(text);
+        const std::vector<std::string> words = split_columns(text);
         if (words.size() > 1 && words.front() == "Time" && text.find(',') == std::string::npos) return true;
         at = end + 1;
     }
@@ -152,9 +163,10 @@ ColumnTable read_column_table(std::string_view bytes, const std::string& file) {
     if (is_text_output(bytes)) return read_text_output(bytes, file);
     const FileTable read = read_file_table(bytes, file);
     if (read.header.empty())
-        throw FileError(fmt::format("{}:{}", file, read.header_line), "expected a header with the names of the columns");
+        throw FileError(fmt::format("{}:{}", file, read.header_line),
+                        "expected a header with the names of the columns");
     ColumnTable table{.names = read.header, .values = {}, .lines = {}};
-    for (const CsvRow& row : read.rows) add_row(row.fields, row.line, file, table);
+    for (const CsvRow& row : read.rows) add_output_row(row.fields, row.line, file, table);
     return table;
 }
 

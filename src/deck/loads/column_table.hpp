@@ -20,8 +20,8 @@ struct ColumnTable {
     std::string place_of(std::size_t row, const std::string& file) const;
 };
 
-// Reads the output of OpenFAST, as text (.out) or binary (.outb, formats 1 to 4), or a CSV file with a header.
-// Throws FileError whose text begins with the file, and the line of a text.
+// Reads the output of OpenFAST, as text (.out) or binary (.outb, formats 1 to 4), or a CSV file with a
+// header. Throws FileError whose text begins with the file, and the line of a text.
 ColumnTable read_column_table(std::string_view bytes, const std::string& file);
 
 }  // namespace gxrod

@@ -6,14 +6,21 @@
 #include "deck/loads/acting.hpp"
 #include "deck/loads/combinations.hpp"
 #include "deck/loads/loads.hpp"
+#include "deck/output/history_table.hpp"
 #include "deck/places/part.hpp"
 #include "deck/places/point_patterns.hpp"
 #include "deck/reading/copies.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/top_level.hpp"
+#include "machine/file_error.hpp"
 
 namespace gxrod {
 namespace {
+
+// The columns of a file that has one for each component and station, by name with * for the station's number.
+struct LoadColumnsTable : TableHead {
+    std::optional<std::string> fx, fy, fz, mx, my, mz;
+};
 
 struct LoadTable : ActingTable {
     std::optional<PointPatterns> at;
@@ -21,9 +28,28 @@ struct LoadTable : ActingTable {
     std::optional<PlaceCondition> where;
     std::optional<CheckedMotionVector> force, moment;
     std::optional<CheckedLineMotionVector> force_per_length, moment_per_length;
+    std::optional<std::string> file;
+    std::optional<LoadColumnsTable> columns;
+    std::optional<std::vector<double>> stations;
+    HistoryAxes axes = HistoryAxes::section;
     Frame frame = NodalLoad{}.frame;
     Copies copies;
 };
+
+const TableSpec& load_columns_table() {
+    using T = LoadColumnsTable;
+    // clang-format off
+    static const TableSpec table = Table<T>("load.columns", "")
+        .key("fx", &T::fx, "Force along x per length: a name like \"AB1N*Fx\", with * for the number of the station; -AB1N*Fx is "
+             "the opposite.")
+        .key("fy", &T::fy, "Force along y.")
+        .key("fz", &T::fz, "Force along z.")
+        .key("mx", &T::mx, "Moment about x per length.")
+        .key("my", &T::my, "Moment about y.")
+        .key("mz", &T::mz, "Moment about z.");
+    // clang-format on
+    return table;
+}
 
 }  // namespace
 
@@ -52,6 +78,16 @@ const TableSpec& load_table() {
         .key("moment_per_length", &T::moment_per_length,
              "Moment per reference length; of the same variables.")
             .unit("mass·length/time²").otherwise("[0, 0, 0]")
+        .key("file", &T::file, "In place of values, a file with loads per length at stations, linear between stations and "
+             "times; outside of them the nearest ones act. CSV with columns t, s, fx, fy, fz, mx, my, mz, of which s is required, "
+             "a row for each time and station; or, with `columns`, one row for each time: CSV, or the output of OpenFAST, .out or .outb.")
+        .key("columns", &T::columns, load_columns_table(), "The columns of each component, if the file has one for each station. The "
+             "first column of the file is the time.")
+            .only_with("file")
+        .key("stations", &T::stations, "Arc lengths of the stations from the rod's start, in the order of their numbers.")
+            .unit("length").only_with("columns").also("span")
+        .key("axes", &T::axes, "With a file and frame `body`: the section axes, or untwisted, those axes turned back by the twist.")
+            .only_with("file")
         .key("frame", &T::frame, "spatial: fixed in space, a dead load. follower: global components at t = 0, turned "
              "with the node or section. body: components in the section axes of the point named, or along the rod "
              "(body axes of a body).")
@@ -68,7 +104,7 @@ const TableSpec& load_table() {
         .at_most_one_of({"at", "on"})
         .at_least_one_of({"at", "on", "where"})
         .at_least_one_of({"force", "moment"}, "at")
-        .at_least_one_of({"force_per_length", "moment_per_length"}, "on")
+        .at_least_one_of({"force_per_length", "moment_per_length", "file"}, "on")
         .shown_by(
             "[[load]]\n"
             "at     = \"flyer.start\"\n"
@@ -196,8 +232,34 @@ void restrict(const std::shared_ptr<const LoadedPart>& part, DistributedLoad& lo
     };
 }
 
+// The twist of the sections of a rod, as the deck gives it; of a mesh none.
+SectionTwists find_twists(int rod, const BuildContext& context) {
+    const auto index = static_cast<std::size_t>(rod);
+    SectionTwists found{.arc_lengths = context.rod_fractions[index], .twists = context.rod_twists[index]};
+    if (found.arc_lengths.size() != found.twists.size()) return {};
+    const std::vector<double>& along = context.model.rods[index].arc_length;
+    for (double& fraction : found.arc_lengths) fraction *= along.empty() ? 0.0 : along.back();
+    return found;
+}
+
+// Sets force and moment from a file, with what they are multiplied by.
+void take_file(const LoadTable& given,
+               const std::shared_ptr<const StationLoads>& loads,
+               const Acting& acting,
+               DistributedLoad& load,
+               const BuildContext& context) {
+    SectionTwists twists;
+    if (given.axes == HistoryAxes::untwisted) twists = find_twists(load.rod, context);
+    for (const std::size_t first : {std::size_t{0}, std::size_t{3}}) {
+        std::array<LineFunction, 3> own = make_load_functions(loads, first, twists);
+        for (LineFunction& one : own) one = acting.apply(LineExpression{one, loads->has_time()});
+        (first == 0 ? load.force : load.moment) = own;
+    }
+}
+
 // Adds the load along a rod; returns whether `where` leaves elements of it.
-bool add_distributed_load(const LoadTable& given, int rod, const Acting& acting, BuildContext& context) {
+bool add_distributed_load(
+    const LoadTable& given, int rod, const Acting& acting, const LoadFiles& files, BuildContext& context) {
     std::shared_ptr<const LoadedPart> loaded;
     if (given.where) {
         const Rod& of = context.model.rods[static_cast<std::size_t>(rod)];
@@ -211,12 +273,17 @@ bool add_distributed_load(const LoadTable& given, int rod, const Acting& acting,
                          .moment = split<LineFunction>(given.moment_per_length, acting, 3, parts),
                          .frame = given.frame};
     load.by_motion = parts.make_load();
+    if (const auto found = files.find(given.path); found != files.end())
+        take_file(given, found->second, acting, load, context);
     if (loaded) restrict(loaded, load);
     context.model.distributed_loads.push_back(std::move(load));
     return true;
 }
 
-void add_distributed_loads(const LoadTable& given, const Acting& acting, BuildContext& context) {
+void add_distributed_loads(const LoadTable& given,
+                           const Acting& acting,
+                           const LoadFiles& files,
+                           BuildContext& context) {
     std::vector<int> rods;
     if (given.on) {
         for (const Part& part : find_parts(given, *given.on, context)) rods.push_back(part.rod);
@@ -224,7 +291,7 @@ void add_distributed_loads(const LoadTable& given, const Acting& acting, BuildCo
         rods = context.names.find_rods("*");
     }
     bool is_any = rods.empty();
-    for (const int rod : rods) is_any = add_distributed_load(given, rod, acting, context) || is_any;
+    for (const int rod : rods) is_any = add_distributed_load(given, rod, acting, files, context) || is_any;
     if (!is_any)
         context.add_fault(
             given,
@@ -249,13 +316,16 @@ void check_companions(const LoadTable& given, const BuildContext& context) {
     if (given.at && !given.on) {
         refuse(given.force_per_length, "on", "at", "force, moment");
         refuse(given.moment_per_length, "on", "at", "force, moment");
+        refuse(given.file, "on", "at", "force, moment");
     }
+    if (given.file && (given.force_per_length || given.moment_per_length))
+        context.add_fault(given, given.file, "has the loads along the rod; expected no values next to it");
 }
 
 // Adds what a table says, at points or along rods.
-void add_load(const LoadTable& given, const Acting& acting, BuildContext& context) {
+void add_load(const LoadTable& given, const Acting& acting, const LoadFiles& files, BuildContext& context) {
     const bool has_points = given.force || given.moment;
-    const bool is_along = given.force_per_length || given.moment_per_length;
+    const bool is_along = given.force_per_length || given.moment_per_length || given.file;
     if (!has_points && !is_along)
         return context.add_fault(
             given,
@@ -265,7 +335,50 @@ void add_load(const LoadTable& given, const Acting& acting, BuildContext& contex
         for (const PlacedPoint& point : find_points(given, given.at, given.where, context))
             add_nodal_load(given, point, acting, context);
     }
-    if (given.on || (is_along && !given.at)) add_distributed_loads(given, acting, context);
+    if (given.on || (is_along && !given.at)) add_distributed_loads(given, acting, files, context);
+}
+
+std::array<ColumnPattern, 6> read_patterns(const LoadColumnsTable& given, FaultList& faults) {
+    std::array<ColumnPattern, 6> patterns;
+    const std::array fields{&given.fx, &given.fy, &given.fz, &given.mx, &given.my, &given.mz};
+    bool is_any = false;
+    for (std::size_t i = 0; i < 6; ++i) {
+        if (!*fields[i]) continue;
+        is_any = true;
+        if (!parse_pattern(**fields[i], patterns[i]))
+            faults.add(given.place_of(fields[i]),
+                       given.path_of(fields[i]),
+                       fmt::format("expected a name with one * for the number of the station, found \"{}\"",
+                                   **fields[i]));
+    }
+    if (!is_any)
+        faults.add(given.place, given.path, "names no column; expected one of fx, fy, fz, mx, my, mz");
+    return patterns;
+}
+
+// Adds a fault unless the stations' arc lengths rise.
+void check_load_stations(const LoadTable& given, FaultList& faults) {
+    if (!given.stations) {
+        faults.add(given.columns->place,
+                   given.path,
+                   "has columns without `stations`, the arc lengths of the stations that they number");
+    } else if (std::ranges::adjacent_find(*given.stations, std::greater_equal<>()) != given.stations->end()) {
+        faults.add(given.place_of(&given.stations),
+                   given.path_of(&given.stations),
+                   "expected arc lengths each above the one before");
+    }
+}
+
+// The loads of a table; nothing with a fault.
+std::shared_ptr<const StationLoads> take_loads(const LoadTable& given,
+                                               const ColumnTable& table,
+                                               FaultList& faults) {
+    if (!given.columns) return std::make_shared<const StationLoads>(take_rows(table, *given.file));
+    const std::size_t before = faults.count();
+    const std::array<ColumnPattern, 6> patterns = read_patterns(*given.columns, faults);
+    check_load_stations(given, faults);
+    if (faults.count() > before) return nullptr;
+    return std::make_shared<const StationLoads>(take_columns(table, patterns, *given.stations, *given.file));
 }
 
 bool is_fixed_in_space(const LoadTable& given) {
@@ -276,6 +389,29 @@ bool is_fixed_in_space(const LoadTable& given) {
 }
 
 }  // namespace
+
+LoadFiles read_load_files(const CheckedTable& deck,
+                          const TableFiles& files,
+                          FaultList& faults,
+                          std::vector<MeshRecord>& records) {
+    LoadFiles found;
+    std::map<std::string, ColumnTable> tables;  // files that are read
+    for (const LoadTable& given : tables_of<LoadTable>(deck, load_table())) {
+        if (!given.file) continue;
+        try {
+            if (!tables.contains(*given.file)) {
+                const std::string bytes = files.read(*given.file);
+                keep_file(*given.file, bytes, records);
+                tables.emplace(*given.file, read_column_table(bytes, *given.file));
+            }
+            if (auto loads = take_loads(given, tables.at(*given.file), faults))
+                found.emplace(given.path, std::move(loads));
+        } catch (const FileError& error) {
+            faults.add(given.place_of(&given.file), given.path_of(&given.file), error.what());
+        }
+    }
+    return found;
+}
 
 std::vector<SteadyLoad> list_steady_loads(const BuildContext& context) {
     const double time = is_timed(context.stages.front().analysis) ? 0.0 : 1.0;
@@ -296,7 +432,7 @@ std::vector<SteadyLoad> list_steady_loads(const BuildContext& context) {
     return loads;
 }
 
-void build_loads(BuildContext& context) {
+void build_loads(const LoadFiles& files, BuildContext& context) {
     if (const CheckedTimeVector* gravity = find_gravity(context.deck)) {
         Acting acting = find_gravity_acting(context);
         acting.scale = find_gravity_factor(context);
@@ -305,10 +441,14 @@ void build_loads(BuildContext& context) {
         context.model.gravity = TimeVector(std::move(components));
     }
     for (const LoadTable& given : tables_of<LoadTable>(context.deck, load_table())) {
-        if (context.stage == 0) check_companions(given, context);
+        if (context.stage == 0) {
+            check_companions(given, context);
+            if (given.axes != HistoryAxes::section && given.frame != Frame::body)
+                context.add_fault(given, given.axes, "goes with frame = \"body\"");
+        }
         const Acting acting = find_acting(given, context);
         if (acting.is_absent) continue;
-        add_load(given, acting, context);
+        add_load(given, acting, files, context);
     }
 }
 

@@ -12,13 +12,13 @@
 namespace gxrod {
 namespace {
 
-// Between which two entries a value lies, and how far from the first one.
-struct Between {
+// Bracket which two entries a value lies, and how far from the first one.
+struct Bracket {
     std::size_t first = 0;
     double share = 0.0;  // of the second one
 };
 
-Between find_between(const std::vector<double>& rising, double value) {
+Bracket find_bracket(const std::vector<double>& rising, double value) {
     if (rising.size() < 2 || value <= rising.front()) return {};
     if (value >= rising.back()) return {rising.size() - 2, 1.0};
     const auto above = std::ranges::upper_bound(rising, value) - rising.begin();
@@ -27,7 +27,7 @@ Between find_between(const std::vector<double>& rising, double value) {
 }
 
 double interpolate_rows(const std::vector<double>& at, const std::vector<double>& values, double where) {
-    const Between between = find_between(at, where);
+    const Bracket between = find_bracket(at, where);
     if (between.share == 0.0) return values[between.first];
     return (1.0 - between.share) * values[between.first] + between.share * values[between.first + 1];
 }
@@ -46,17 +46,19 @@ std::vector<double> sorted_column(const ColumnTable& table, std::size_t column) 
     return values;
 }
 
-std::size_t place_in(const std::vector<double>& sorted, double value) {
+std::size_t index_in_column(const std::vector<double>& sorted, double value) {
     return static_cast<std::size_t>(std::ranges::lower_bound(sorted, value) - sorted.begin());
 }
 
 void check_station_names(const ColumnTable& table, const std::string& file) {
     for (const std::string& name : table.names) {
-        if (name == "t" || name == "s" || std::ranges::find(load_columns, name) != load_columns.end()) continue;
-        throw FileError(file,
-                        fmt::format("has a column \"{}\"; expected t, s, fx, fy, fz, mx, my, mz, or `columns` that "
-                                    "names those of each station",
-                                    name));
+        if (name == "t" || name == "s" || std::ranges::find(load_columns, name) != load_columns.end())
+            continue;
+        throw FileError(
+            file,
+            fmt::format("has a column \"{}\"; expected t, s, fx, fy, fz, mx, my, mz, or `columns` that "
+                        "names those of each station",
+                        name));
     }
 }
 
@@ -65,8 +67,8 @@ std::map<long, std::size_t> find_station_columns(const ColumnTable& table, const
     std::map<long, std::size_t> found;
     for (std::size_t i = 0; i < table.columns(); ++i) {
         const std::string& name = table.names[i];
-        if (name.size() <= pattern.before.size() + pattern.after.size() || !name.starts_with(pattern.before) ||
-            !name.ends_with(pattern.after))
+        if (name.size() <= pattern.before.size() + pattern.after.size() ||
+            !name.starts_with(pattern.before) || !name.ends_with(pattern.after))
             continue;
         const std::string number =
             name.substr(pattern.before.size(), name.size() - pattern.before.size() - pattern.after.size());
@@ -90,7 +92,7 @@ void check_rising_times(const ColumnTable& table, const std::string& file) {
 }  // namespace
 
 double StationLoads::at(std::size_t component, double time, double s) const {
-    const Between place = find_between(stations, s), moment = find_between(times, time);
+    const Bracket place = find_bracket(stations, s), moment = find_bracket(times, time);
     const auto row = [&](std::size_t number) {
         const auto* values_then = &values[number * stations.size() + place.first];
         if (place.share == 0.0) return values_then[0][component];
@@ -116,9 +118,11 @@ StationLoads take_rows(const ColumnTable& table, const std::string& file) {
     std::vector<bool> is_given(loads.values.size());
     for (std::size_t row = 0; row < table.rows(); ++row) {
         const double t = time ? table.at(row, *time) : 0.0, s = table.at(row, *place);
-        const std::size_t entry = place_in(loads.times, t) * loads.stations.size() + place_in(loads.stations, s);
+        const std::size_t entry =
+            index_in_column(loads.times, t) * loads.stations.size() + index_in_column(loads.stations, s);
         if (is_given[entry])
-            throw FileError(table.place_of(row, file), fmt::format("a row before it has t = {}, s = {} too", t, s));
+            throw FileError(table.place_of(row, file),
+                            fmt::format("a row before it has t = {}, s = {} too", t, s));
         is_given[entry] = true;
         for (std::size_t i = 0; i < 6; ++i) {
             const auto column = find_column_named(table, load_columns[i]);
@@ -128,10 +132,11 @@ StationLoads take_rows(const ColumnTable& table, const std::string& file) {
     const auto gap = std::ranges::find(is_given, false) - is_given.begin();
     if (gap < static_cast<std::ptrdiff_t>(is_given.size())) {
         const std::size_t entry = static_cast<std::size_t>(gap), count = loads.stations.size();
-        throw FileError(file,
-                        fmt::format("has no row for t = {}, s = {}; expected one for each time with each station",
-                                    loads.times[entry / count],
-                                    loads.stations[entry % count]));
+        throw FileError(
+            file,
+            fmt::format("has no row for t = {}, s = {}; expected one for each time with each station",
+                        loads.times[entry / count],
+                        loads.stations[entry % count]));
     }
     return loads;
 }
@@ -198,7 +203,8 @@ std::array<LineFunction, 3> make_load_functions(const std::shared_ptr<const Stat
         functions[i] = LineFunction(
             [loads, own, other, sign, twists](double t, double s) {
                 const double twist = interpolate_rows(twists.arc_lengths, twists.twists, s);
-                return std::cos(twist) * loads->at(own, t, s) + sign * std::sin(twist) * loads->at(other, t, s);
+                return std::cos(twist) * loads->at(own, t, s) +
+                       sign * std::sin(twist) * loads->at(other, t, s);
             },
             switches,
             form);

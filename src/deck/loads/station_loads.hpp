@@ -13,8 +13,8 @@ namespace gxrod {
 // Loads per length at stations of a rod and at times, linear between both. Outside of the stations and the
 // times the nearest ones hold.
 struct StationLoads {
-    std::vector<double> times;                 // rising; one, 0, if the loads do not depend on time
-    std::vector<double> stations;              // arc lengths, rising
+    std::vector<double> times;                  // rising; one, 0, if the loads do not depend on time
+    std::vector<double> stations;               // arc lengths, rising
     std::vector<std::array<double, 6>> values;  // [times][stations]: force along x, y, z, moment about them
 
     bool has_time() const { return times.size() > 1; }
@@ -31,8 +31,8 @@ StationLoads take_rows(const ColumnTable& table, const std::string& file);
 
 // A component of the load in the columns of a file.
 struct ColumnPattern {
-    std::string text;     // as the deck has it
-    double factor = 1.0;  // −1 with a minus before it
+    std::string text;           // as the deck has it
+    double factor = 1.0;        // −1 with a minus before it
     std::string before, after;  // of the number of the station
 };
 
@@ -46,8 +46,8 @@ StationLoads take_columns(const ColumnTable& table,
                           const std::vector<double>& stations,
                           const std::string& file);
 
-// Makes the functions of the components x, y, z of the force, first 0, or of the moment, first 3. `twists` and
-// their arc lengths: of the sections, if the components are along axes without their twist; else empty.
+// Makes the functions of the components x, y, z of the force, first 0, or of the moment, first 3. `twists`
+// and their arc lengths: of the sections, if the components are along axes without their twist; else empty.
 struct SectionTwists {
     std::vector<double> arc_lengths, twists;
 };

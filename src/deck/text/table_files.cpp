@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 
 #include "deck/text/text_file.hpp"
 #include "machine/file_error.hpp"
@@ -17,9 +19,18 @@ std::string trim(const std::string& text) {
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
+// Output of OpenFAST, which is no text.
+std::string read_binary(const std::filesystem::path& path) {
+    std::ifstream input(path, std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(input), std::istreambuf_iterator<char>()};
+    if (bytes.empty()) throw FileError(path, "cannot be read, or is empty");
+    return bytes;
+}
+
 }  // namespace
 
 std::string TableFiles::read(const std::string& file) const {
+    if (kept_ == nullptr && file.ends_with(".outb")) return read_binary(folder_ / file);
     if (kept_ == nullptr) return read_text_file(folder_ / file, "a table", most_deck_bytes);
     const auto found = std::find_if(
         kept_->begin(), kept_->end(), [&](const MeshRecord& record) { return record.file == file; });

@@ -79,7 +79,7 @@ at = "top")") == "x.toml:8:1: load[0]: missing; expected force or moment");
     CHECK(faults_of(body_deck + R"([[load]]
 force = [0, 0, 1])") == "x.toml:8:1: load[0]: missing; expected at or on or where");
     CHECK(faults_of(rod_deck + R"([[load]]
-on = "r")") == "x.toml:13:1: load[0]: missing; expected force_per_length or moment_per_length");
+on = "r")") == "x.toml:13:1: load[0]: missing; expected force_per_length or moment_per_length or file");
     CHECK(faults_of(body_deck + "[function.f]") ==
           "x.toml:8:1: function.f: missing; expected table or file or expression");
     CHECK(faults_of(body_deck + "[[history]]") ==

@@ -84,8 +84,11 @@ TEST_CASE("The JSON Schema has the conditions of keys and groups", "[deck]") {
     const Json with_on = {{"allOf", Json::array({requires_key("on")})}};
     CHECK(load.at("anyOf") == Json::array({requires_key("at"), requires_key("on"), requires_key("where")}));
     CHECK(load.at("not") == Json({{"required", {"at", "on"}}}));
-    CHECK(has(
-        load, with_on, {{"anyOf", {requires_key("force_per_length"), requires_key("moment_per_length")}}}));
+    CHECK(
+        has(load,
+            with_on,
+            {{"anyOf",
+              {requires_key("force_per_length"), requires_key("moment_per_length"), requires_key("file")}}}));
 }
 
 }  // namespace gxrod
