@@ -50,7 +50,7 @@ class Shapes(ProgramTest):
     def test_a_run_lists_what_it_finds(self):
         done = self.gxrod("run", "column.toml", "--summary", "summary.json")
         self.assertRegex(done.stdout, r"tones: 4 modes below [\d.]+ cycles per time, and no others \(counted\)\n"
-                                      r"     1  [\d.]+ +ω [\d.]+ +bending about y of column\n")
+                                      r"     1  [\d.]+ +ω [\d.]+ +1st bending about y of column\n")
         self.assertIn("more: 3 buckling factors on the loads at t = 1, by linear theory", done.stdout)
         summary = json.loads((self.folder / "summary.json").read_text())
         self.assertEqual([found["stage"] for found in summary["found"]], ["tones", "more"])
@@ -144,7 +144,7 @@ sweep = { key = "parameters.P", from = 0, to = 3, count = 4 }
         done = self.gxrod("run", "swept.toml", "--summary", "summary.json")
         # B1: the column buckles at 2.458335976611 about y.
         self.assertRegex(done.stdout, r"onset: 2 modes followed over 4 values of parameters.P, from 0 to 3\n"
-                                      r"     1  ω [\d.]+ +… [\d.]+ +bending about y of column\n")
+                                      r"     1  ω [\d.]+ +… [\d.]+ +1st bending about y of column\n")
         self.assertRegex(done.stdout, r"\n  divergence begins at parameters.P = 2.4583\d+\n")
         found = json.loads((self.folder / "summary.json").read_text())["found"][0]
         self.assertEqual((found["stage"], found["sweep"], len(found["modes"])), ("onset", "parameters.P", 2))

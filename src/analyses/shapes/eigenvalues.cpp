@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "analyses/shapes/mode_name.hpp"
 #include "analyses/shapes/shape_measures.hpp"
 #include "analyses/shapes/shape_words.hpp"
 #include "assembly/small_motions.hpp"
@@ -140,6 +141,7 @@ class EigenvalueFinder {
             if (energy > 0.0) share /= energy;
         }
         mode.shape.words = describe_shape(system_, state_, mode.shape);
+        mode.shape.words = name_mode(system_, state_, mode.shape, &mode.imaginary);
     }
 
     void take_left_vector(Eigen::VectorXcd y, const Eigen::VectorXcd& x, Eigenmode& mode) const {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "analyses/shapes/mode_name.hpp"
 #include "analyses/shapes/shape_measures.hpp"
 #include "assembly/small_motions.hpp"
 #include "assembly/state_matrices.hpp"
@@ -148,6 +149,7 @@ class ModeFinder {
         for (int axis = 0; axis < 6; ++axis)
             mode.effective_mass[axis] = std::pow(vector.dot(inertia_.forces[axis]), 2);
         mode.shape = make_shape(system_, state_, vector);
+        mode.shape.words = name_mode(system_, state_, mode.shape);
         record_.effective_share += mode.effective_mass;
         if (mode.omega_squared < round_off * pairs_.shift) ++record_.unstable;
         record_.modes.push_back(std::move(mode));

@@ -84,7 +84,7 @@ TEST_CASE("undamped and symmetric, eigenvalues are the modes", "[analyses]") {
         for (const Vec6& shares : mode.shape.energy_shares) energy += shares.sum();
         CHECK(energy == Approx(1.0));
     }
-    CHECK(record.modes[2].shape.words == "torsion of shaft");
+    CHECK(record.modes[2].shape.words == "1st torsion of shaft");
     CHECK(record.modes[2].shape.words == modes.modes[2].shape.words);
 }
 

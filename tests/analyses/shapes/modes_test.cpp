@@ -72,7 +72,7 @@ TEST_CASE("copies of a round rod's frequencies are turned along the axes", "[ana
     CHECK(tip(1)[2] > 1.0);
     CHECK(std::abs(tip(1)[1]) < 1e-6 * tip(1)[2]);
     CHECK(record.modes[0].effective_mass[1] == Approx(record.modes[1].effective_mass[2]));
-    CHECK(record.modes[2].shape.words == "torsion of shaft");
+    CHECK(record.modes[2].shape.words == "1st torsion of shaft");
     CHECK(record.modes[2].shape.energy_shares[0][3] == Approx(1.0).epsilon(1e-9));
     CHECK(record.modes[2].omega == Approx(0.5 * std::numbers::pi * std::sqrt(0.8 / 2e-2)).epsilon(1e-9));
     CHECK_THAT(record.modes[0].shape.words, Contains("bending about z"));
@@ -87,8 +87,8 @@ TEST_CASE("shapes have unit modal mass, and words by their strain energy", "[ana
     State state = system.initial_state();
     const ModesRecord record = find_modes(system, state, 0.0, {.count = 6});
     REQUIRE(record.modes.size() == 6);
-    CHECK(record.modes[0].shape.words == "bending about y of wing");
-    CHECK(record.modes[1].shape.words == "bending about z of wing");
+    CHECK(record.modes[0].shape.words == "1st bending about y of wing");
+    CHECK(record.modes[1].shape.words == "1st bending about z of wing");
     for (const Mode& mode : record.modes) {
         INFO(mode.shape.words);
         for (std::size_t i = 0; i < state.trial.size(); ++i) {

@@ -96,7 +96,7 @@ TEST_CASE("Results hold the shapes of each stage, and a file of them beside", "[
     REQUIRE(omega.size() == tones.modes.size());
     CHECK(omega[1] == tones.modes[1].omega);
     CHECK(file.size("/stages/tones/energy_share") == std::vector<hsize_t>{omega.size(), 1, 6});
-    CHECK(file.texts("/stages/tones/words")[0] == "bending about y of column");
+    CHECK(file.texts("/stages/tones/words")[0] == "1st bending about y of column");
     CHECK(file.numbers("/stages/more/factor")[0] == buckling_of(summary, 2).factors[0].factor);
 
     const Hdf5Reader shapes(folder / "c.tones.vtkhdf");
@@ -157,7 +157,7 @@ TEST_CASE("Shapes in sentences", "[analyses][stages]") {
     REQUIRE(bare.size() == 5);
     CHECK(bare[0].starts_with("4 modes below "));
     CHECK(bare[0].ends_with(" cycles per time, and no others (counted)"));
-    CHECK(bare[1].ends_with("bending about y of column"));
+    CHECK(bare[1].ends_with("1st bending about y of column"));
     CHECK(bare[3] == "      and 2 more");
     CHECK(bare[4].starts_with("effective mass together: "));
     CHECK(list_shapes(summary.shapes[2].record, 5)[0] ==

@@ -87,8 +87,8 @@ TEST_CASE("the modes of a blade are followed over its speed", "[analyses]") {
         make_values(0.0, 10.0, 6), [&](double speed) { return rotor.at(speed); }, settings);
     REQUIRE(record.points.size() == 6);
     REQUIRE(record.words.size() == 4);
-    CHECK(record.words[0] == "bending about y of blade");
-    CHECK(record.words[1] == "bending about z of blade");
+    CHECK(record.words[0] == "1st bending about y of blade");
+    CHECK(record.words[1] == "1st bending about z of blade");
     for (const SweepRecord::Point& point : record.points) {
         INFO("speed " << point.value);
         CHECK(point.failure.empty());
