@@ -1,5 +1,7 @@
 #include "watch/sight.hpp"
 
+#include "cross_section/stress_measures.hpp"
+#include "model/sections/pressed_tube.hpp"
 #include "model/sections/section_at.hpp"
 #include "model/ties/ties.hpp"
 #include "model/ties/yielding_supports.hpp"
@@ -20,6 +22,33 @@ Quat section_axes(const Model& model, const RodPlace& place, int node) {
     const bool is_end = place.xi == 1.0;
     return rod
         .triads[static_cast<std::size_t>(first - rod.element_nodes.begin() + (is_end ? rod.order : local))];
+}
+
+// The stress of a tube under pressures: at a point, or where von Mises' is the largest. Exposure is by the
+// yield stress.
+SectionStress find_in_tube(const WatchedStress& watched,
+                           const Vec6& resultants,
+                           const PressedTube& tube,
+                           const Pressures& pressures) {
+    const CrossSection& shape = *watched.section.section();
+    const auto describe = [&](int index) {
+        SectionStress found = watched.section.describe(index, resultants);
+        found.stress += tube.compute_stress(pressures, found.at);
+        found.von_mises = compute_von_mises(found.stress);
+        found.principal = compute_principal_stresses(found.stress);
+        const std::optional<double>& limit = shape.materials.front().yield_stress;
+        found.exposure = limit ? found.von_mises / *limit : 0.0;
+        return found;
+    };
+    if (watched.point) return describe(*watched.point);
+    SectionStress worst;
+    worst.von_mises = -1.0;
+    for (std::size_t i = 0; i < shape.stresses.points.size(); ++i) {
+        if (shape.stresses.points[i].is_singular) continue;
+        SectionStress found = describe(static_cast<int>(i));
+        if (found.von_mises > worst.von_mises) worst = found;
+    }
+    return worst;
 }
 
 }  // namespace
@@ -122,9 +151,18 @@ const PointSurroundings& Sight::around() const {
 
 // Water presses on a solid section with p in all directions: pressure_force = −p A.
 SectionStress Sight::stress() const {
-    SectionStress found = of.stress->find(section_resultants());
     const auto& place = std::get<WatchedPoint>(of.target).place;
-    const std::optional<SectionInFluid>& fluid = section_at(*of.model, place).fluid;
+    const Section& at = section_at(*of.model, place);
+    if (const std::optional<PressedTube> tube = find_pressed_tube(*of.model, at)) {
+        // The model is that of the first stage, and gravity can be another one now.
+        const Pressures pressures = recover_pressures(*at.fluid,
+                                                      of.model->surroundings.water,
+                                                      section().surroundings.pressure_force,
+                                                      section().motion.r.z());
+        return find_in_tube(*of.stress, section_resultants(), *tube, pressures);
+    }
+    SectionStress found = of.stress->find(section_resultants());
+    const std::optional<SectionInFluid>& fluid = at.fluid;
     if (!fluid || !(fluid->area > 0.0)) return found;
     const double pull = section().surroundings.pressure_force / fluid->area;
     found.stress.head<3>().array() += pull;

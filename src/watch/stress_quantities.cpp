@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "cross_section/cross_section.hpp"
+#include "model/sections/pressed_tube.hpp"
 #include "model/sections/section_at.hpp"
 #include "watch/quantity_tables.hpp"
 #include "watch/sight.hpp"
@@ -29,6 +30,11 @@ std::string lacks_exposure(const Watched& target, const Model& model) {
                : "no material of the section has yield_stress or strength";
 }
 
+double find_exposure_in(const Sight& see) {
+    const Section& section = section_at(*see.of.model, std::get<WatchedPoint>(see.of.target).place);
+    return find_pressed_tube(*see.of.model, section) ? see.stress().exposure : see.exposure();
+}
+
 // clang-format off
 constexpr Quantity stress_lines[]{
     Quantity("stress", "stress (xx, yy, zz, yz, xz, xy)", "force/length²", Axes::material,
@@ -38,7 +44,7 @@ constexpr Quantity stress_lines[]{
     Quantity("principal_stress", "principal stresses, the largest first", "force/length²", Axes::principal,
              [](const Sight& see) { return see.stress().principal; }).with_strain_order().unless(lacks_stress),
     Quantity("exposure", "exposure: 1/(factor on all resultants at which the material fails)", "1", Axes::none,
-             [](const Sight& see) { return see.exposure(); }).with_strain_order().unless(lacks_exposure),
+             [](const Sight& see) { return find_exposure_in(see); }).with_strain_order().unless(lacks_exposure),
     Quantity("stress_place", "where in the section (y, z) the stress is", "length", Axes::material,
              [](const Sight& see) { return see.stress().at; }).unless(lacks_stress)};
 // clang-format on

@@ -192,6 +192,70 @@ shape = {{ rectangle = {{ width_y = 0.03, height_z = 0.05 }} }}
         inside = s < 1.7
         np.testing.assert_allclose(file["envelopes/von_mises/value"][:][inside], expected[inside], rtol=5e-4)
 
+    def test_a_tube_under_pressure_has_lame_s_stresses(self):
+        """A pipe upright in water, full of mud under pressure, with its own weight, pulled and bent at its top; gravity grows twice."""
+        a, b, p0, mud, water, surface = 0.08, 0.1, 3e6, 1300.0, 1025.0, 20.0
+        places = {"inside": (0.08, 0.0), "outside": (0.0, -0.1), "between": (0.064, 0.064)}
+        file, _ = self.run_deck(f"""gravity = {{ acceleration = [0, 0, -9.81], factor = {{ hang = "t", heavier = "1 + t" }} }}
+[fluid]
+density = {water}
+surface = {surface}
+[material.steel]
+E = 2.1e11
+nu = 0.3
+density = 7850
+yield_stress = 235e6
+elastic = true
+[section.pipe]
+shape = {{ tube = {{ outer_radius = {b}, inner_radius = {a} }} }}
+material = "steel"
+fluid = {{ contents = {{ density = {mud}, pressure = {p0} }} }}
+[rod.pipe]
+section = "pipe"
+line = {{ from = [0, 0, 0], to = [0, 0, 30] }}
+y_axis = [1, 0, 0]
+elements = 10
+order = 2
+[[support]]
+at = "pipe.start"
+fix = "all"
+[[load]]
+at = "pipe.end"
+force = [1500, 800, 2e5]
+moment = [0, 0, 3e3]
+[[stage]]
+name = "hang"
+kind = "static"
+steps = 2
+[[stage]]
+name = "heavier"
+kind = "static"
+steps = 2
+""" + "".join(f'[[history]]\nname = "{name}"\nat = "pipe@0.3"\npoint = [{y}, {z}]\nquantities = ["position", "force", "moment", "stress", "von_mises", "principal_stress", "stress_place", "exposure"]\n'
+              for name, (y, z) in places.items()) + '[[history]]\nname = "worst"\nat = "pipe@0.3"\nquantities = ["von_mises", "stress_place"]\n')
+        area, inertia = np.pi * (b**2 - a**2), np.pi / 4 * (b**4 - a**4)
+        largest = 0.0
+        for name in places:
+            get = lambda quantity, name=name: file[f"histories/{name}/{quantity}"][-1]
+            (N, Vy, Vz), (T, My, Mz), (y, z) = get("force"), get("moment"), get("stress_place")
+            head = 2 * 9.81 * (surface - get("position")[2])
+            inside, outside = p0 + mud * head, water * head
+            r = np.hypot(y, z)
+            mean, change = (inside * a**2 - outside * b**2) / (b**2 - a**2), (inside - outside) * a**2 * b**2 / (b**2 - a**2) / r**2
+            wall = N + inside * np.pi * a**2 - outside * np.pi * b**2
+            axial = wall / area + My * z / inertia - Mz * y / inertia
+            stress = get("stress")
+            across, turn = np.array([[stress[1], stress[3]], [stress[3], stress[2]]]), np.array([[y, -z], [z, y]]) / r
+            np.testing.assert_allclose(turn.T @ across @ turn, np.diag([mean - change, mean + change]), rtol=0, atol=5e-5 * abs(axial))
+            self.assertLess(abs(stress[0] - axial), 5e-5 * abs(axial))  # the cells of the section
+            shear = stress[4]**2 + stress[5]**2
+            mises = np.sqrt(((axial - mean - change)**2 + (axial - mean + change)**2 + (2 * change)**2) / 2 + 3 * shear)
+            np.testing.assert_allclose(get("von_mises"), mises, rtol=1e-4)
+            np.testing.assert_allclose(get("exposure"), get("von_mises") / 235e6, rtol=1e-12)
+            self.assertGreater(change, 1e6)
+            largest = max(largest, float(mises))
+        self.assertGreaterEqual(file["histories/worst/von_mises"][-1], largest * (1 - 1e-12))
+
     def test_what_has_no_stress_is_said(self):
         numbers = "stiffness = { EA = 1, GAy = 1, GAz = 1, GJ = 1, EIy = 1, EIz = 1 }"
         faults = self.faults(deck(numbers))
@@ -204,14 +268,17 @@ shape = {{ rectangle = {{ width_y = 0.03, height_z = 0.05 }} }}
         np.testing.assert_allclose(file["envelopes/exposure/value"][:] * 2e8, file["envelopes/von_mises/value"][:], rtol=1e-9)
         self.assertIn("largest exposure", done.stdout)
         self.assertIn('"von_mises": the section has a law, ', faults)
-        wet = deck("shape = { tube = { outer_radius = 0.02, inner_radius = 0.01 } }\nfluid = { drag = 1 }\n" + STEEL)
+        wet = deck("shape = { tube = { outer_radius = 0.02, inner_radius = 0.01 } }\nfluid = { outer_diameter = 0.06, drag = 1 }\n" + STEEL)
         wet += "[fluid]\ndensity = 1000\nsurface = 10\n"
         pressure = "is under the pressure of water, and hollow: it displaces more than its material fills"
         self.assertIn('"von_mises": the section ' + pressure, self.faults("gravity = [0, 0, -9.81]\n" + wet))
         self.assertIn("output.stresses: no rod has stresses: beam (its section " + pressure,
                       self.faults("gravity = [0, 0, -9.81]\n" + wet))
         full = wet.replace("drag = 1", "contents = { density = 1000 }")
-        self.assertIn("is under the pressure of its contents, which its stresses leave out", self.faults("gravity = [0, 0, -9.81]\n" + full))
+        self.assertIn("is under the pressure of its contents, and no round tube that they fill", self.faults("gravity = [0, 0, -9.81]\n" + full))
+        tube = wet.replace("outer_diameter = 0.06, ", "")
+        self.assertIn("no rod has stresses: beam (its section is a tube under pressure, whose stresses a [[history]] of a point has)",
+                      self.faults("gravity = [0, 0, -9.81]\n" + tube))
         self.assertIn('expected one of "von-mises", "tsai-wu", "hashin", "max-stress", found "von-mieses"; did you mean "von-mises"?',
                       self.faults(deck(circle()).replace('"von-mises"', '"von-mieses"')))
         self.assertIn('"exposure": no material of the section has yield_stress or strength',

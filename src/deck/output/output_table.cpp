@@ -140,7 +140,8 @@ std::string list_without_stress(const Model& model) {
     for (std::size_t r = 0; r < model.rods.size(); ++r) {
         const RodPlace start{.rod = static_cast<int>(r)};
         if (!find_shapes(model, start).empty()) continue;
-        const std::string reason = explain_no_stress(model, section_at(model, start));
+        std::string reason = explain_no_stress(model, section_at(model, start));
+        if (reason.empty()) reason = "is a tube under pressure, whose stresses a [[history]] of a point has";
         list += fmt::format("{}{} (its section {})", list.empty() ? "" : ", ", model.rods[r].name, reason);
     }
     return list;

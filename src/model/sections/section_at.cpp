@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "cross_section/cross_section.hpp"
+#include "model/sections/pressed_tube.hpp"
 #include "model/sections/section_law.hpp"
 
 namespace gxrod {
@@ -38,7 +39,8 @@ const Section& section_of_node(const Rod& rod, int element, std::size_t node) {
 }
 
 void add_parts(const Model& model, const Section& section, double part, std::vector<ShapePart>& parts) {
-    if (!explain_no_stress(model, section).empty()) return;
+    // The largest stresses of a tube under pressure depend on more than its resultants.
+    if (!explain_no_stress(model, section).empty() || find_pressed_tube(model, section)) return;
     const auto add = [&](const std::shared_ptr<const CrossSection>& shape, double share) {
         if (!shape || share == 0.0) return;
         const auto known = std::ranges::find(parts, shape, &ShapePart::shape);
@@ -63,9 +65,10 @@ const Section& section_at(const Model& model, const RodPlace& place) {
 std::string explain_no_stress(const Model& model, const Section& section) {
     if (section.law) return "has a law, " + section.law->describe() + ", of which stresses do not follow";
     if (!section.shape) return "has numbers and no shape";
-    if (!section.fluid) return "";
+    if (!section.fluid || find_pressed_tube(model, section)) return "";
     if (section.fluid->contents_area > 0.0)
-        return "is under the pressure of its contents, which its stresses leave out";
+        return "is under the pressure of its contents, and no round tube that they fill, of one material "
+               "without strength";
     if (!model.surroundings.water) return "";
     // A solid section under the pressure p of water has the stresses by its effective tension, less p in all
     // directions.
