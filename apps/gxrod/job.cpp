@@ -40,6 +40,11 @@ void print_shapes(const FoundShapes& found) {
     for (std::size_t i = 1; i < lines.size(); ++i) say(stdout, "  {}\n", lines[i]);
 }
 
+void print_found(const RunSummary& summary) {
+    for (const std::string& finding : summary.findings) say(stdout, "{}\n", finding);
+    for (const FoundShapes& found : summary.shapes) print_shapes(found);
+}
+
 // "mooring lies on the ground up to s = 124.2 to 162, at rest 144.5".
 std::string describe_touch_down(const LineEndRow& row) {
     return fmt::format("{} lies on the ground {} s = {:.6g} to {:.6g}{}\n",
@@ -73,7 +78,8 @@ void print(const JobOptions& options, const RunSummary& summary, bool is_resumed
             summary.place,
             options.results);
     } else if (summary.stopped_as_asked) {
-        if (options.prints())
+        if (options.prints()) {
+            print_found(summary);
             say(stdout,
                 "stopped after stage {} at {}, {:.2f} s\nResults: {}\nTo resume: gxrod resume {}\n",
                 options.until,
@@ -81,6 +87,7 @@ void print(const JobOptions& options, const RunSummary& summary, bool is_resumed
                 summary.wall_seconds,
                 options.results,
                 options.results);
+        }
     } else if (summary.status == RunStatus::interrupted) {
         say(stderr,
             "gxrod: interrupted at {}; results up to there are in {}\n"
@@ -89,8 +96,7 @@ void print(const JobOptions& options, const RunSummary& summary, bool is_resumed
             options.results,
             options.results);
     } else if (options.prints()) {
-        for (const std::string& finding : summary.findings) say(stdout, "{}\n", finding);
-        for (const FoundShapes& found : summary.shapes) print_shapes(found);
+        print_found(summary);
         if (summary.totals.steps > 0) {
             say(stdout,
                 "{} steps to {}, {} Newton iterations{}, ",
