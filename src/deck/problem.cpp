@@ -12,6 +12,7 @@
 #include "deck/analyses/build_path.hpp"
 #include "deck/analyses/build_response.hpp"
 #include "deck/bodies/body_table.hpp"
+#include "deck/bodies/build_outlines.hpp"
 #include "deck/checks/check_conserving.hpp"
 #include "deck/checks/check_functions.hpp"
 #include "deck/checks/check_memory.hpp"
@@ -175,6 +176,7 @@ Problem build_problem(const CheckedTable& deck, const DeckFiles& files, FaultLis
     build_joints(context);
     build_gears(context);
     build_sleeves(context);
+    problem.outlines = build_outlines(files.meshes, problem.record.meshes, context);
     build_plane(context);
     build_initial(context);
     build_actions(surroundings, loads, context);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "model/bodies/body_outline.hpp"
 #include "model/deck_record.hpp"
 #include "model/model.hpp"
 #include "model/settings/settings.hpp"
@@ -19,7 +20,8 @@ struct Problem {
     std::vector<StagePlan> stages;  // at least one
     OutputSettings output;
     std::vector<SignalPlan> signals;
-    std::vector<std::string> notes;  // choices that the reader made for the user, a line each
+    std::vector<std::string> notes;     // choices that the reader made for the user, a line each
+    std::vector<BodyOutline> outlines;  // of each body, for pictures alone
 
     const AnalysisSettings& analysis() const {
         return stages.front().analysis;

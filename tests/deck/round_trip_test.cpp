@@ -82,7 +82,7 @@ std::vector<RoundTrip> all_trips() {
           spin_trips(),         rest_trips(),     history_frame_trips(), body_trips(),
           plane_trips(),        response_trips(), sweep_trips(),         connection_and_initial_trips(),
           analysis_trips(),     path_trips(),     follow_trips(),        stage_trips(),
-          surroundings_trips(), contact_trips()}) {
+          surroundings_trips(), contact_trips(),  looks_trips()}) {
         all.insert(all.end(), trips.begin(), trips.end());
     }
     return all;

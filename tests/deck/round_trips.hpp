@@ -21,6 +21,7 @@ std::vector<RoundTrip> shape_trips();
 std::vector<RoundTrip> matrix_trips();
 std::vector<RoundTrip> rod_trips();
 std::vector<RoundTrip> body_trips();
+std::vector<RoundTrip> looks_trips();
 std::vector<RoundTrip> plane_trips();
 std::vector<RoundTrip> connection_and_initial_trips();
 std::vector<RoundTrip> response_trips();

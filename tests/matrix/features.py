@@ -370,6 +370,11 @@ def body(deck, draw):
     add_mass(deck, centre_of_mass=[0.05, 0, draw.uniform(-0.05, 0.05)])
 
 
+@feature("body")
+def drawn_body(deck, draw):
+    add_mass(deck, looks=[{"box": {"size": [0.1, 0.1, draw.uniform(0.05, 0.2)]}}, {"arms": 0}])
+
+
 @feature("spring", damped=True)
 def spring(deck, draw):
     deck["spring"] = {"guy": {"between": ["beam.end", "ground"], "at_b": [1, 0, draw.uniform(0.3, 1)], "stiffness": 2.0,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "deck/bodies/looks_table.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/surroundings/body_fluid.hpp"
 #include "model/body_moments.hpp"
@@ -84,7 +85,7 @@ const TableSpec& fluid_of_body_table() {
 }  // namespace
 
 const TableSpec& body_table() {
-    using T = BodyTable;
+    using T = DrawnBodyTable;
     // clang-format off
     static const TableSpec table = Table<T>("[body.NAME]",
             "A rigid body fixed to a node. Its axes at t = 0 are the global axes turned by rotation_vector. `at`, "
@@ -114,6 +115,10 @@ const TableSpec& body_table() {
         .key("fluid", &T::fluid, fluid_of_body_table(),
              "What [fluid] and [air] see of it. Without it they pass it by. The ground does not touch bodies.")
             .also("hydro drag buoyancy volume")
+        .key("looks", &T::looks, look_table(), "What it looks like in reports and pictures, part by part; no "
+             "force depends on it. Without it a sphere or capsule of contact, or the cuboid of its mass and inertia, "
+             "and lines to its joints.")
+            .also("shape outline shapes geometry graphics visual appearance")
         .with(add_copies<T>)
         .not_here("force moment torque load", "a [[load]] at the body has its forces and moments")
         .at_most_one_of({"angular_velocity", "angular_velocity_material"})

@@ -14,7 +14,7 @@ TEST_CASE("Unknown keys are errors that name the nearest known one", "[deck]") {
 colour = 3)")) ==
           "x.toml:3:1: body.top.colour: unknown key; known here: mass, inertia, at, centre_of_mass, "
           "rotation_vector, velocity, angular_velocity, angular_velocity_material, sphere, capsule, fluid, "
-          "copies");
+          "looks, copies");
     CHECK(faults_of(rod_deck + "[zone.a]") ==
           "x.toml:13:2: zone: unknown key; known here: title, units, gravity, plane, apply, parameters, "
           "function, "
