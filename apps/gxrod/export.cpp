@@ -4,6 +4,7 @@
 
 #include "exit_code.hpp"
 #include "results/export/along_export.hpp"
+#include "results/export/bodies_export.hpp"
 #include "results/export/contacts_export.hpp"
 #include "results/export/csv_export.hpp"
 #include "results/export/envelope_export.hpp"
@@ -30,6 +31,7 @@ struct ExportArguments {
     std::string folder = ".";
     std::optional<double> time;
     bool contacts = false;
+    bool bodies = false;
     bool all = false;
     bool force = false;
 };
@@ -72,6 +74,9 @@ int export_results(const ExportArguments& arguments) {
     if (arguments.contacts) {
         write([&] { return export_contacts(arguments.results, arguments.series, existing).string() + "\n"; });
     }
+    if (arguments.bodies) {
+        write([&] { return export_bodies(arguments.results, arguments.series, existing).string() + "\n"; });
+    }
     if (!arguments.envelopes.empty()) {
         write([&] {
             return export_envelopes(arguments.results, arguments.envelopes, existing).string() + "\n";
@@ -110,6 +115,11 @@ void add_export_verb(CLI::App& program, int& exit_code) {
             arguments->contacts,
             "Also contacts.vtkhdf in the folder of --series: what touches in each frame, as points with "
             "their forces, for ParaView 5.12 or later")
+        ->needs(series);
+    verb->add_flag("--bodies",
+                   arguments->bodies,
+                   "Also bodies.vtkhdf in the folder of --series: what bodies look like at all frames, for "
+                   "ParaView 5.12 or later")
         ->needs(series);
     verb->add_option(
         "--envelopes",

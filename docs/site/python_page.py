@@ -29,7 +29,7 @@ GROUPS = [
     ("Functions of PyTorch and JAX", "Each needs the package of its name.", {"torch": ["torch_run"], "jax": ["jax_run"]}),
     ("Many runs", "", {"mapping": ["map"], "batches": ["batch", "read_batch"]}),
     ("Results of runs", "", {"results": ["open_results", "Results"], "results/records": ["Record", "History", "SampledHistory", "Quantity", "Named"],
-                     "results/frames": ["Frames", "Frame", "Fields", "Rod"], "results/ranges": ["Range"], "results/stresses": ["SectionStress", "Envelope", "ResultSection"], "results/contacts": ["Contacts", "ContactFrame"], "results/tables": ["Table"],
+                     "results/frames": ["Frames", "Frame", "Fields", "Rod"], "results/ranges": ["Range"], "results/stresses": ["SectionStress", "Envelope", "ResultSection"], "results/contacts": ["Contacts", "ContactFrame"], "results/tables": ["Table"], "results/outlines": ["Outline"],
                      "results/stages": ["Stage", "ShapesStage", "Sweep", "Response", "Answers", "PathStage", "Shapes"], "plot": ["draw"], "page": ["Page"]}),
     ("Fatigue", "", {"fatigue": ["rainflow", "Cycles", "SNCurve", "damage", "equivalent_range"]}),
     ("Blades, turbines and sections of other programs", "", {"importers/formats": ["read_blade", "read_section_mesh"], "importers/writing": ["write_deck"], "importers/blade": ["Blade"],

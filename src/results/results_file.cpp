@@ -10,6 +10,7 @@
 #include "machine/file_error.hpp"
 #include "machine/memory_reserve.hpp"
 #include "results/file/ordered_driver.hpp"
+#include "results/outline_table.hpp"
 #include "results/provenance.hpp"
 #include "results/results_tables.hpp"
 #include "results/shape_file.hpp"
@@ -191,6 +192,13 @@ void ResultsFile::attempt(std::size_t bytes, Action&& action) {
 }
 
 const StressTable* ResultsFile::stresses() const { return tables_ ? tables_->stresses() : nullptr; }
+
+void ResultsFile::write_outlines(const Model& model, std::span<const BodyOutline> outlines) {
+    attempt(hdf5_reserve, [&] {
+        write_outline_table(hdf5_->root, model, outlines);
+        hdf5_->commit();
+    });
+}
 
 void ResultsFile::begin_stage(const StagePlace& stage) {
     attempt(hdf5_reserve, [&] { tables_->begin_stage(stage); });

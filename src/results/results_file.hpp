@@ -22,6 +22,7 @@
 namespace gxrod {
 
 class OrderedFile;
+struct BodyOutline;
 class ResultsTables;
 class StressTable;
 
@@ -59,6 +60,8 @@ class ResultsFile {
     ResultsFile(const ResultsFile&) = delete;
     ResultsFile& operator=(const ResultsFile&) = delete;
 
+    // Writes what the bodies of the model look like, once for all frames, unless the file has it already.
+    void write_outlines(const Model& model, std::span<const BodyOutline> outlines);
     // Assigns the rows that follow to this stage, if the deck has stages.
     void begin_stage(const StagePlace& stage);
     // Writes the results of a stage without steps, and a separate file of its shapes next to this one.

@@ -34,6 +34,7 @@ SteppedRun::SteppedRun(RunRequest request)
         file_ = std::make_unique<ResultsFile>(
             *request_.results, problem().record, problem().model, problem().output);
     }
+    if (file_) file_->write_outlines(problem().model, problem().outlines);
     schedule_output();
     note_interpolants();
     summary.nodes = static_cast<long>(problem().model.nodes.size());

@@ -107,6 +107,22 @@ std::vector<char> make_image(const FrameCopy& copies, const VtkForm& form) {
     return image_of(file);
 }
 
+template <class Number>
+DatasetCopy copy_values(const std::string& path,
+                        const std::string& description,
+                        std::vector<hsize_t> size,
+                        hid_t type,
+                        const std::vector<Number>& values) {
+    DatasetCopy copy;
+    copy.path = path;
+    copy.label = {path.substr(path.rfind('/') + 1), description, "none", "1"};
+    copy.type = Hdf5Handle(H5Tcopy(type), H5Tclose, "type");
+    copy.size = std::move(size);
+    const auto bytes = std::as_bytes(std::span(values));
+    copy.bytes.assign(bytes.begin(), bytes.end());
+    return copy;
+}
+
 }  // namespace
 
 DatasetCopy copy_rows(const Hdf5Reader& file, const std::string& path, hsize_t first, hsize_t count) {
@@ -134,14 +150,21 @@ DatasetCopy make_copy(const std::string& path,
                       const std::string& description,
                       std::vector<hsize_t> size,
                       const std::vector<std::int64_t>& values) {
-    DatasetCopy copy;
-    copy.path = path;
-    copy.label = {path.substr(path.rfind('/') + 1), description, "none", "1"};
-    copy.type = Hdf5Handle(H5Tcopy(H5T_NATIVE_INT64), H5Tclose, "type");
-    copy.size = std::move(size);
-    const auto bytes = std::as_bytes(std::span(values));
-    copy.bytes.assign(bytes.begin(), bytes.end());
-    return copy;
+    return copy_values(path, description, std::move(size), H5T_NATIVE_INT64, values);
+}
+
+DatasetCopy make_copy(const std::string& path,
+                      const std::string& description,
+                      std::vector<hsize_t> size,
+                      const std::vector<float>& values) {
+    return copy_values(path, description, std::move(size), H5T_NATIVE_FLOAT, values);
+}
+
+DatasetCopy make_copy(const std::string& path,
+                      const std::string& description,
+                      std::vector<hsize_t> size,
+                      const std::vector<std::uint8_t>& values) {
+    return copy_values(path, description, std::move(size), H5T_NATIVE_UINT8, values);
 }
 
 FrameCopy read_frame(const Hdf5Reader& results, hsize_t frame) {

@@ -32,6 +32,16 @@ DatasetCopy make_copy(const std::string& path,
                       std::vector<hsize_t> size,
                       const std::vector<std::int64_t>& values);
 
+// Makes datasets of floating-point numbers, and of bytes.
+DatasetCopy make_copy(const std::string& path,
+                      const std::string& description,
+                      std::vector<hsize_t> size,
+                      const std::vector<float>& values);
+DatasetCopy make_copy(const std::string& path,
+                      const std::string& description,
+                      std::vector<hsize_t> size,
+                      const std::vector<std::uint8_t>& values);
+
 // Type and version that tell VTK how to read a file.
 struct VtkForm {
     std::string type;

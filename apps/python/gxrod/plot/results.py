@@ -97,6 +97,10 @@ class Results:
         """What joins points: of joints, sleeves, springs or bushings."""
         return read_ends(getattr(self.results, table))
 
+    def outlines(self):
+        """What bodies look like."""
+        return list(self.results.outlines.values())
+
     def ledger(self):
         return {key: self._series(self.results.ledger, key) for key in self.results.ledger}
 

@@ -9,12 +9,14 @@ from matplotlib.colors import Normalize
 from matplotlib.ticker import MaxNLocator
 from mpl_toolkits.mplot3d.art3d import Line3DCollection
 
+from ..results.outlines import place_corners
 from .errors import UsageError
 from .mechanism import Mechanism, describe, draw_mechanism, make_mechanism
 from .style import AXIS_COLOURS, GREY, TIME_COLOURS
 
 DEFAULT_FRAMES = 12
 MOST_TRACED = 2000  # frames of a trace
+MOST_EDGES = 3000  # of a body, that are drawn
 PLANES = {"xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
 AXES = "xyz"
 ELEVATION, AZIMUTH = 22, -58  # degrees, of views in space
@@ -30,11 +32,13 @@ class Scene:
     shapes: list  # (points [n,3], time)
     traces: list  # (points [F,3], times [F])
     triads: list  # (origin [3], axes {letter: tip [3]})
+    outlines: list = field(default_factory=list)  # (edges [L,2,3] of a body, time)
     mechanism: Mechanism = field(default_factory=Mechanism)
 
     def places(self):
         """All points but the tips of axes."""
-        return np.concatenate([*(points for points, _ in self.shapes + self.traces), self.mechanism.points()])
+        edges = [np.reshape(lines, (-1, 3)) for lines, _ in self.outlines]
+        return np.concatenate([*(points for points, _ in self.shapes + self.traces), *edges, self.mechanism.points()])
 
     def points(self):
         tips = [tip for origin, axes in self.triads for tip in (origin, *axes.values())]
@@ -66,6 +70,7 @@ def make_scene(results, frames):
     scene.traces = [(results.trace(node, stride), times) for node in results.bodies]
     scene.mechanism = make_mechanism(results, frames, triad_size(scene))
     size = triad_size(scene)
+    add_outlines(scene, results, frames)
     jointed = nodes_on_joints(results)
     for node, (path, _) in zip(results.bodies, list(scene.traces)):
         travels = np.ptp(path, axis=0).max() > size
@@ -79,6 +84,19 @@ def make_scene(results, frames):
             add_triads(scene, results, node, frames[-1:], 2.0 * size)
             scene.traces.append((path + 2.0 * size * steadiest_axis(results, node, stride), times))
     return scene
+
+
+def add_outlines(scene, results, frames):
+    """Edges of bodies in the last frame, and in those where a corner has moved on by more than half of the body."""
+    for outline in results.outlines():
+        edges = outline.lines[:: -(-len(outline.lines) // MOST_EDGES)] if len(outline.lines) else outline.lines
+        drawn = None
+        for index in frames if len(edges) else ():
+            corners = place_corners(outline.corners, *(results.frame(index, name)[outline.point] for name in ("position", "rotation_vector")))
+            if drawn is not None and index != frames[-1] and np.abs(corners - drawn).max() < 0.5 * np.ptp(corners, axis=0).max():
+                continue
+            drawn = corners
+            scene.outlines.append((corners[edges], results.frame_times[index]))
 
 
 def nodes_on_joints(results):
@@ -174,6 +192,7 @@ def draw_shapes(figure, results, shapes):
 def coloured_lines(scene, norm, pick):
     """Segments, colours and widths of the shapes and of the traces, in the picked directions."""
     lines = [(pick(points), TIME_COLOURS(norm(time)), 1.8) for points, time in scene.shapes + scene.mechanism.links]
+    lines += [(pick(edge), TIME_COLOURS(norm(time)), 0.8) for edges, time in scene.outlines for edge in edges]
     for points, times in scene.traces:
         picked = pick(points)
         lines += [(picked[i : i + 2], TIME_COLOURS(norm(times[i])), 1.0) for i in range(len(picked) - 1)]

@@ -16,6 +16,7 @@ from .records import History, Named, Record, SampledHistory, attributes_of
 from .source import Source, plain
 from .stages import Stage, read_stages
 from .stresses import Envelope, ResultSection, SectionStress, read_envelope, read_sections, read_stress
+from .outlines import Outline, read_outlines
 from .tables import Table, parts_of_deck, read_table, table_of_deck
 from .tabular import import_xarray
 
@@ -275,6 +276,11 @@ class Results(Shown):
     def sleeves(self) -> Table:
         """A table: `name`, `rod` (row of `rods`), `place` (arc length at t = 0) and the point that slides: `point_b`, `arm_b`."""
         return read_table(self._source, "sleeves", "sleeves")
+
+    @property
+    def outlines(self) -> dict[str, Outline]:
+        """What bodies look like, by their names: `r.outlines["crank"].corners`, `.triangles`, `.lines`, and `.in_frame(r.frames[-1])`, the corners there."""
+        return read_outlines(self._source)
 
     def _table_of_deck(self, name: str, parts: dict[str, Any]) -> Table:
         table = read_table(self._source, name, name)
