@@ -52,6 +52,27 @@ std::string describe_size(const Problem& problem) {
            fmt::format("memory: about {:.0f} MB\n", estimate_memory(problem.model, size.bytes) / megabyte);
 }
 
+// What the deck says that bodies look like, a line each: its size shows a wrong scale.
+std::string describe_looks(const Problem& problem) {
+    std::string text;
+    for (const BodyOutline& outline : problem.outlines) {
+        if (!outline.is_given || outline.points.empty()) continue;
+        Vec3 least = outline.points.front(), most = least;
+        for (const Vec3& point : outline.points) {
+            least = least.cwiseMin(point);
+            most = most.cwiseMax(point);
+        }
+        const Vec3 size = most - least;
+        text += fmt::format("looks of body {}: {:.4g} × {:.4g} × {:.4g} along its axes, {} triangles\n",
+                            problem.model.bodies[static_cast<std::size_t>(outline.body)].name,
+                            size[0],
+                            size[1],
+                            size[2],
+                            outline.triangles.size());
+    }
+    return text;
+}
+
 // What is printed about a model before anything is solved.
 struct CheckText {
     std::vector<ItemList> lists;
@@ -63,7 +84,7 @@ CheckText describe_problem(const Problem& problem) {
     CheckText text;
     const DeckNode deck = read_toml(problem.record.text, problem.record.name);
     text.lists = list_model(problem.model, {find_input_uses(deck), list_table_names(deck, "chamber")});
-    text.rest = describe_total(problem.model);
+    text.rest = describe_total(problem.model) + describe_looks(problem);
     for (const StagePlan& stage : problem.stages) {
         if (!stage.name.empty()) text.rest += "stage " + stage.name + ": ";
         text.rest += describe_analysis(stage.analysis);

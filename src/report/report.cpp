@@ -13,6 +13,7 @@
 #include "report/blocks/data_blocks.hpp"
 #include "report/blocks/envelope_blocks.hpp"
 #include "report/blocks/frame_blocks.hpp"
+#include "report/blocks/outline_blocks.hpp"
 #include "report/blocks/section_blocks.hpp"
 #include "report/blocks/step_blocks.hpp"
 #include "report/findings/findings.hpp"
@@ -58,6 +59,7 @@ class Page {
             content_.moved_obstacles = count_moved_obstacles(story_.problem->model);
             mesh_bytes_ = count_mesh_bytes(story_.problem->model);
             draws_meshes_ = mesh_bytes_ <= options.most_bytes / 4;
+            outlines_ = OutlineBlocks(story_.problem->outlines, most_bodies, options.most_bytes / 4);
         }
         content_.is_static = story_.is_static;
         content_.has_sections = file.has("/sections/name");
@@ -79,6 +81,7 @@ class Page {
         write_description(out, describe());
         write_frame_blocks(file_, plan_, content_, story_.arrows, out);
         write_contacts(out);
+        outlines_.write(out);
         sections_->write(out);
         envelopes_->write(out);
         write_step_blocks(file_, charts_, plan_.steps, content_.steps, out);
@@ -105,7 +108,8 @@ class Page {
         const std::size_t fixed = shell_bytes + write_script_json(describe()).size() + sentences +
                                   (most_blocks + content_.cell_scalars.size()) * block_frame_bytes +
                                   findings_->count_bytes() + sections_->count_bytes() +
-                                  envelopes_->count_bytes() + (draws_meshes_ ? mesh_bytes_ : 0);
+                                  envelopes_->count_bytes() + (draws_meshes_ ? mesh_bytes_ : 0) +
+                                  outlines_.count_bytes();
         try {
             if (fixed >= options_.most_bytes) throw std::length_error("no room for data");
             plan_ = plan_report(content_, options_.most_bytes - fixed);
@@ -119,6 +123,7 @@ class Page {
 
     nlohmann::ordered_json describe() const {
         nlohmann::ordered_json json = describe_run(file_, story_, [&](int node) { return number_of(node); });
+        outlines_.describe(json["bodies"]);
         json["file"] = options_.results.filename().string();
         json["budget_megabytes"] = static_cast<double>(options_.most_bytes) / bytes_in_megabyte;
         json["left_out"] = left_out();
@@ -141,6 +146,7 @@ class Page {
              {findings_->left_out(), sections_->left_out(), envelopes_->left_out(), story_.left_out})
             sentences.insert(sentences.end(), others.begin(), others.end());
         if (!contacts_.left_out().empty()) sentences.push_back(contacts_.left_out());
+        if (!outlines_.left_out().empty()) sentences.push_back(outlines_.left_out());
         if (!draws_meshes_)
             sentences.push_back(fmt::format("Meshes of obstacles are not drawn: they would take {:.1f} MB.",
                                             static_cast<double>(mesh_bytes_) / bytes_in_megabyte));
@@ -163,6 +169,7 @@ class Page {
     ContactBlocks contacts_;
     std::size_t mesh_bytes_ = 0;
     bool draws_meshes_ = true;
+    OutlineBlocks outlines_;
     ReportContent content_;
     std::optional<Findings> findings_;
     std::optional<SectionBlocks> sections_;

@@ -24,7 +24,6 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::size_t most_bodies = 300;
 constexpr std::size_t most_supports = 500;
 constexpr std::size_t most_arrows = 300;
 constexpr std::size_t most_joints = 500;

@@ -13,6 +13,8 @@
 
 namespace gxrod {
 
+inline constexpr std::size_t most_bodies = 300;  // that are drawn
+
 // The data of a results file about a run, in addition to its numbers.
 struct RunStory {
     bool is_static = false;

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "model/body_moments.hpp"
 #include "model/ties/joint_card.hpp"
 #include "model/ties/ties.hpp"
-#include "numerics/eigenvalues.hpp"
 #include "report/model/wet_rods_json.hpp"
 
 namespace gxrod {
@@ -19,17 +19,6 @@ Json to_json(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
 Json to_json(const Quat& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
-// Of the homogeneous cuboid with this mass and these principal moments; 0 if there is none.
-Vec3 half_sizes(double mass, const Vec3& moments) {
-    Vec3 sizes = Vec3::Zero();
-    if (!(mass > 0.0)) return sizes;
-    for (int i = 0; i < 3; ++i) {
-        const double square = 1.5 / mass * (moments.sum() - 2.0 * moments[i]);
-        sizes[i] = std::sqrt(std::max(0.0, square));
-    }
-    return sizes;
-}
-
 // The sphere or capsule of a body, in its axes; null without one.
 Json describe_shape(const Model& model, const Body& body) {
     const auto own = std::ranges::find_if(model.contact.bodies, [&](const ContactBody& one) {
@@ -40,18 +29,13 @@ Json describe_shape(const Model& model, const Body& body) {
 }
 
 Json describe_body(const Model& model, const Body& body, const NodeNumbers& number) {
-    const SymmetricEigen principal = find_symmetric_eigen(body.inertia);
-    // A diagonal tensor keeps its order, so that equal moments do not turn the cuboid.
-    const bool is_diagonal = body.inertia.isDiagonal(1e-12);
-    Mat3 axes = is_diagonal ? Mat3(Mat3::Identity()) : Mat3(principal.vectors);
-    if (axes.determinant() < 0.0) axes.col(2) *= -1.0;
-    const Vec3 moments = is_diagonal ? Vec3(body.inertia.diagonal()) : Vec3(principal.values);
+    const Cuboid cuboid = find_cuboid(body.mass, body.inertia);
     return {{"name", body.name},
             {"node", number(body.node)},
             {"centre", to_json(body.centre_of_mass)},
             {"attitude", to_json(body.attitude)},
-            {"axes", to_json(Quat(axes))},
-            {"half_sizes", to_json(half_sizes(body.mass, moments))},
+            {"axes", to_json(cuboid.axes)},
+            {"half_sizes", to_json(cuboid.half_sizes)},
             {"shape", describe_shape(model, body)}};
 }
 
