@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <tuple>
 
 #include "deck/schema/choices.hpp"
 #include "model/settings/analysis_traits.hpp"
@@ -146,20 +148,49 @@ std::string describe_components(const std::array<bool, 6>& components) {
     return text;
 }
 
-Json describe_support_table(const Model& model) {
-    Json rows = Json::array();
-    for (const Support& support : first_of(model.supports)) {
-        rows.push_back({model.nodes[support.node].name,
-                        describe_components(support.fixed),
-                        describe_components(support.moved)});
-    }
-    return {{"title", "Supports"},
-            {"columns", {"", "fixed", "moved"}},
-            {"rows", rows},
-            {"note", tell_rest(model.supports)}};
+// The supports of a stage; those of the first are in the model.
+const std::vector<Support>& supports_of(const Problem& problem, std::size_t stage) {
+    return stage == 0 ? problem.model.supports : problem.stages[stage].actions.supports;
 }
 
-Json describe_analysis(const AnalysisSettings& analysis) {
+// What holds a node, and in which stages.
+struct HeldNode {
+    const Support* support;
+    std::string stages;
+};
+
+std::vector<HeldNode> list_held_nodes(const Problem& problem) {
+    std::vector<HeldNode> held;
+    std::map<std::tuple<int, std::array<bool, 6>, std::array<bool, 6>>, std::size_t> numbers;
+    for (std::size_t stage = 0; stage < problem.stages.size(); ++stage) {
+        if (stage > 0 && !has_steps(problem.stages[stage].analysis)) continue;
+        for (const Support& support : supports_of(problem, stage)) {
+            const auto [number, is_new] =
+                numbers.try_emplace({support.node, support.fixed, support.moved}, held.size());
+            if (is_new) held.push_back({&support, ""});
+            std::string& stages = held[number->second].stages;
+            stages += (stages.empty() ? "" : ", ") + problem.stages[stage].name;
+        }
+    }
+    return held;
+}
+
+Json describe_support_table(const Problem& problem) {
+    const bool has_stages = problem.stages.size() > 1;
+    const std::vector<HeldNode> held = list_held_nodes(problem);
+    Json columns{"", "fixed", "moved"}, rows = Json::array();
+    if (has_stages) columns.push_back("stages");
+    for (const auto& [support, stages] : first_of(held)) {
+        rows.push_back({problem.model.nodes[support->node].name,
+                        describe_components(support->fixed),
+                        describe_components(support->moved)});
+        if (has_stages) rows.back().push_back(stages);
+    }
+    return {{"title", "Supports"}, {"columns", columns}, {"rows", rows}, {"note", tell_rest(held)}};
+}
+
+// Pairs of a name and a number or a text.
+Json list_settings(const AnalysisSettings& analysis) {
     Json rows = Json::array();
     const auto add_newton = [&](const NewtonSettings& newton) {
         rows.push_back({"Newton's tolerance", choose_newton_tolerance(analysis)});
@@ -186,14 +217,42 @@ Json describe_analysis(const AnalysisSettings& analysis) {
     } else {
         rows.push_back({"kind", kind_of(analysis)});
     }
-    return {{"title", "Analysis"}, {"columns", Json::array()}, {"rows", rows}};
+    return rows;
+}
+
+// A row for each stage, with all settings that any of them has; those of `kind` say it once.
+Json describe_stage_settings(const std::vector<StagePlan>& stages) {
+    std::vector<std::string> names{"kind"};
+    std::vector<std::map<std::string, Json>> settings;
+    for (const StagePlan& stage : stages) {
+        settings.emplace_back()["kind"] = kind_of(stage.analysis);
+        for (const Json& setting : list_settings(stage.analysis)) {
+            const std::string name = setting[0];
+            if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+            settings.back()[name] = setting[1];
+        }
+    }
+    Json columns{""}, rows = Json::array();
+    for (const std::string& name : names) columns.push_back(name);
+    for (std::size_t i = 0; i < std::min(stages.size(), most_rows); ++i) {
+        Json row{stages[i].name};
+        for (const std::string& name : names)
+            row.push_back(settings[i].contains(name) ? settings[i][name] : "");
+        rows.push_back(row);
+    }
+    return {{"title", "Stages"}, {"columns", columns}, {"rows", rows}, {"note", tell_rest(stages)}};
+}
+
+Json describe_analysis(const Problem& problem) {
+    if (problem.stages.size() > 1) return describe_stage_settings(problem.stages);
+    return {{"title", "Analysis"}, {"columns", Json::array()}, {"rows", list_settings(problem.analysis())}};
 }
 
 }  // namespace
 
 Json describe_tables(const Problem& problem) {
     const Model& model = problem.model;
-    Json tables = Json::array({describe_analysis(problem.analysis())});
+    Json tables = Json::array({describe_analysis(problem)});
     if (!model.sections.empty()) tables.push_back(describe_sections(model));
     if (Json centres = describe_centre_table(model); !centres["rows"].empty()) tables.push_back(centres);
     if (!model.rods.empty()) tables.push_back(describe_rods(model));
@@ -203,7 +262,8 @@ Json describe_tables(const Problem& problem) {
     });
     if (!model.joints.empty()) tables.push_back(describe_joint_table(model));
     if (!model.gears.empty()) tables.push_back(describe_gear_table(model));
-    if (!model.supports.empty()) tables.push_back(describe_support_table(model));
+    if (Json supports = describe_support_table(problem); !supports["rows"].empty())
+        tables.push_back(supports);
     return tables;
 }
 
