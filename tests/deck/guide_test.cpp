@@ -94,7 +94,7 @@ TEST_CASE("The portal of the guide has two combinations on supports that yield",
 
 TEST_CASE("The mechanisms of the guide are decks", "[deck][joint]") {
     const std::vector<std::string> decks = decks_of("mechanisms.md");
-    REQUIRE(decks.size() == 11);
+    REQUIRE(decks.size() == 12);
     const Model crank = read(decks[0]).model;
     REQUIRE(crank.joints.size() == 4);
     CHECK(crank.joints[1].a.anchor.arm == Vec3(0.15, 0, 0));
@@ -104,9 +104,14 @@ TEST_CASE("The mechanisms of the guide are decks", "[deck][joint]") {
     CHECK(shaft.joints.at(1).kind == JointKind::free);
     const std::string wire = replaced(replaced(decks[4], "\"frame\"", "\"ground\""), "bead\"]", "top\"]");
     CHECK(read(body_deck + wire).model.joints[0].held == std::array{false, true, true, false, false, false});
-    CHECK(read(decks[6]).model.sleeves.at(0).place == Approx(0.25));
-    CHECK(read(decks[7]).model.gears.at(0).ratio == 5.0);
-    CHECK(read(decks[8]).model.joints.size() == 4);
+    const std::string wrist = replaced(replaced(decks[6], "\"slider\"", "\"ground\""), "rod\"]", "top\"]");
+    CHECK(read(body_deck + wrist).model.joints[0].clearance->contact.exponent == 1.5);
+    CHECK(read(decks[7]).model.sleeves.at(0).place == Approx(0.25));
+    const std::size_t rigid = decks[8].find("[gear.reduction]");
+    CHECK(read(decks[8]).model.gears.at(0).ratio == 5.0);
+    const std::string shafts = decks[8].substr(0, rigid);
+    CHECK(read(shafts + decks[9]).model.gears.at(0).teeth->upper == 0.005);
+    CHECK(read(decks[10]).model.joints.size() == 4);
     const std::string hinge =
         "[joint.j]\ntype = \"hinge\"\nbetween = [\"ground\", \"top\"]\naxis = [0, 0, 1]\n";
     const std::string actions = replaced(decks[1], "drive    =", "# drive =");

@@ -488,6 +488,24 @@ def stops(deck, draw):
                  limits={"lower": -0.3, "upper": draw.uniform(0.05, 0.2)})
 
 
+@feature("root", kinked=True)
+def clearance(deck, draw):
+    put_on_joint(deck, type="hinge", axis=[0, 1, 0], spring={"stiffness": 3.0},
+                 clearance={"gap": draw.uniform(1e-3, 4e-3), "stiffness": 400.0})
+    deck["bushing"] = deck.get("bushing", {}) | {"soft": {"between": ["ground", "beam.start"], "at": [0, 0, 0],
+                                                          "stiffness": {"x": 40.0, "z": 40.0}}}
+    deck["history"].append({"name": "root", "at": "root", "quantities": ["play", "force"]})
+
+
+@feature("root", kinked=True)
+def backlash(deck, draw):
+    put_on_joint(deck, type="hinge", axis=[0, 1, 0], spring={"stiffness": 3.0})
+    deck["body"] = deck.get("body", {}) | {"wheel": {"mass": 0.1, "inertia": [0.01, 0.01, 0.01], "at": [0, 0.5, 0]}}
+    deck["joint"]["wheel"] = {"type": "hinge", "between": ["ground", "wheel"], "axis": [0, 1, 0], "spring": {"stiffness": 1.0}}
+    deck["gear"] = {"pair": {"joints": ["root", "wheel"], "ratio": 1.5, "backlash": draw.uniform(0.01, 0.03), "stiffness": 50.0}}
+    deck["history"].append({"name": "pair", "at": "pair", "quantities": ["play", "drive"]})
+
+
 @feature("rope", follows_load=True, kinked=True)
 def rope(deck, draw):
     deck["joint"] = deck.get("joint", {}) | {"rope": {"type": "distance", "between": ["ground", "beam.end"], "at_a": [1, 0, 1],

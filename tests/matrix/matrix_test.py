@@ -25,7 +25,6 @@ from schema_coverage import list_items, list_used  # noqa: E402  pylint: disable
 GXROD = os.environ["GXROD"]
 # Tables and words that no feature has, with the reason.
 ABSENT = {
-    "gear": "a gear ties two joints; tests/random/mechanisms.py has them",
     "output": "says what is written, not what is computed",
     "units": "a label",
     "title": "a label",

@@ -71,6 +71,10 @@ class GearBuilder {
                           .upper = 0.5 * given_.backlash,
                           .stiffness = *given_.stiffness,
                           .damping = given_.damping};
+        if (!given_.stiffness && (given_.backlash > 0.0 || given_.damping > 0.0))
+            context_.add_fault(given_,
+                               given_.stiffness,
+                               "missing; teeth with backlash or damping yield; expected how stiff they are");
         if (gear.ratio == 0.0)
             context_.add_fault(
                 given_, given_.ratio, "a ratio of 0 does not tie the joints; expected another number");

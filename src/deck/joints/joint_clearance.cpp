@@ -1,3 +1,7 @@
+#include <fmt/format.h>
+
+#include <string_view>
+
 #include "deck/joints/joint_table.hpp"
 
 namespace gxrod {
@@ -6,24 +10,25 @@ namespace {
 // The part χ of a push that a rate of 1 adds: a contact with it gives back the part e of the speed v.
 double find_hysteresis(double e, double v) { return 0.75 * (1.0 - e * e) / v; }
 
-// What belongs to another key is there if that key is.
+// What belongs to another key is given with it, and only with it.
 void check_companions(const JointClearanceTable& given, const BuildContext& context) {
-    const auto expect = [&](bool is_needed, const std::optional<double>& value, const char* what) {
-        if (is_needed && !value) context.add_fault(given, value, what);
+    const auto check = [&](bool is_needed,
+                           const std::optional<double>& value,
+                           std::string_view other,
+                           const char* expected) {
+        if (is_needed && !value)
+            context.add_fault(
+                given, value, fmt::format("missing; expected {}, a number greater than 0", expected));
+        if (!is_needed && value)
+            context.add_fault(given, value, fmt::format("goes with {}, which this table has not", other));
     };
-    expect(given.restitution.has_value(),
-           given.impact_speed,
-           "missing; expected the speed of impact for which `restitution` is given, a number greater than 0");
-    expect(
-        given.friction > 0.0,
-        given.radius,
-        "missing; expected the radius of the pin or ball on which the friction acts, a number greater than "
-        "0");
-    expect(
-        given.friction > 0.0,
-        given.slip_speed,
-        "missing; expected the speed of slip at which friction has 0.7 of its limit, a number greater than "
-        "0; a hundredth of the speeds at which it slips is small enough");
+    check(given.restitution.has_value(),
+          given.impact_speed,
+          "restitution",
+          "the speed of impact for which `restitution` is given");
+    const bool rubs = given.gives(given.friction);
+    check(rubs, given.radius, "friction", "the radius of the pin or ball on which the friction acts");
+    check(rubs, given.slip_speed, "friction", "the speed of slip at which friction has 0.7 of its limit");
 }
 
 }  // namespace

@@ -506,4 +506,50 @@ TEST_CASE("A distance that can be slack is at most its length", "[deck][joint]")
                Contains("joint.j.limits: without stiffness they cannot begin to hold in runge-kutta-4"));
 }
 
+TEST_CASE("A clearance has the contact that the deck says", "[deck][joint]") {
+    const auto hinge = [](const std::string& clearance, const std::string& more = "") {
+        return from_ground("hinge") + "axis = [0, 0, 1]\nclearance = { " + clearance + " }\n" + more;
+    };
+    const Joint built = read_joint(hinge(
+        "gap = 2e-3, stiffness = 5, exponent = 1.5, restitution = 0.8, impact_speed = 3, friction = 0.2, "
+        "radius = 0.4, slip_speed = 7"));
+    REQUIRE(built.clearance);
+    CHECK(built.clearance->contact.upper == 2e-3);
+    CHECK_FALSE(built.clearance->contact.lower);
+    CHECK(built.clearance->contact.stiffness == 5.0);
+    CHECK(built.clearance->contact.exponent == 1.5);
+    CHECK(built.clearance->contact.damping == 0.0);
+    CHECK(built.clearance->contact.hysteresis == Approx(0.75 * 0.36 / 3.0));
+    CHECK(built.clearance->friction == 0.2);
+    CHECK(built.clearance->radius == 0.4);
+    CHECK(built.clearance->slip_speed == 7.0);
+    CHECK(read_joint(hinge("gap = 1, stiffness = 5, damping = 6")).clearance->contact.damping == 6.0);
+    CHECK_FALSE(read_joint(from_ground("hinge") + "axis = [0, 0, 1]\n").clearance);
+
+    const auto message = [&](const std::string& clearance, const std::string& more = "") {
+        return faults(hinge(clearance, more));
+    };
+    const std::string at = "x.toml:25:13: joint.j.clearance.";
+    CHECK(message("gap = 1") ==
+          at + "stiffness: missing; expected a number greater than 0 or an expression; of the contact");
+    CHECK(
+        message("gap = 1, stiffness = 5, restitution = 0.9") ==
+        at + "impact_speed: missing; expected the speed of impact for which `restitution` is given, a number "
+             "greater than 0");
+    CHECK(message("gap = 1, stiffness = 5, friction = 0.1, radius = 1") ==
+          at + "slip_speed: missing; expected the speed of slip at which friction has 0.7 of its limit, a "
+               "number greater than 0");
+    CHECK_THAT(message("gap = 1, stiffness = 5, radius = 1"),
+               Contains("clearance.radius: goes with friction, which this table has not"));
+    CHECK_THAT(message("gap = 1, stiffness = 5, damping = 1, restitution = 0.9, impact_speed = 1"),
+               Contains("damping is given too; only one of them can be"));
+    CHECK_THAT(message("gap = 1, stiffness = 5", "breaks = { force = 3 }\n"),
+               Contains("joint.j.breaks: a joint with clearance does not break; expected one of the two"));
+    CHECK_THAT(
+        message("gap = 1, stiffness = 5", "friction = { coefficient = 0.2, radius = 0.01 }\n"),
+        Contains("the joint has a clearance, whose contact carries the force; expected `friction` there"));
+    CHECK_THAT(faults(from_ground("weld") + "clearance = { gap = 1, stiffness = 5 }\n"),
+               Contains("type \"weld\" does not use this key; it is for ball, hinge, cylinder"));
+}
+
 }  // namespace gxrod::test

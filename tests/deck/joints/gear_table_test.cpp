@@ -100,6 +100,23 @@ TEST_CASE("Gears that tie nothing are errors", "[deck][gear]") {
           "x.toml:39:1: gear.shaft: joint.shaft has this name too, and points go by it");
 }
 
+TEST_CASE("Teeth that yield have a stiffness, and may have backlash", "[deck][gear]") {
+    const std::string rigid = gear("\"shaft\", \"wheel\"");
+    CHECK_FALSE(read(rigid).model.gears.at(0).teeth);
+    const auto teeth =
+        *read(rigid + "backlash = 0.02\nstiffness = 300\ndamping = 4\n").model.gears.at(0).teeth;
+    CHECK(teeth.lower == -0.01);
+    CHECK(teeth.upper == 0.01);
+    CHECK(teeth.stiffness == 300.0);
+    CHECK(teeth.damping == 4.0);
+    CHECK(read(rigid + "stiffness = 300\n").model.gears.at(0).teeth->upper == 0.0);
+    for (const char* key : {"backlash = 0.02\n", "damping = 4\n"})
+        CHECK(faults_of(rigid + key) ==
+              "x.toml:39:1: gear.g.stiffness: missing; teeth with backlash or damping yield; expected how "
+              "stiff "
+              "they are");
+}
+
 TEST_CASE("A history of a gear has its moment and its gap", "[deck][gear]") {
     const auto history = [](const std::string& quantities) {
         return gear("\"shaft\", \"wheel\"") +
@@ -108,10 +125,10 @@ TEST_CASE("A history of a gear has its moment and its gap", "[deck][gear]") {
     const HistoryRequest request = read(history("[\"drive\", \"gap\"]")).output.histories.at(0);
     CHECK(is_tie(request.target, TieKind::gear));
     CHECK(std::get<WatchedTie>(request.target).index == 0);
-    CHECK(
-        faults_of(history("\"moment\"")) ==
-        "x.toml:45:14: history[0].quantities: \"moment\": a gear has drive and gap only; its joints have the "
-        "rest; did you mean \"drive\"?");
+    CHECK(faults_of(history("\"moment\"")) ==
+          "x.toml:45:14: history[0].quantities: \"moment\": a gear has drive, play and gap only; its joints "
+          "have the "
+          "rest; did you mean \"drive\"?");
 }
 
 }  // namespace gxrod::test
