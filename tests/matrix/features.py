@@ -501,8 +501,8 @@ def clearance(deck, draw):
 def backlash(deck, draw):
     put_on_joint(deck, type="hinge", axis=[0, 1, 0], spring={"stiffness": 3.0})
     deck["body"] = deck.get("body", {}) | {"wheel": {"mass": 0.1, "inertia": [0.01, 0.01, 0.01], "at": [0, 0.5, 0]}}
-    deck["joint"]["wheel"] = {"type": "hinge", "between": ["ground", "wheel"], "axis": [0, 1, 0], "spring": {"stiffness": 1.0}}
-    deck["gear"] = {"pair": {"joints": ["root", "wheel"], "ratio": 1.5, "backlash": draw.uniform(0.01, 0.03), "stiffness": 50.0}}
+    deck["joint"]["axle"] = {"type": "hinge", "between": ["ground", "wheel"], "axis": [0, 1, 0], "spring": {"stiffness": 1.0}}
+    deck["gear"] = {"pair": {"joints": ["root", "axle"], "ratio": 1.5, "backlash": draw.uniform(0.01, 0.03), "stiffness": 50.0}}
     deck["history"].append({"name": "pair", "at": "pair", "quantities": ["play", "drive"]})
 
 
