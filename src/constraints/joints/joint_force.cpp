@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "constraints/joints/bound_push.hpp"
+#include "constraints/joints/play/bound_push.hpp"
 
 namespace gxrod {
 

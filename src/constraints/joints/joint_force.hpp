@@ -1,7 +1,7 @@
 #pragma once
 
-#include "constraints/joints/clearance_force.hpp"
 #include "constraints/joints/joint_coordinate.hpp"
+#include "constraints/joints/play/clearance_force.hpp"
 #include "state/joint_state.hpp"
 
 // Actions on coordinates that joints leave free, docs/theory/joints.md (J14) to (J17): springs, dampers,

@@ -1,6 +1,6 @@
 // Contact of a pin in its hole, and of a ball in its socket.
 
-#include "constraints/joints/clearance_force.hpp"
+#include "constraints/joints/play/clearance_force.hpp"
 
 #include "constraints/joints/joint_samples.hpp"
 #include "tools/catch.hpp"

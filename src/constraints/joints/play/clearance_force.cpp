@@ -1,9 +1,9 @@
-#include "constraints/joints/clearance_force.hpp"
+#include "constraints/joints/play/clearance_force.hpp"
 
 #include <cmath>
 #include <unsupported/Eigen/AutoDiff>
 
-#include "constraints/joints/bound_push.hpp"
+#include "constraints/joints/play/bound_push.hpp"
 #include "model/ties/joint_card.hpp"
 #include "rotation/cross_products.hpp"
 

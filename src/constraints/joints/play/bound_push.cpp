@@ -1,4 +1,4 @@
-#include "constraints/joints/bound_push.hpp"
+#include "constraints/joints/play/bound_push.hpp"
 
 #include <cmath>
 
