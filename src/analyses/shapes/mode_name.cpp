@@ -79,23 +79,22 @@ class MovingRod {
     // element.
     template <class Across>
     int find_order(const std::vector<Vec6>& shape, Motion motion, const Across& across) const {
-        std::vector<double> values, slopes, changes;
+        std::vector<double> values, moments;
         const auto nodes = static_cast<std::size_t>(rod_.order) + 1;
+        const bool is_along = motion == Motion::torsion || motion == Motion::extension;
         for (std::size_t i = 0; i < rod_.element_nodes.size(); ++i) {
             const Vec3 tangent = axes_at(i).col(0);
+            const Vec3 way = is_along ? tangent : across(i);
             const Vec6& moved = shape[node_at(i)];
-            if (motion == Motion::torsion || motion == Motion::extension) {
-                values.push_back(
-                    (motion == Motion::torsion ? moved.tail<3>() : moved.head<3>()).dot(tangent));
-                slopes.push_back(values.back());
-            } else {
-                const Vec3 way = across(i);
-                values.push_back(moved.head<3>().dot(way));
-                slopes.push_back(moved.tail<3>().dot(tangent.cross(way)));
-            }
-            if (i % nodes > 0) changes.push_back(slopes[i] - slopes[i - 1]);
+            values.push_back((motion == Motion::torsion ? moved.tail<3>() : moved.head<3>()).dot(way));
+            if (i % nodes == 0) continue;
+            const Vec6 change = moved - shape[node_at(i - 1)];
+            moments.push_back(
+                motion == Motion::extension
+                    ? find_resultant(i, change.head<3>(), tangent, 0)
+                    : find_resultant(i, change.tail<3>(), is_along ? tangent : tangent.cross(way), 3));
         }
-        return 1 + std::min(count_sign_changes(values), count_sign_changes(changes));
+        return 1 + std::min(count_sign_changes(values), count_sign_changes(moments));
     }
 
     Mat3 axes_at(std::size_t i) const {
@@ -112,6 +111,13 @@ class MovingRod {
     }
 
   private:
+    // The force, `first` 0, or the moment, 3, about an axis by a change of displacement, or turn, from the
+    // node before to this one, by the section's stiffness against that alone.
+    double find_resultant(std::size_t i, const Vec3& change, const Vec3& axis, Eigen::Index first) const {
+        const Vec3 own = axes_at(i).transpose() * axis;
+        const Mat3 stiffness = section_at_node(i).stiffness.block<3, 3>(first, first);
+        return own.dot(stiffness * own) * change.dot(axis) / (rod_.arc_length[i] - rod_.arc_length[i - 1]);
+    }
     std::size_t node_at(std::size_t i) const { return static_cast<std::size_t>(rod_.element_nodes[i]); }
     const Section& section_at_node(std::size_t i) const {
         return rod_.has_varying_sections() ? rod_.varying.at_nodes[i]

@@ -11,7 +11,7 @@ namespace gxrod {
 // bending about z of wing". In a frame that turns, the larger part of its kinetic energy decides: along the
 // axis of the frame "1st flap: bending about z of blade", in the plane across it "edge", about the rod's own
 // axis "torsion", along it "extension". The order is one more than the number of nodes of vibration: the
-// displacement, or the curvature, whichever changes its sign less often, so that it is 1 for the first mode
+// displacement, or the moment, whichever changes its sign less often, so that it is 1 for the first mode
 // however the rod's ends are held. Returns the words alone if the shape strains no rod that is one line.
 // `imaginary`: the imaginary part at each node, of a complex mode.
 std::string name_mode(const System& system,
