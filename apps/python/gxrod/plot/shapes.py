@@ -70,8 +70,8 @@ def make_scene(results, frames):
     scene.traces = [(results.trace(node, stride), times) for node in results.bodies]
     scene.mechanism = make_mechanism(results, frames, triad_size(scene))
     size = triad_size(scene)
-    add_outlines(scene, results, frames)
     jointed = nodes_on_joints(results)
+    add_outlines(scene, results, frames, jointed)
     for node, (path, _) in zip(results.bodies, list(scene.traces)):
         travels = np.ptp(path, axis=0).max() > size
         if travels and node in jointed:
@@ -86,12 +86,12 @@ def make_scene(results, frames):
     return scene
 
 
-def add_outlines(scene, results, frames):
-    """Edges of bodies in the last frame, and in those where a corner has moved on by more than half of the body."""
+def add_outlines(scene, results, frames, jointed):
+    """Edges of bodies in the last frame; of those without joints, whose links show the way, also where a corner has moved on by more than half of the body."""
     for outline in results.outlines():
         edges = outline.lines[:: -(-len(outline.lines) // MOST_EDGES)] if len(outline.lines) else outline.lines
         drawn = None
-        for index in frames if len(edges) else ():
+        for index in () if not len(edges) else frames[-1:] if outline.point in jointed else frames:
             corners = place_corners(outline.corners, *(results.frame(index, name)[outline.point] for name in ("position", "rotation_vector")))
             if drawn is not None and index != frames[-1] and np.abs(corners - drawn).max() < 0.5 * np.ptp(corners, axis=0).max():
                 continue
