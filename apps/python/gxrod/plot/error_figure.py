@@ -93,7 +93,8 @@ def describe_errors(panels):
         texts.append(f"{panel.upwards}, against {panel.reference}")
         for line in panel.lines:
             rows = [(panel.across, "value", "error", "order")]
-            rows += [(f"{x:.12g}", f"{value:.10g}", f"{error:.3e}", say_order(order)) for x, value, error, order in zip(line.x, line.values, line.errors, line.orders)]
+            rows += [(f"{x:.12g}", f"{value:.10g}", f"{error:.3e}", say_order(order))
+                     for x, value, error, order in zip(line.x, line.values, line.errors, line.orders)]
             widths = [max(len(row[i]) for row in rows) for i in range(4)]
             texts += [line.name] if line.name else []
             texts += ["  " + "  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows]
@@ -117,7 +118,8 @@ def write_latex(panels):
     tables = ["% \\usepackage{booktabs}"]
     for panel in panels:
         values = sorted({x for line in panel.lines for x in line.x}, reverse=panel.lines[0].x[0] > panel.lines[0].x[-1])
-        tables += [f"% {panel.title}; {panel.upwards}, against {panel.reference}", f"\\begin{{tabular}}{{r{'rr' * len(panel.lines)}}}", "\\toprule"]
+        tables += [f"% {panel.title}; {panel.upwards}, against {panel.reference}",
+                   f"\\begin{{tabular}}{{r{'rr' * len(panel.lines)}}}", "\\toprule"]
         if any(line.name for line in panel.lines):
             tables.append(" & ".join(["", *(f"\\multicolumn{{2}}{{c}}{{{escape_latex(line.name)}}}" for line in panel.lines)]) + r" \\")
         tables += [" & ".join([escape_latex(panel.across), *(["error", "order"] * len(panel.lines))]) + r" \\", "\\midrule"]
