@@ -9,14 +9,18 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import matplotlib
 import numpy as np
+
+matplotlib.use("Agg")
 
 SOURCE = Path(os.environ["GXROD_SOURCE"])
 sys.path[:0] = [str(SOURCE / "apps" / "python"), str(SOURCE / "tests" / "apps" / "batch")]
 sys.dont_write_bytecode = True
 
 from batch_folders import BatchFolder  # noqa: E402
-from gxrod.plot import convergence, error_figure  # noqa: E402
+from forked import run_forked  # noqa: E402
+from gxrod.plot import command, convergence, error_figure  # noqa: E402
 
 PLANK = """title = "A plank"
 [section.plank]
@@ -58,8 +62,7 @@ class Errors(unittest.TestCase):
         self.folder = Path(scratch.name)
 
     def plot(self, *arguments, code=0):
-        done = subprocess.run([os.environ["GXROD_PLOT"], *map(str, arguments)], cwd=self.folder, capture_output=True, text=True,
-                              env=dict(os.environ, PYTHONDONTWRITEBYTECODE="1"), check=False)
+        done = run_forked(command.main, arguments, self.folder)
         self.assertEqual(done.returncode, code, done.stderr)
         self.assertNotIn("Traceback", done.stderr)
         return done
