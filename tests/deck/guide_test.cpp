@@ -107,10 +107,10 @@ TEST_CASE("The mechanisms of the guide are decks", "[deck][joint]") {
     const std::string wrist = replaced(replaced(decks[6], "\"slider\"", "\"ground\""), "rod\"]", "top\"]");
     CHECK(read(body_deck + wrist).model.joints[0].clearance->contact.exponent == 1.5);
     CHECK(read(decks[7]).model.sleeves.at(0).place == Approx(0.25));
-    const std::size_t rigid = decks[8].find("[gear.reduction]");
     CHECK(read(decks[8]).model.gears.at(0).ratio == 5.0);
-    const std::string shafts = decks[8].substr(0, rigid);
-    CHECK(read(shafts + decks[9]).model.gears.at(0).teeth->upper == 0.005);
+    const std::string shafts = decks[8].substr(0, decks[8].find("[gear.reduction]"));
+    const std::string analysis = decks[8].substr(decks[8].find("[analysis]"));
+    CHECK(read(shafts + decks[9] + analysis).model.gears.at(0).teeth->upper == 0.005);
     CHECK(read(decks[10]).model.joints.size() == 4);
     const std::string hinge =
         "[joint.j]\ntype = \"hinge\"\nbetween = [\"ground\", \"top\"]\naxis = [0, 0, 1]\n";
