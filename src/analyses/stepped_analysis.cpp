@@ -283,6 +283,22 @@ std::string SteppedAnalysis::describe_imbalance() const {
         worst[0].residual);
 }
 
+namespace {
+
+std::vector<double> flatten_places(const std::vector<RodPlace>& places) {
+    std::vector<double> numbers;
+    for (const RodPlace& place : places) {
+        numbers.insert(numbers.end(),
+                       {static_cast<double>(place.rod),
+                        static_cast<double>(place.element),
+                        place.xi,
+                        place.is_asked ? 1.0 : 0.0});
+    }
+    return numbers;
+}
+
+}  // namespace
+
 RestartRecord SteppedAnalysis::restart_record() const {
     RestartRecord record;
     record.nodes = state_.previous;
@@ -291,6 +307,10 @@ RestartRecord SteppedAnalysis::restart_record() const {
     record.pair_tractions = pack(state_.pair_tractions);
     record.joints = state_.joints_previous;
     record.carried = state_.carried_previous;
+    record.reactions = reactions_;
+    record.points = point_values_;
+    record.point_places = flatten_places(watched_);
+    record.bodies = body_values_;
     record.ledger = ledger_->memory();
     record.steps = steps_->memory();
     record.steps.lead = lead_;
@@ -310,8 +330,8 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
                             books.fluid_forces.size() == (system_.traits().has_surroundings ? nodes : 0);
     const bool has_carried =
         record.carried.size() == nodes * static_cast<std::size_t>(integrator_->carried_count());
-    if (record.nodes.size() != nodes || record.sections.size() != state_.sections.size() ||
-        record.memory.size() != state_.memory.size() ||
+    if (record.nodes.size() != nodes || record.reactions.size() != nodes ||
+        record.sections.size() != state_.sections.size() || record.memory.size() != state_.memory.size() ||
         record.joints.size() != state_.joints_previous.size() || !has_forces || !has_carried) {
         throw std::invalid_argument("the state to resume from belongs to another model");
     }
@@ -325,10 +345,13 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
     state_.carried_previous = state_.carried_trial = record.carried;
     state_.time = state_.trial_time = steps_->time();
     Contacts(system_).search(state_);
-    point_values_ = SystemValues(system_).compute_point_values(state_, state_.time, watched_);
-    body_values_ = SystemValues(system_).compute_body_surroundings(state_, state_.time);
+    // A run that is resumed can have other histories.
+    point_values_ = record.point_places == flatten_places(watched_)
+                        ? record.points
+                        : SystemValues(system_).compute_point_values(state_, state_.time, watched_);
+    body_values_ = record.bodies;
     resume_pivots(record.negative_pivots);
-    reactions_.assign(nodes, Vec6::Zero());
+    reactions_ = record.reactions;
     ledger_ = std::make_unique<Ledger>(system_, *integrator_);
     ledger_->resume(record.ledger);
     if (frame() != nullptr) ledger_->add_drive();

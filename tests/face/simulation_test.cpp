@@ -148,6 +148,118 @@ TEST_CASE("a simulation returns to a checkpoint to the last bit", "[face]") {
     CHECK(other["tip"].position.vector() == end);
 }
 
+namespace {
+
+// A damped rod in water that carries a body, with a tendon and a support that yields; all that it shows.
+const std::string shown = R"(gravity = [0, 0, -9.81]
+[fluid]
+density = 1000
+surface = 0
+current = { velocity = [0.3, 0.1, 0] }
+[section.s]
+stiffness = { EA = 1e3, GAy = 1e3, GAz = 1e3, GJ = 5, EIy = 6, EIz = 7 }
+inertia = { rhoA = 1.0, rhoJ = 0.2, rhoIy = 0.1, rhoIz = 0.1 }
+damping = { kelvin_voigt = 0.02 }
+fluid = { outer_diameter = 0.02, drag = { normal = 1.0 }, added_mass = { normal = 1.0 } }
+[rod.r]
+section = "s"
+line = { from = [0, 0, -1], to = [2, 0, -1] }
+elements = 4
+order = ORDER
+element = "KIND"
+y_axis = [0, 1, 0]
+[body.b]
+mass = 0.5
+inertia = [0.1, 0.2, 0.2]
+at = [2, 0, -1]
+[joint.pin]
+type = "hinge"
+between = ["r.end", "b"]
+axis = [0, 1, 0]
+spring = { stiffness = 3 }
+[tendon.t]
+on = "r"
+offset = [0, 0.05]
+tension = 2
+to = 0.75
+[spring.line]
+between = ["ground", "b"]
+at_a = [2, 0, 0]
+stiffness = 3.0
+[[support]]
+at = "r.start"
+fix = "all"
+[[support]]
+at = "r@0.5"
+stiffness = { z = 20 }
+[[load]]
+at = "r.end"
+force = [0, 3, 0]
+[[history]]
+name = "foot"
+at = "r.start"
+quantities = ["reaction_force", "reaction_moment", "force", "moment", "strain", "curvature", "effective_tension"]
+[[history]]
+name = "middle"
+at = "r@0.5"
+quantities = ["reaction_force", "position", "velocity", "acceleration", "angular_velocity", "quaternion", "fluid_force", "wet_fraction", "water_velocity", "bending_moment"]
+[[history]]
+name = "body"
+at = "b"
+quantities = ["position", "quaternion", "centre_of_mass"]
+[[history]]
+name = "pin"
+at = "pin"
+quantities = ["angle", "angle_rate", "force", "moment", "gap"]
+[[history]]
+name = "tendon"
+at = "t"
+quantities = ["tendon_length", "tendon_tension"]
+[[history]]
+name = "line"
+at = "line"
+quantities = ["elongation", "axial_force"]
+)";
+
+std::vector<double> all_that_is_shown(Simulation& run) {
+    std::vector<double> all;
+    for (std::size_t history = 0; history < run.problem().output.histories.size(); ++history) {
+        for (std::size_t i = 0; i < run.list_quantities(history).size(); ++i) {
+            const std::vector<double> values = run.compute(history, i);
+            all.insert(all.end(), values.begin(), values.end());
+        }
+    }
+    const LedgerRow ledger = run.ledger();
+    all.insert(all.end(), {ledger.strain_energy, ledger.external_work, ledger.energy_error});
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("all that can be seen before a checkpoint has the same bits after it", "[face]") {
+    const std::string analysis =
+        GENERATE("kind = \"static\"\nsteps = 5\n",
+                 "kind = \"quasi-static\"\nend_time = 0.1\ntime_step = 0.02\n",
+                 "kind = \"dynamic\"\nend_time = 0.1\ntime_step = 0.02\n",
+                 "kind = \"dynamic\"\nend_time = 0.1\ntime_step = 0.02\nintegrator = \"generalized-alpha\"\n",
+                 "kind = \"dynamic\"\nend_time = 0.1\ntime_step = 0.02\nintegrator = \"sdirk-4\"\n");
+    const std::string kind = GENERATE("objective", "simo");
+    const std::string order = GENERATE("1", "3");
+    INFO(analysis << kind << order);
+    Simulation run(
+        Deck::from_text(replaced(replaced(shown, "KIND", kind), "ORDER", order) + "[analysis]\n" + analysis)
+            .build());
+    for (int steps : {0, 3}) {
+        run.advance(std::nullopt, steps);
+        const Checkpoint checkpoint = run.save();
+        const std::vector<double> before = all_that_is_shown(run);
+        run.advance(std::nullopt, 1);
+        run.restore(checkpoint);
+        CHECK(all_that_is_shown(run) == before);
+        if (steps > 0) CHECK(run["foot"]["reaction_force"].vector().norm() > 0.1);
+    }
+}
+
 TEST_CASE("results are complete once a run has ended, or its simulation", "[face]") {
     const sample::ScratchFolder folder;
     const auto status_of = [&](const std::string& name) {

@@ -14,7 +14,7 @@
 namespace gxrod {
 
 inline constexpr std::int64_t no_slot = -1;
-inline constexpr std::int64_t form_version = 19;  // version of /restart; raise it with every change
+inline constexpr std::int64_t form_version = 20;  // version of /restart; raise it with every change
 inline std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
 
 using Vec1 = Eigen::Matrix<double, 1, 1>;
@@ -36,6 +36,15 @@ void visit_vectors(Row& row, Visitor&& visit) {
     } else if constexpr (std::is_same_v<Kind, CarriedAcceleration>) {
         visit(row.a);
         visit(row.alpha);
+    } else if constexpr (std::is_same_v<Kind, PointSurroundings>) {
+        for (auto* vector : {&row.water_velocity, &row.fluid_force, &row.bed_force}) visit(*vector);
+        for (auto* number : {&row.wet_fraction, &row.pressure_force}) visit_vectors(*number, visit);
+    } else if constexpr (std::is_same_v<Kind, PointValues>) {
+        visit_vectors(row.motion, visit);
+        for (auto* vector : {&row.start, &row.force, &row.moment, &row.strain, &row.curvature})
+            visit(*vector);
+        visit(row.triad.coeffs());
+        visit_vectors(row.surroundings, visit);
     } else if constexpr (std::is_same_v<Kind, JointState>) {
         visit(Eigen::Map<std::conditional_t<std::is_const_v<Row>, const Vec6, Vec6>>(row.multipliers.data()));
         for (auto* number : {&row.turn, &row.slide}) visit_vectors(*number, visit);
@@ -174,14 +183,29 @@ inline const DatasetLabel carried_label{
     "of each node: accelerations and angular accelerations that the scheme carries to the next step",
     "spatial",
     ""};
+inline const DatasetLabel points_label{
+    "points",
+    "of each point that histories show: what they show of it, as motion, forces and surroundings",
+    "none",
+    ""};
+inline const DatasetLabel point_places_label{
+    "point_places",
+    "of each of these points: rod, element, place in it, whether it is asked for",
+    "none",
+    ""};
 // Appends the number of rows to the name, as a list can have other numbers in other stages or at other times.
 inline DatasetLabel with_rows(DatasetLabel label, std::size_t rows) {
-    if (label.name == pair_tractions_label.name || label.name == carried_label.name)
+    if (label.name == pair_tractions_label.name || label.name == carried_label.name ||
+        label.name == points_label.name || label.name == point_places_label.name)
         label.name += "_" + std::to_string(rows);
     return label;
 }
 inline const DatasetLabel joints_label{
     "joints", "of each joint: up to six multipliers, turn, slide", "none", ""};
+inline const DatasetLabel reactions_label{
+    "reactions", "force and moment that the support of each node exerts", "spatial", ""};
+inline const DatasetLabel bodies_label{
+    "bodies", "of each body: water, air and ground around it", "spatial", ""};
 inline const DatasetLabel forces_label{
     "forces", "force and moment that does work on each node", "spatial", ""};
 inline const DatasetLabel fluid_forces_label{
@@ -219,6 +243,10 @@ void visit_lists(Record& record, Visitor&& visit) {
     visit(pair_tractions_label, record.pair_tractions);
     visit(carried_label, record.carried);
     visit(joints_label, record.joints);
+    visit(reactions_label, record.reactions);
+    visit(points_label, record.points);
+    visit(point_places_label, record.point_places);
+    visit(bodies_label, record.bodies);
     visit(forces_label, record.ledger.forces);
     visit(fluid_forces_label, record.ledger.fluid_forces);
     visit(force_change_label, record.ledger.force_change);

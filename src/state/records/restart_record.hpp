@@ -8,6 +8,7 @@
 #include "state/records/signal_state.hpp"
 #include "state/state.hpp"
 #include "state/step_memory.hpp"
+#include "state/values/point_values.hpp"
 
 namespace gxrod {
 
@@ -65,6 +66,12 @@ struct RestartRecord {
     std::vector<PairTractionRow> pair_tractions;  // State::pair_tractions
     std::vector<JointState> joints;               // State::joints_previous
     std::vector<CarriedAcceleration> carried;     // State::carried_previous; can be empty
+    // Values that the step has left and that its state alone does not give again, to the last bit: reactions
+    // per node, and what snapshots show of points and bodies.
+    std::vector<Vec6> reactions;
+    std::vector<PointValues> points;
+    std::vector<double> point_places;  // rod, element, ξ and whether it is asked for, of each
+    std::vector<PointSurroundings> bodies;
     LedgerMemory ledger;
     StepMemory steps;
     RunTotals totals;
