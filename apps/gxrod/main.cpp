@@ -137,7 +137,7 @@ struct TerminateHandler {
 
 int main(int argc, char** argv) {
     open_standard_files();
-    gxrod::set_mode_finder(gxrod::find_buckling_mode);
+    gxrod::set_mode_finder(gxrod::find_imperfect_mode);
     try {
         return check_output(run_program(argc, argv));
     } catch (const gxrod::DeckError& error) {

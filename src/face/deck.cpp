@@ -15,7 +15,7 @@ namespace gxrod {
 namespace {
 
 // Decks that are built here can have imperfections by a mode.
-[[maybe_unused]] const bool finds_modes = set_mode_finder(find_buckling_mode);
+[[maybe_unused]] const bool finds_modes = set_mode_finder(find_imperfect_mode);
 
 }  // namespace
 

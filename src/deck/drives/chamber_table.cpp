@@ -28,6 +28,7 @@ const TableSpec& chamber_table() {
             .unit("1").otherwise(factor_default)
         .key("stages", &T::stages, "The stages in which it is under pressure; in others it has none.")
             .otherwise("all").names_of({"stage"})
+        .with(add_load_case<T>)
         .shown_by(
             "[chamber.bellows]\n"
             "on       = \"flyer\"\n"

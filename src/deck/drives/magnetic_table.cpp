@@ -32,6 +32,7 @@ const TableSpec& magnetic_table() {
             .unit("1").otherwise(factor_default)
         .key("stages", &T::stages, "The stages in which the field acts.")
             .otherwise("all").names_of({"stage"})
+        .with(add_load_case<T>)
         .shown_by(
             "[[magnetic]]\n"
             "on     = \"tail\"\n"

@@ -54,6 +54,7 @@ const TableSpec& tendon_table() {
             .unit("1").otherwise(factor_default)
         .key("stages", &T::stages, "The stages in which it pulls; in others it hangs loose.")
             .otherwise("all").names_of({"stage"})
+        .with(add_load_case<T>)
         .exactly_one_of({"tension", "shortening", "length"})
         .shown_by(
             "[tendon.pull]\n"
@@ -97,9 +98,9 @@ void check_winch_keys(const TendonTable& given, const BuildContext& context) {
     if (given.tension && given.stiffness && !given.gives(given.friction))
         context.add_fault(
             given, given.stiffness, "goes with shortening or length, or with a tension and friction");
-    if (given.length && given.factor)
-        context.add_fault(
-            given, given.factor, "of a length has no meaning; expected shortening in its place");
+    constexpr const char* of_length = "of a length has no meaning; expected shortening in its place";
+    if (given.length && given.factor) context.add_fault(given, given.factor, of_length);
+    if (given.length && given.load_case) context.add_fault(given, given.load_case, of_length);
 }
 
 // How a value of a length that grows without t comes from the length at t = 0 to its own.

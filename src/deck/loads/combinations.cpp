@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <set>
 
+#include "deck/drives/chamber_table.hpp"
 #include "deck/loads/acting.hpp"
 #include "deck/loads/case_factors.hpp"
+#include "deck/rods/imperfections.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "deck/schema/top_level.hpp"
+#include "deck/surroundings/surroundings_tables.hpp"
 
 namespace gxrod {
 
@@ -79,14 +82,27 @@ struct ListedCases {
 
 ListedCases list_cases(const BuildContext& context) {
     ListedCases cases;
-    for (const TableSpec* spec : {&load_table(), &actuation_table()}) {
-        for (const ActingTable& table : tables_of<ActingTable>(context.deck, *spec)) {
-            if (table.load_case)
-                cases.names.insert(*table.load_case);
-            else
-                cases.without.push_back(table.path);
-        }
+    const auto add = [&](const ActingTable& table) {
+        if (table.load_case)
+            cases.names.insert(*table.load_case);
+        else
+            cases.without.push_back(table.path);
+    };
+    for (const TableSpec* spec : {&load_table(),
+                                  &actuation_table(),
+                                  &tendon_table(),
+                                  &chamber_table(),
+                                  &magnetic_table(),
+                                  &wave_table()}) {
+        for (const ActingTable& table : tables_of<ActingTable>(context.deck, *spec)) add(table);
     }
+    for (const FluidTable& fluid : tables_of<FluidTable>(context.deck, fluid_table())) {
+        if (fluid.current) add(*fluid.current);
+    }
+    for (const AirTable& air : tables_of<AirTable>(context.deck, air_table())) {
+        if (air.wind) add(*air.wind);
+    }
+    for (const std::string& name : list_imperfection_cases(context.deck)) cases.names.insert(name);
     return cases;
 }
 
@@ -102,7 +118,7 @@ void check_factors(const CombinationTable& table, const ListedCases& cases, cons
         const std::vector<std::string> known(cases.names.begin(), cases.names.end());
         const std::string hint = did_you_mean(one.name, known);
         const std::string list =
-            known.empty() ? "; loads have no key `case`" : "; there is " + plain_list(known);
+            known.empty() ? "; nothing has the key `case`" : "; there is " + plain_list(known);
         context.faults.add(
             one.value.place,
             one.value.path,
@@ -153,7 +169,7 @@ const TableSpec& combination_table() {
     // clang-format off
     static const TableSpec table = Table<T>("[combination.NAME]",
             "A combination of load cases. One acts in a run, the first one or that of `apply`; gxrod batch DECK runs "
-            "each and makes a table of the forces at the ends of members.")
+            "each and makes a table of the forces along members.")
         .key("factors", &T::factors, "By which the loads of each case are multiplied; cases that are not named do not "
              "act. gravity is the case of gravity, which acts in all combinations as written if none names it, as "
              "loads without a case do.")
@@ -170,6 +186,20 @@ double find_case_factor(const std::optional<std::string>& load_case, const Build
     if (!load_case || acting == nullptr) return 1.0;
     const CheckedNamedFunction* factor = find_case_entry(*acting, *load_case);
     return factor == nullptr ? 0.0 : factor->value.function(0.0);
+}
+
+void refuse_case_factor(const ActingTable& table, const std::string& what, const BuildContext& context) {
+    const double factor = find_case_factor(table.load_case, context);
+    if (factor == 0.0 || factor == 1.0 || context.stage > 0) return;
+    context.add_fault(
+        table,
+        table.load_case,
+        fmt::format("has the factor {:.6g} in the combination that acts, and {} is not proportional to "
+                    "anything: it goes with the square of velocities; expected the factor 1 or 0, and {} "
+                    "with the numbers of the design",
+                    factor,
+                    what,
+                    table.path));
 }
 
 double find_gravity_factor(const BuildContext& context) {

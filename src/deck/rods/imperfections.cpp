@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <stdexcept>
 
+#include "deck/loads/acting.hpp"
+#include "deck/loads/combinations.hpp"
 #include "deck/places/part.hpp"
 #include "deck/rods/start_shapes.hpp"
 #include "deck/schema/schema_tables.hpp"
@@ -18,12 +21,19 @@
 #include "watch/members.hpp"
 
 namespace gxrod {
+
+inline constexpr std::array<Choice<ModeKind>, 2> mode_kind_choices{
+    {{"buckling", ModeKind::buckling}, {"vibration", ModeKind::vibration}}};
+inline constexpr const auto& choices_of(ModeKind) { return mode_kind_choices; }
+
 namespace {
 
 ModeFinder mode_finder = nullptr;
 
 struct ImperfectionTable : TableHead {
     std::optional<long> mode;
+    ModeKind of = ModeKind::buckling;
+    std::optional<std::string> load_case;
     std::optional<std::string> file;
     std::optional<double> amplitude;
     std::optional<double> bow, sway;
@@ -45,8 +55,11 @@ const TableSpec& imperfection_table() {
             "By what the stress-free start differs from the perfect structure that the rest of the deck describes. "
             "Several add up.")
         .key("mode", &T::mode, "A linear buckling mode of the perfect structure under the loads of the first stage at "
-             "t = 1: 1 is that of the smallest factor. Its largest component is positive.")
+             "t = 1: 1 is that of the smallest factor; or a mode of vibration. Its largest component is positive.")
             .between(1, 1000).also("buckling_mode eigenmode shape")
+        .key("of", &T::of, "Whether the mode is one of buckling, or of vibration without loads, 1 that of the lowest "
+             "frequency.")
+            .only_with("mode").also("kind step")
         .key("file", &T::file, "A CSV file with a row for each node, in the order of the model: three displacements and "
              "three rotations, global, any size. Relative to the deck's folder.")
         .key("amplitude", &T::amplitude, "The largest displacement of the mode, or of the file's shape.")
@@ -61,6 +74,7 @@ const TableSpec& imperfection_table() {
             .names_of({"rod"}).only_with("bow").otherwise("all")
         .key("direction", &T::direction, "Of bow, across each member, or of sway, level; projected.")
             .unit("1").also("towards along")
+        .with(add_load_case<T>)
         .exactly_one_of({"mode", "file", "bow", "sway"});
     // clang-format on
     return table;
@@ -75,13 +89,15 @@ class ImperfectionMaker {
 
     // Adds an imperfection to a change, by `perfect`.
     void add(const ImperfectionTable& given, const BuildContext& context, StartChange& change) {
-        if (given.bow || given.sway) return add_geometry(given, context, change);
+        const double factor = find_case_factor(given.load_case, context);
+        if (factor == 0.0) return;
+        if (given.bow || given.sway) return add_geometry(given, factor, context, change);
         if (!given.amplitude)
             return faults_.add(
                 given.place, given.path_of(&given.amplitude), "missing; expected the largest displacement");
         if (given.direction) return context.add_fault(given, given.direction, "goes with bow or sway");
         const std::optional<std::vector<Vec6>> shape = given.file ? read_shape(given) : find_mode(given);
-        if (shape) add_shape(problem_.model, *shape, *given.amplitude, change);
+        if (shape) add_shape(problem_.model, *shape, factor * *given.amplitude, change);
     }
 
   private:
@@ -135,7 +151,7 @@ class ImperfectionMaker {
             fault(given,
                   &given.mode,
                   "derivatives do not follow how a mode changes; expected its shape from a file");
-        else if (is_timed(first) || !has_steps(first))
+        else if (given.of == ModeKind::buckling && (is_timed(first) || !has_steps(first)))
             fault(given, &given.mode, "goes with a static first stage, whose loads at t = 1 the mode is of");
         else if (mode_finder == nullptr)
             fault(given, &given.mode, "this program finds no modes; expected a file");
@@ -146,7 +162,7 @@ class ImperfectionMaker {
 
     std::optional<std::vector<Vec6>> find_new_mode(const ImperfectionTable& given, const std::string& name) {
         try {
-            const std::vector<Vec6> shape = mode_finder(problem_, static_cast<int>(*given.mode));
+            const std::vector<Vec6> shape = mode_finder(problem_, given.of, static_cast<int>(*given.mode));
             std::string bytes = "x,y,z,rx,ry,rz\n";
             for (const Vec6& node : shape)
                 bytes +=
@@ -159,7 +175,10 @@ class ImperfectionMaker {
         }
     }
 
-    void add_geometry(const ImperfectionTable& given, const BuildContext& context, StartChange& change) {
+    void add_geometry(const ImperfectionTable& given,
+                      double factor,
+                      const BuildContext& context,
+                      StartChange& change) {
         const void* field = given.bow ? static_cast<const void*>(&given.bow) : &given.sway;
         if (given.amplitude)
             return fault(
@@ -168,18 +187,21 @@ class ImperfectionMaker {
             return fault(
                 given, given.direction ? &given.direction : field, "expected a direction that is not zero");
         if (given.bow)
-            add_bows(given, context, change);
+            add_bows(given, factor, context, change);
         else
-            add_lean(given, find_up(context), change);
+            add_lean(given, factor, find_up(context), change);
     }
 
-    void add_lean(const ImperfectionTable& given, const Vec3& up, StartChange& change) {
+    void add_lean(const ImperfectionTable& given, double factor, const Vec3& up, StartChange& change) {
         const std::optional<Vec3> level = project_across(*given.direction, up);
         if (!level) return fault(given, &given.direction, "is vertical; expected a level direction");
-        add_sway(problem_.model, up, *given.sway * *level, change);
+        add_sway(problem_.model, up, factor * *given.sway * *level, change);
     }
 
-    void add_bows(const ImperfectionTable& given, const BuildContext& context, StartChange& change) {
+    void add_bows(const ImperfectionTable& given,
+                  double factor,
+                  const BuildContext& context,
+                  StartChange& change) {
         std::vector<bool> is_meant(problem_.model.rods.size(), !given.on);
         if (given.on) {
             for (const Part& part : find_parts(given, *given.on, context))
@@ -187,7 +209,7 @@ class ImperfectionMaker {
         }
         for (const Member& member : list_members(problem_.model)) {
             if (!is_meant[static_cast<std::size_t>(member.ends[0].rod)] ||
-                add_bow(problem_.model, member, *given.bow, *given.direction, change))
+                add_bow(problem_.model, member, factor * *given.bow, *given.direction, change))
                 continue;
             return fault(given,
                          &given.direction,
@@ -234,6 +256,14 @@ void move_joints_of_stages(Problem& problem) {
 }
 
 }  // namespace
+
+std::vector<std::string> list_imperfection_cases(const CheckedTable& deck) {
+    std::vector<std::string> cases;
+    for (const ImperfectionTable& given : tables_of<ImperfectionTable>(deck, imperfection_table())) {
+        if (given.load_case) cases.push_back(*given.load_case);
+    }
+    return cases;
+}
 
 void apply_imperfections(
     const CheckedTable& deck, const TableFiles& files, bool is_varied, Problem& problem, FaultList& faults) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "deck/drives/place_field.hpp"
+#include "deck/loads/combinations.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/surroundings/build_seabed.hpp"
 #include "deck/surroundings/build_waves.hpp"
@@ -32,6 +33,7 @@ TableSpec flow_table(const char* path, const char* what) {
             .unit("1").otherwise(factor_default)
         .key("stages", &T::stages, "The stages in which it flows.")
             .otherwise("all").names_of({"stage"})
+        .with(add_load_case<T>)
         .exactly_one_of({"table", "velocity"});
     // clang-format on
 }
@@ -151,9 +153,11 @@ std::optional<SpeedProfile> find_profile(const FlowTable& given,
     return profile;
 }
 
+// A factor of its case is that of its forces, which the velocity does not have: see build_surroundings.
 Flow find_flow(const std::optional<FlowTable>& given, const BuildContext& context) {
     if (!given) return {};
-    const Acting acting = find_acting(*given, context);
+    Acting acting = find_acting(*given, context);
+    acting.scale = 1.0;
     if (acting.is_absent) return {};
     Flow flow;
     if (given->table) {
@@ -168,11 +172,26 @@ Flow find_flow(const std::optional<FlowTable>& given, const BuildContext& contex
     return flow;
 }
 
+// A wind whose case has a factor: its forces are proportional to the density of the air.
+double find_air_density(const AirTable& given, const BuildContext& context) {
+    if (!given.wind || !acts_in_stage(*given.wind, context)) return given.density;
+    const double factor = find_case_factor(given.wind->load_case, context);
+    if (factor < 0.0)
+        context.add_fault(
+            *given.wind,
+            given.wind->load_case,
+            fmt::format("has the factor {:.6g} in the combination that acts; a wind cannot suck where "
+                        "it blows: expected a factor of at least 0, and another wind for the other way",
+                        factor));
+    return factor > 0.0 ? factor * given.density : given.density;
+}
+
 Water find_water(const FluidTable& given, const SurroundingsFiles& files, const BuildContext& context) {
     Water water{.density = given.density};
     water.surface = given.surface;
     water.depth = find_depth(given, context);
     water.current = find_flow(given.current, context);
+    if (given.current) refuse_case_factor(*given.current, "the force of a current", context);
     water.stretching = given.stretching;
     water.stretches_current = given.current_stretching.value_or(false);
     set_waves(files, water, context);
@@ -189,7 +208,7 @@ void build_surroundings(const SurroundingsFiles& files, BuildContext& context) {
     for (const FluidTable& given : tables_of<FluidTable>(deck, fluid_table()))
         around.water = find_water(given, files, context);
     for (const AirTable& given : tables_of<AirTable>(deck, air_table()))
-        around.air = Air{given.density, find_flow(given.wind, context)};
+        around.air = Air{find_air_density(given, context), find_flow(given.wind, context)};
     for (const SeabedTable& given : tables_of<SeabedTable>(deck, seabed_table()))
         around.seabed = find_seabed(given, files.ground, context);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "deck/loads/combinations.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/top_level.hpp"
 #include "deck/surroundings/build_seabed.hpp"
@@ -85,6 +86,7 @@ const TableSpec& wave_table() {
             .unit("1").also("heading dir")
         .key("stages", &T::stages, "The stages with waves, of those that have time.")
             .otherwise("all").names_of({"stage"})
+        .with(add_load_case<T>)
         .exactly_one_of({"airy", "jonswap", "elevation"})
         .shown_by(
             "[[wave]]\n"
@@ -101,7 +103,8 @@ std::vector<std::reference_wrapper<const WaveTable>> waves_of(const BuildContext
 }
 
 bool acts_with_time(const WaveTable& wave, std::size_t stage, const BuildContext& context) {
-    return is_timed(context.stages[stage].analysis) && acts_in_stage(wave, stage, context);
+    return is_timed(context.stages[stage].analysis) && acts_in_stage(wave, stage, context) &&
+           find_case_factor(wave.load_case, context) != 0.0;
 }
 
 // How long the stages with time have lasted before the one at hand, from the first one with waves on.
@@ -189,6 +192,7 @@ std::optional<double> find_wave_gravity(const BuildContext& context) {
 
 // Notes waves that no stage sees; reports stages that they ask for and that have no time.
 void check_wave(const WaveTable& wave, const BuildContext& context) {
+    if (find_case_factor(wave.load_case, context) == 0.0) return;
     for (std::size_t i = 0; i < context.stages.size(); ++i) {
         if (acts_with_time(wave, i, context)) return;
     }
@@ -231,6 +235,7 @@ void check_waves(const BuildContext& context) {
         if (!has_surface)
             context.faults.add(wave.place, wave.path, "waves need a surface; expected surface in [fluid]");
         check_wave(wave, context);
+        refuse_case_factor(wave, "the force of waves", context);
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include "deck/decks.hpp"
 #include "face/gxrod.hpp"
+#include "run/run.hpp"
 #include "tools/catch.hpp"
 
 namespace gxrod::test {
@@ -90,6 +91,55 @@ TEST_CASE("A mode displaces the start, and several add up", "[deck]") {
     const Problem again = rebuild_problem(one.record);
     for (std::size_t i = 0; i < one.model.nodes.size(); ++i)
         CHECK(again.model.nodes[i].position == one.model.nodes[i].position);
+}
+
+TEST_CASE("A mode of vibration displaces the start as the modes of the perfect structure have it", "[deck]") {
+    const std::string column = make_column(0.0, "");
+    for (int number = 1; number <= 3; ++number) {
+        const std::string inertia = "inertia = { rhoA = 2, rhoJ = 0.1, rhoIy = 0.05, rhoIz = 0.05 }\n[rod.c]";
+        const std::string moving = replaced(column, "[rod.c]", inertia);
+        // By a stage of modes, from the results in memory.
+        const Problem modes =
+            Deck::from_text(replaced(moving, "kind = \"static\"\nsteps = 1", "kind = \"modes\"")).build();
+        const RunSummary summary = run_analysis(RunRequest{modes});
+        const std::vector<Vec6>& shape = std::get<ModesRecord>(summary.shapes.at(0).record)
+                                             .modes.at(static_cast<std::size_t>(number) - 1)
+                                             .shape.nodes;
+        double size = 0.0;
+        for (const Vec6& node : shape) size = std::max(size, node.head<3>().norm());
+        const Problem bent =
+            Deck::from_text(
+                moving +
+                fmt::format("[[imperfection]]\nmode = {}\nof = \"vibration\"\namplitude = 0.02\n", number))
+                .build();
+        const auto displacement = [&](std::size_t i) {
+            return Vec3(bent.model.nodes.at(i).position - modes.model.nodes.at(i).position);
+        };
+        double largest = 0.0, product = 0.0;
+        for (std::size_t i = 0; i < shape.size(); ++i) {
+            largest = std::max(largest, displacement(i).norm());
+            product += displacement(i).dot(shape[i].head<3>());
+        }
+        CHECK(largest == Approx(0.02).epsilon(1e-12));
+        const double sign = product < 0.0 ? -1.0 : 1.0;
+        for (std::size_t i = 0; i < shape.size(); ++i)
+            CHECK((displacement(i) - sign * 0.02 / size * shape[i].head<3>()).norm() < 1e-10 * 0.02);
+    }
+}
+
+TEST_CASE("A load combination scales an imperfection, or leaves it out", "[deck]") {
+    const auto middle = [](const std::string& more, const std::string& apply) {
+        Deck deck = Deck::from_text(
+            make_column(0.5, more) +
+            "[combination.a]\nfactors = { bent = 0.5 }\n[combination.b]\nfactors = { gone = 1 }\n"
+            "[[load]]\ncase = \"gone\"\nat = \"c.end\"\nforce = [0, 0, -1]\n");
+        return deck.set_all({"apply=" + apply}).build().model.nodes.at(12).position.x();
+    };
+    const std::string bow = "[[imperfection]]\nbow = 0.01\ndirection = [1, 0, 0]\ncase = \"bent\"\n";
+    CHECK(middle(bow, "a") == Approx(0.01).epsilon(1e-6));
+    CHECK(middle(bow, "b") == 0.0);
+    const std::string mode = "[[imperfection]]\nmode = 1\namplitude = 0.02\ncase = \"bent\"\n";
+    CHECK(middle(mode, "a") == Approx(0.01).epsilon(1e-6));
 }
 
 TEST_CASE("A structure leans by a sway", "[deck]") {
