@@ -1,11 +1,15 @@
 #include "run/run.hpp"
 
 #include "machine/phase_timer.hpp"
-#include "run/stepped_run.hpp"
+#include "run/run_to_end.hpp"
 
 namespace gxrod {
 
 RunSummary run_analysis(const RunRequest& request) {
+    return run_to_end(request, [](const SteppedRun&) {});
+}
+
+RunSummary run_to_end(const RunRequest& request, const std::function<void(const SteppedRun&)>& at_end) {
     double seconds = 0.0;
     RunSummary summary;
     {
@@ -18,6 +22,7 @@ RunSummary run_analysis(const RunRequest& request) {
             else
                 simulation.step();
         }
+        at_end(simulation);
         simulation.close();
         summary = simulation.summary();
     }

@@ -16,12 +16,6 @@ struct Member {
     std::array<int, 2> nodes{};      // there
 };
 
-// The words of the two ends.
-inline constexpr std::array member_end_names{"start", "end"};
-
-// The words of what an end hands on: its force and its moment.
-inline constexpr std::array member_quantities{"force", "moment"};
-
 // Lists the members of all rods, in the order of their elements.
 std::vector<Member> list_members(const Model& model);
 

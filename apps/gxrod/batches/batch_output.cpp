@@ -214,11 +214,12 @@ void BatchOutput::show_members(const std::vector<MemberRange>& ranges, const Bat
         largest = std::max({largest, std::abs(range.largest.value), std::abs(range.least.value)});
     const auto describe_extreme = [&](const MemberExtreme& one) {
         if (std::abs(one.value) < round_off * largest) return fmt::format("{:>12} {:<24}", 0, "");
-        return fmt::format(
-            "{:>12.6g} {:<24}", one.value, fmt::format("{} {}, {}", one.member, one.end, one.combination));
+        return fmt::format("{:>12.6g} {:<24}",
+                           one.value,
+                           fmt::format("{} {}, {}", one.member, one.station, one.combination));
     };
     say(stdout,
-        "Forces at the ends of members: {}, {}\n",
+        "Forces along members: {}, {}\n",
         (request.folder / "members.csv").string(),
         (request.folder / "envelope.csv").string());
     for (const MemberRange& range : ranges) {

@@ -31,7 +31,7 @@ class BatchOutput {
     // The cases that would be run.
     void show_plan(const PreparedBatch& batch, const BatchRequest& request) const;
     void show_summary(const BatchSummary& summary, const BatchRequest& request) const;
-    // The largest and least forces at the ends of members; nothing without members.
+    // The largest and least forces along members; nothing without members.
     void show_members(const std::vector<MemberRange>& ranges, const BatchRequest& request) const;
 
   private:

@@ -13,7 +13,7 @@
 #include "batch/seconds_since.hpp"
 #include "check/model_examination.hpp"
 #include "machine/file_error.hpp"
-#include "run/run.hpp"
+#include "run/run_to_end.hpp"
 
 namespace gxrod {
 namespace {
@@ -63,15 +63,11 @@ class CaseRun {
         for (const Finding& finding : findings) {
             if (finding.severity == Severity::error) return end(CaseStatus::deck_fault, finding.message);
         }
-        std::optional<MemberForces> members;
-        if (varies_combinations(context_.plan)) members.emplace(problem);
         Collector collector(context_.plan.collections, problem);
         const RunSummary summary =
             run(problem, findings, [&](const Snapshot& snapshot, const LedgerRow& ledger) {
                 collector.add(snapshot, ledger);
-                if (members) members->add(snapshot);
             });
-        if (members) members->write(context_.folder / member_path(row_.number, context_.cases.count()));
         collector.add(summary);
         take(summary);
         row_.collected = collector.values();
@@ -101,7 +97,11 @@ class CaseRun {
         request.examined = findings;
         request.observe = observe;
         request.is_interrupted = [&] { return seconds_since(begin_) > context_.plan.time_limit; };
-        return run_analysis(request);
+        if (!varies_combinations(context_.plan)) return run_analysis(request);
+        return run_to_end(request, [&](const SteppedRun& ended) {
+            if (ended.summary().status != RunStatus::complete) return;
+            write_member_forces(ended, context_.folder / member_path(row_.number, context_.cases.count()));
+        });
     }
 
     void take(const RunSummary& summary) {

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 #include "batch/batch_folder.hpp"
 #include "batch/cases/case_run.hpp"
+#include "batch/members/member_stations.hpp"
 #include "deck/text/csv_reading.hpp"
 #include "deck/text/text_file.hpp"
 #include "machine/file_error.hpp"
@@ -17,11 +19,11 @@ namespace gxrod {
 namespace {
 
 constexpr std::array force_names{"N", "Vy", "Vz", "T", "My", "Mz"};
-// Before the forces: member, end, x, y, z.
-constexpr std::size_t place_columns = 5;
+// Before the forces: member, station, s, x, y, z.
+constexpr std::size_t place_columns = 6;
 constexpr double most_file_bytes = 1e9;
 
-const char* const case_header = "member,end,x,y,z,N,Vy,Vz,T,My,Mz\n";
+const char* const case_header = "member,station,s,x,y,z,N,Vy,Vz,T,My,Mz\n";
 
 }  // namespace
 
@@ -29,44 +31,15 @@ bool varies_combinations(const Plan& plan) {
     return std::ranges::find(plan.variations, "apply", &Variation::key) != plan.variations.end();
 }
 
-MemberForces::MemberForces(Problem& problem) : problem_(&problem), members_(list_members(problem.model)) {
-    std::vector<HistoryRequest>& histories = problem.output.histories;
-    const std::size_t first = histories.size();
-    for (std::size_t i = 0; i < members_.size(); ++i) {
-        for (std::size_t end = 0; end < 2; ++end) {
-            // Histories of a deck have no dot in their names.
-            const std::string name = fmt::format("member.{}.{}", i + 1, member_end_names[end]);
-            histories.push_back({.name = name,
-                                 .at = members_[i].name + " " + member_end_names[end],
-                                 .target = WatchedPoint{members_[i].ends[end]},
-                                 .quantities = {member_quantities.begin(), member_quantities.end()}});
-        }
-    }
-    for (std::size_t i = first; i < histories.size(); ++i)
-        ends_.push_back({HistoryWatch(problem.model, histories, i), {}, {}});
-}
-
-void MemberForces::add(const Snapshot& snapshot) {
-    for (End& end : ends_) {
-        end.force = end.watch.compute(member_quantities[0], snapshot);
-        end.moment = end.watch.compute(member_quantities[1], snapshot);
-    }
-}
-
-void MemberForces::write(const std::filesystem::path& file) const {
+void write_member_forces(const SteppedRun& run, const std::filesystem::path& file) {
     std::string text = case_header;
-    for (std::size_t i = 0; i < ends_.size(); ++i) {
-        const Member& member = members_[i / 2];
-        const Vec3& place = problem_->model.nodes[static_cast<std::size_t>(member.nodes[i % 2])].position;
-        text += fmt::format("{},{},{},{},{}",
-                            write_csv_field(member.name),
-                            member_end_names[i % 2],
-                            place[0],
-                            place[1],
-                            place[2]);
-        for (std::size_t k = 0; k < 3; ++k) text += fmt::format(",{}", ends_[i].force[k]);
-        for (std::size_t k = 0; k < 3; ++k) text += fmt::format(",{}", ends_[i].moment[k]);
-        text += "\n";
+    for (const Member& member : list_members(run.problem().model)) {
+        for (const StationForces& one : find_station_forces(member, run)) {
+            text += fmt::format("{},{},{}", write_csv_field(member.name), one.station, one.s);
+            for (const double x : one.position) text += fmt::format(",{}", x);
+            for (const double force : one.forces) text += fmt::format(",{}", force);
+            text += "\n";
+        }
     }
     replace_file(file, text);
 }
@@ -77,10 +50,10 @@ std::string member_path(long number, long cases) {
 
 namespace {
 
-// The ranges of the forces at one end of a member.
-struct EndRanges {
-    std::vector<std::string> place;  // member, end, x, y, z
-    std::array<MemberRange, force_names.size()> ranges;
+// The ranges of the forces at one station of a member.
+struct StationRanges {
+    std::vector<std::string> place;  // as columns have it
+    std::vector<MemberRange> ranges;
 };
 
 void widen_range(MemberRange& range, const MemberExtreme& extreme, bool is_first) {
@@ -108,10 +81,10 @@ class MemberTables {
 
     void write(const std::filesystem::path& folder) const {
         replace_file(folder / "members.csv", all_);
-        std::string text = "member,end,x,y,z,force,max,max_combination,min,min_combination\n";
-        for (const EndRanges& end : ends_) {
-            for (const MemberRange& range : end.ranges) {
-                for (const std::string& field : end.place) text += write_csv_field(field) + ",";
+        std::string text = "member,station,s,x,y,z,force,max,max_combination,min,min_combination\n";
+        for (const StationRanges& station : stations_) {
+            for (const MemberRange& range : station.ranges) {
+                for (const std::string& field : station.place) text += write_csv_field(field) + ",";
                 text += fmt::format("{},{},{},{},{}\n",
                                     range.force,
                                     range.largest.value,
@@ -123,34 +96,38 @@ class MemberTables {
         replace_file(folder / "envelope.csv", text);
     }
 
-    std::vector<MemberRange> find_whole() const {
-        std::vector<MemberRange> whole;
-        for (std::size_t k = 0; k < force_names.size() && !ends_.empty(); ++k) {
-            whole.push_back(ends_.front().ranges[k]);
-            for (const EndRanges& end : ends_) {
-                widen_range(whole.back(), end.ranges[k].largest, false);
-                widen_range(whole.back(), end.ranges[k].least, false);
-            }
-        }
-        return whole;
-    }
+    const std::vector<MemberRange>& whole() const { return whole_; }
 
   private:
     void take(const std::string& combination, const std::vector<std::string>& fields) {
-        const auto [found, is_new] = numbers_.emplace(fields[0] + " " + fields[1], ends_.size());
-        if (is_new) ends_.push_back({{fields.begin(), fields.begin() + place_columns}, {}});
-        EndRanges& end = ends_[found->second];
-        for (std::size_t k = 0; k < force_names.size(); ++k) {
-            end.ranges[k].force = force_names[k];
-            widen_range(end.ranges[k],
-                        {std::stod(fields[place_columns + k]), combination, fields[0], fields[1]},
-                        is_new);
+        std::vector<double> forces;
+        for (std::size_t k = 0; k < force_names.size(); ++k)
+            forces.push_back(std::stod(fields[place_columns + k]));
+        const auto widen =
+            [&](std::vector<MemberRange>& ranges, std::size_t k, const char* name, double value) {
+                const bool is_first = ranges.size() <= k;
+                if (is_first) ranges.push_back({name, {}, {}});
+                widen_range(ranges[k], {value, combination, fields[0], fields[1]}, is_first);
+            };
+        for (std::size_t k = 0; k < force_names.size(); ++k) widen(whole_, k, force_names[k], forces[k]);
+        const auto [found, is_new] = numbers_.emplace(fields[0] + " " + fields[1], stations_.size());
+        if (is_new) stations_.push_back({{fields.begin(), fields.begin() + place_columns}, {}});
+        StationRanges& station = stations_[found->second];
+        if (fields[1] != station_words.back()) {
+            for (std::size_t k = 0; k < force_names.size(); ++k)
+                widen(station.ranges, k, force_names[k], forces[k]);
+            return;
         }
+        widen(station.ranges, 0, "|M|", std::hypot(forces[4], forces[5]));
+        // Its place differs from one combination to the other.
+        if (station.ranges[0].largest.combination == combination)
+            station.place.assign(fields.begin(), fields.begin() + place_columns);
     }
 
     std::string all_;
-    std::vector<EndRanges> ends_;
-    std::map<std::string, std::size_t> numbers_;  // of ends
+    std::vector<StationRanges> stations_;
+    std::map<std::string, std::size_t> numbers_;  // of stations
+    std::vector<MemberRange> whole_;              // over all stations
 };
 
 }  // namespace
@@ -164,9 +141,8 @@ std::vector<MemberRange> write_member_tables(const std::filesystem::path& folder
         if (row.status != CaseStatus::done || !std::filesystem::exists(file)) continue;
         tables.add(fmt::format("{}", fmt::join(row.parameters, " ")), file);
     }
-    std::vector<MemberRange> whole = tables.find_whole();
-    if (!whole.empty()) tables.write(folder);
-    return whole;
+    if (!tables.whole().empty()) tables.write(folder);
+    return tables.whole();
 }
 
 }  // namespace gxrod

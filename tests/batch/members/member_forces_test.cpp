@@ -7,8 +7,9 @@
 #include "deck/decks.hpp"
 #include "deck/text/csv_reading.hpp"
 #include "deck/text/text_file.hpp"
-#include "run/run.hpp"
+#include "run/run_to_end.hpp"
 #include "tools/catch.hpp"
+#include "watch/members.hpp"
 
 namespace gxrod::test {
 namespace {
@@ -70,20 +71,34 @@ kind = "static"
 steps = 1
 )";
 
-// N, Vy, Vz, T, My, Mz at the ends of the three members, start and end.
-std::vector<Vec6> run_combination(const std::string& name, const std::filesystem::path& file) {
-    Problem problem = read(portal, {"apply=" + name});
-    MemberForces members(problem);
-    RunRequest request{problem};
-    request.observe = [&](const Snapshot& snapshot, const LedgerRow&) { members.add(snapshot); };
-    REQUIRE(run_analysis(request).status == RunStatus::complete);
-    members.write(file);
+// A row of a table of members.
+struct StationRow {
+    std::string member, station;
+    double s;
+    Vec3 position;
+    Vec6 forces;  // N, Vy, Vz, T, My, Mz
+};
+
+std::vector<StationRow> run_deck(const Problem& problem, const std::filesystem::path& file) {
+    const auto write = [&](const SteppedRun& run) { write_member_forces(run, file); };
+    REQUIRE(run_to_end(RunRequest{problem}, write).status == RunStatus::complete);
     const std::vector<CsvRow> rows = read_csv(read_text_file(file, "a table", 1e6), file);
-    std::vector<Vec6> ends;
+    std::vector<StationRow> stations;
     for (std::size_t i = 1; i < rows.size(); ++i) {
-        Vec6& end = ends.emplace_back();
-        for (std::size_t k = 0; k < 6; ++k)
-            end[static_cast<Eigen::Index>(k)] = std::stod(rows[i].fields.at(5 + k));
+        const auto number = [&](std::size_t column) { return std::stod(rows[i].fields.at(column)); };
+        StationRow& row =
+            stations.emplace_back(rows[i].fields.at(0), rows[i].fields.at(1), number(2), Vec3(), Vec6());
+        row.position << number(3), number(4), number(5);
+        for (std::size_t k = 0; k < 6; ++k) row.forces[static_cast<Eigen::Index>(k)] = number(6 + k);
+    }
+    return stations;
+}
+
+// The forces at the ends of the three members, start and end.
+std::vector<Vec6> run_combination(const std::string& name, const std::filesystem::path& file) {
+    std::vector<Vec6> ends;
+    for (const StationRow& row : run_deck(read(portal, {"apply=" + name}), file)) {
+        if (row.station == "start" || row.station == "end") ends.push_back(row.forces);
     }
     return ends;
 }
@@ -110,6 +125,51 @@ TEST_CASE("Forces at the ends of a portal are those of the tables", "[batch]") {
     const std::vector<Vec6> both = run_combination("ULS", scratch.path());
     for (std::size_t i = 0; i < 6; ++i)
         CHECK((both[i] - 1.35 * dead[i] - 1.5 * wind[i]).norm() < near * both[i].norm());
+}
+
+TEST_CASE("A member has its moments at quarter points, and the largest one with its place", "[batch]") {
+    // A beam between hinges under q, and −M0 at its end: M = q s (L − s)/2 + M0 s/L.
+    constexpr double L = 6.0, load = 1e-4, M0 = -2e-4;
+    const std::string beam = R"([section.s]
+stiffness = { EA = 1e7, GAy = 1e7, GAz = 1e7, GJ = 500, EIy = 2000, EIz = 300 }
+[rod.beam]
+section = "s"
+line = { from = [1, 0, 4], to = [7, 0, 4] }
+elements = 5
+order = 3
+z_axis = "up"
+[[support]]
+at = "beam.start"
+fix = ["position", "rx", "rz"]
+[[support]]
+at = "beam.end"
+fix = ["y", "z"]
+[[load]]
+on = "beam"
+force_per_length = [0, 0, -1e-4]
+[[load]]
+at = "beam.end"
+moment = [0, 2e-4, 0]
+[analysis]
+kind = "static"
+steps = 1
+)";
+    const ScratchFile scratch("members.csv", "");
+    const std::vector<StationRow> rows = run_deck(read(beam), scratch.path());
+    REQUIRE(rows.size() == 6);
+    const auto moment_at = [&](double s) { return load * s * (L - s) / 2.0 + M0 * s / L; };
+    for (std::size_t i = 0; i < 5; ++i) {
+        const double s = L * static_cast<double>(i) / 4.0;
+        CHECK(rows[i].s == Approx(s).margin(1e-12));
+        CHECK(rows[i].position.x() == Approx(1.0 + s));
+        CHECK(std::abs(rows[i].forces[4]) == Approx(std::abs(moment_at(s))).epsilon(1e-5).margin(1e-9));
+    }
+    CHECK(rows[2].station == "1/2");
+    const double at = L / 2.0 + M0 / (load * L);
+    CHECK(rows[5].station == "max |M|");
+    CHECK(rows[5].s == Approx(at).epsilon(1e-5));
+    CHECK(std::abs(rows[5].forces[4]) == Approx(moment_at(at)).epsilon(1e-5));
+    CHECK(std::abs(rows[5].forces[2]) < 1e-5 * load * L);
 }
 
 TEST_CASE("The envelope names the combinations that govern", "[batch]") {
@@ -139,8 +199,8 @@ TEST_CASE("The envelope names the combinations that govern", "[batch]") {
         const std::filesystem::path file = folder / name;
         return read_csv(read_text_file(file, "a table", 1e6), file).size();
     };
-    CHECK(count("members.csv") == 1 + 3 * 6);
-    CHECK(count("envelope.csv") == 1 + 6 * 6);
+    CHECK(count("members.csv") == 1 + 3 * 3 * 6);
+    CHECK(count("envelope.csv") == 1 + 3 * (5 * 6 + 1));
     CHECK(!plan_of_combinations(static_rod_deck, deck.path()));
 }
 
