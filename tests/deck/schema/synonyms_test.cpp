@@ -28,27 +28,33 @@ std::map<std::string, const TableSpec*> all_tables(const TableSpec& root) {
     return tables;
 }
 
-// Of the top level, or one below.
-bool is_list(const std::string& path) {
-    const std::size_t dot = path.find('.');
-    const KeySpec* key = deck_schema().find(path.substr(0, dot));
-    if (dot != std::string::npos && key != nullptr)
-        key = key->table != nullptr ? key->table->find(path.substr(dot + 1)) : nullptr;
-    return key != nullptr && key->shape == KeyShape::table_list;
+// The beginning of a path that is a list of tables; "" if none is.
+std::string find_list(const std::string& path) {
+    const TableSpec* table = &deck_schema();
+    const KeySpec* key = nullptr;
+    for (std::size_t from = 0, end = 0; table != nullptr && end < path.size(); from = end + 1) {
+        end = std::min(path.find('.', from), path.size());
+        const bool is_name = key != nullptr && key->shape == KeyShape::named_tables;
+        if (is_name) {
+            key = nullptr;
+            continue;
+        }
+        key = table->find(path.substr(from, end - from));
+        if (key == nullptr) return "";
+        if (key->shape == KeyShape::table_list) return path.substr(0, end);
+        table = key->table;
+    }
+    return "";
 }
 
 // A deck of one key in the table of this path, and the path of the key in messages.
 std::pair<std::string, std::string> place_key(const std::string& table, const std::string& key) {
     if (table.empty()) return {key + " = 1\n", key};
-    if (is_list(table))
-        return {fmt::format("[[{}]]\n{} = 1\n", table, key), fmt::format("{}[0].{}", table, key)};
-    const std::size_t dot = table.find('.');
-    const std::string list = table.substr(0, dot);
-    if (dot != std::string::npos && is_list(list)) {
-        return {fmt::format("[[{}]]\n[{}]\n{} = 1\n", list, table, key),
-                fmt::format("{}[0]{}.{}", list, table.substr(dot), key)};
-    }
-    return {fmt::format("[{}]\n{} = 1\n", table, key), fmt::format("{}.{}", table, key)};
+    const std::string list = find_list(table);
+    if (list.empty()) return {fmt::format("[{}]\n{} = 1\n", table, key), fmt::format("{}.{}", table, key)};
+    const std::string inner = list == table ? "" : fmt::format("[{}]\n", table);
+    return {fmt::format("[[{}]]\n{}{} = 1\n", list, inner, key),
+            fmt::format("{}[0]{}.{}", list, table.substr(list.size()), key)};
 }
 
 void collect_choices(const TableSpec& table, std::vector<std::vector<std::string>>& choices) {
