@@ -2,7 +2,8 @@
 
 #include <vector>
 
-#include "deck/rods/imperfections.hpp"
+#include "model/mode_kind.hpp"
+#include "model/problem.hpp"
 
 namespace gxrod {
 

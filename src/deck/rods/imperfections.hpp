@@ -5,14 +5,11 @@
 
 #include "deck/places/build_context.hpp"
 #include "deck/text/table_files.hpp"
+#include "model/mode_kind.hpp"
 #include "model/problem.hpp"
 
 // [[imperfection]]: a stress-free start that is not the perfect one.
 namespace gxrod {
-
-// Whose shape an imperfection has: a linear buckling mode under the loads of the first stage, or a mode of
-// vibration without loads.
-enum class ModeKind { buckling, vibration };
 
 // Finds the displacements and spins of all nodes in a mode, from 1, of a problem. Throws std::runtime_error
 // with the reason if it has no such mode.

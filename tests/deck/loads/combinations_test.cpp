@@ -19,7 +19,8 @@ const std::string deck = "gravity = [0, 0, -10]\n" + static_rod_deck + loads;
 
 // A deck whose section is in water or air.
 std::string make_wet() {
-    return replaced(static_rod_deck, "[rod.r]", "fluid = { outer_diameter = 0.1, drag = { normal = 1 } }\n[rod.r]");
+    return replaced(
+        static_rod_deck, "[rod.r]", "fluid = { outer_diameter = 0.1, drag = { normal = 1 } }\n[rod.r]");
 }
 
 Vec3 force_at(const NodalLoad& load, double t) {
