@@ -20,7 +20,8 @@ bool have_equal_forms(const Model& a, const Model& b) {
     const auto equal_tendons = [](const Tendon& one, const Tendon& other) {
         return one.winch.has_value() == other.winch.has_value() &&
                one.friction.has_value() == other.friction.has_value() &&
-               (!one.winch || (one.winch->stiffness > 0.0) == (other.winch->stiffness > 0.0));
+               (!one.winch || ((one.winch->stiffness > 0.0) == (other.winch->stiffness > 0.0) &&
+                               one.winch->gas.has_value() == other.winch->gas.has_value()));
     };
     return a.nodes.size() == b.nodes.size() && a.bodies.size() == b.bodies.size() &&
            std::ranges::equal(a.rods, b.rods, equal_rods) && a.joints.size() == b.joints.size() &&

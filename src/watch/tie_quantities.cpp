@@ -24,6 +24,16 @@ constexpr Quantity bushing_lines[]{
     Quantity("moment_spatial", "moment of the bushing", "force·length", Axes::global,
              [](const Sight& see) { return Vec3(see.tie<BushingValues>().axes * see.tie<BushingValues>().moment); }).with_strain_order()};
 
+double area_of(const Watched& target, const Model& model) {
+    return model.tendons[static_cast<std::size_t>(std::get<WatchedTendon>(target).index)].area;
+}
+
+double area_of(const Subject& chamber) { return area_of(chamber.target, *chamber.model); }
+
+std::string lack_volume(const Watched& target, const Model& model) {
+    return area_of(target, model) > 0.0 ? "" : "only chambers have it; this is a tendon";
+}
+
 constexpr Quantity tendon_lines[]{
     Quantity("tendon_length", "length of the tendon's part within the rod", "length", Axes::none,
              [](const Sight& see) { return see.tendon().length; }),
@@ -31,7 +41,11 @@ constexpr Quantity tendon_lines[]{
              "tension of the tendon where it is pulled; without friction the same all along", "force", Axes::none,
              [](const Sight& see) { return see.tendon().tension; }).sized(Size::unknown),
     Quantity("tendon_end_tension", "tension of the tendon where it is anchored", "force", Axes::none,
-             [](const Sight& see) { return see.tendon().end_tension; }).sized(Size::unknown)};
+             [](const Sight& see) { return see.tendon().end_tension; }).sized(Size::unknown),
+    Quantity("volume", "volume of the chamber", "length³", Axes::none,
+             [](const Sight& see) { return area_of(see.of) * see.tendon().length; }).unless(lack_volume).sized(Size::unknown),
+    Quantity("pressure", "pressure in the chamber above that around the rod", "force/length²", Axes::none,
+             [](const Sight& see) { return -see.tendon().tension / area_of(see.of); }).unless(lack_volume).sized(Size::unknown)};
 // clang-format on
 
 constexpr QuantityTable quantities_of_springs{spring_lines, SnapshotPart::ties, "springs"};
@@ -44,7 +58,8 @@ constinit const QuantityTable quantities_of_tendons{
     tendon_lines,
     SnapshotPart::ties,
     "tendons",
-    "a tendon has tendon_length, tendon_tension and tendon_end_tension only"};
+    "a tendon has tendon_length, tendon_tension and tendon_end_tension only, a chamber volume and pressure "
+    "too"};
 
 constinit const std::array<const QuantityTable*, tie_kind_count> quantities_of_ties{&quantities_of_springs,
                                                                                     &quantities_of_bushings,

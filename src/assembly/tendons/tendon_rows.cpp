@@ -1,8 +1,11 @@
 #include "assembly/tendons/tendon_rows.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "constraints/joints/joint_motors.hpp"
+#include "model/evaluation_error.hpp"
 #include "state/increment.hpp"
 
 namespace gxrod {
@@ -35,7 +38,8 @@ Eigen::VectorXd stack(const std::vector<int>& nodes, const Entry& entry) {
 
 TendonRows::TendonRows(const Model& model, const Tendon& tendon)
     : name_("tendon " + tendon.name), winch_(&*tendon.winch), line_(model, tendon) {
-    shortening_ = find_shortening(*winch_, line_.start_length());
+    shortening_ = winch_->gas ? winch_->gas->pressure : find_shortening(*winch_, line_.start_length());
+    if (winch_->gas) gas_.emplace(*winch_->gas, tendon.area, line_.start_length());
     const Rod& rod = model.rods[static_cast<std::size_t>(tendon.rod)];
     rod_stiffness_ =
         model.sections[static_cast<std::size_t>(rod.section)].stiffness(0, 0) / line_.start_length();
@@ -170,9 +174,15 @@ Eigen::MatrixXd TendonRows::compute_force_derivative(const WidePlace& place,
 
 double TendonRows::compute_tension(const WidePlace& place) const {
     if (winch_->is_released) return 0.0;
+    if (gas_) return gas_->compute_tension(length_at(place), shortening_(place.time));
     const double free = compute_prescribed(place.time, {}, ConstraintLevel::position);
     const double tension = winch_->stiffness * (length_at(place) - free) / line_.start_length();
     return winch_->pulls_only ? std::max(tension, 0.0) : tension;
+}
+
+double TendonRows::compute_stiffness(const WidePlace& place) const {
+    return gas_ ? gas_->compute_stiffness(length_at(place), shortening_(place.time))
+                : winch_->stiffness / line_.start_length();
 }
 
 Eigen::VectorXd TendonRows::compute_law_force(const WidePlace& place) const {
@@ -188,26 +198,33 @@ Eigen::MatrixXd TendonRows::compute_law_tangent(const WidePlace& place,
         return Eigen::MatrixXd::Zero(size, size);
     const Eigen::VectorXd gradient = line_.compute_gradient(place.nodes, place.state);
     return -placement * (tension * line_.compute_hessian(place.nodes, place.state) +
-                         winch_->stiffness / line_.start_length() * gradient * gradient.transpose());
+                         compute_stiffness(place) * gradient * gradient.transpose());
 }
 
 double TendonRows::compute_strain_energy(const WidePlace& place) const {
     if (!is_elastic()) return 0.0;
+    if (gas_)
+        return winch_->is_released ? 0.0 : gas_->compute_energy(length_at(place), shortening_(place.time));
     const double tension = compute_tension(place);
     return 0.5 * tension * tension * line_.start_length() / winch_->stiffness;
 }
 
 // An unstretched tendon is drawn in as it gets shorter; of one that stretches the winch moves the free
-// length.
+// length. Gas is pumped in by the pressure in its reference volume.
 Vec6 TendonRows::compute_driving_forces(const WidePlace& place, const Eigen::VectorXd& multipliers) const {
     Vec6 forces = Vec6::Zero();
-    forces[is_elastic() ? 3 : 1] = compute_tension(place, multipliers);
+    if (gas_)
+        forces[3] = winch_->is_released ? 0.0 : gas_->compute_pumping(length_at(place));
+    else
+        forces[is_elastic() ? 3 : 1] = compute_tension(place, multipliers);
     return forces;
 }
 
 Vec6 TendonRows::compute_coordinates(const WidePlace& place) const {
     Vec6 coordinates = Vec6::Zero();
-    if (is_elastic()) {
+    if (gas_) {
+        coordinates[3] = shortening_(place.time);
+    } else if (is_elastic()) {
         coordinates[3] = -compute_prescribed(place.time, {}, ConstraintLevel::position);
     } else {
         coordinates[1] = -length_at(place);
@@ -218,6 +235,10 @@ Vec6 TendonRows::compute_coordinates(const WidePlace& place) const {
 double TendonRows::compute_driving_power(const WidePlace& place,
                                          const Eigen::VectorXd& multipliers,
                                          const TimeSpan& step) const {
+    if (gas_) {
+        if (winch_->is_released) return 0.0;
+        return gas_->compute_pumping(length_at(place)) * differentiate(shortening_, place.time, step);
+    }
     const double tension = compute_tension(place, multipliers);
     if (tension == 0.0) return 0.0;
     if (is_elastic()) return tension * differentiate(shortening_, place.time, step);
@@ -231,6 +252,18 @@ JointValues TendonRows::compute_joint_values(const WidePlace& place,
     values.slide_rate = line_.compute_gradient(place.nodes, place.state).dot(stack_rates(place));
     values.drive_slide = compute_tension(place, multipliers);
     return values;
+}
+
+void TendonRows::check_range(const WidePlace& place) const {
+    if (!gas_ || winch_->is_released) return;
+    const double absolute = gas_->find_filling(shortening_(place.time));
+    if (absolute > 0.0) return;
+    throw EvaluationError(fmt::format(
+        "chamber.{}.gas.pressure: with ambient it is {:.6g} at t = {:.6g}, which is no gas; expected "
+        "more than −ambient",
+        name_.substr(name_.find(' ') + 1),
+        absolute,
+        place.time));
 }
 
 std::vector<std::unique_ptr<const WideRows>> list_tendon_rows(const Model& model) {

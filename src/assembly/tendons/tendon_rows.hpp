@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "assembly/tendons/gas_law.hpp"
 #include "assembly/tendons/tendon_line.hpp"
 #include "constraints/joints/wide_rows.hpp"
 
@@ -11,7 +13,7 @@ namespace gxrod {
 
 // A tendon that a winch pulls, docs/theory/drives.md (D9) to (D13). An inextensible tendon has the equation Φ
 // = (length that the winch leaves) − ℓ = 0, whose multiplier is the tension; if it can be slack, it has Φ ≥
-// 0. An elastic tendon has no equation but a law, the tension by the length.
+// 0. An elastic tendon, and gas in a chamber, have no equation but a law, the tension by the length.
 class TendonRows : public WideRows {
   public:
     TendonRows(const Model& model, const Tendon& tendon);
@@ -51,24 +53,30 @@ class TendonRows : public WideRows {
     JointValues compute_joint_values(const WidePlace& place,
                                      const Eigen::VectorXd& multipliers) const override;
 
+    // A gas has a positive absolute pressure.
+    void check_range(const WidePlace& place) const override;
+
   private:
-    bool is_elastic() const { return winch_->stiffness > 0.0; }
+    bool is_elastic() const { return winch_->stiffness > 0.0 || gas_; }
     double length_at(const WidePlace& place) const { return line_.compute_length(place.nodes, place.state); }
     // Computes the length that the winch leaves, without tension, and its derivatives by time.
     double compute_prescribed(double time, const TimeSpan& step, ConstraintLevel level) const;
-    // Computes the tension of an elastic tendon.
+    // Computes the tension of an elastic tendon or a gas.
     double compute_tension(const WidePlace& place) const;
     double compute_tension(const WidePlace& place, const Eigen::VectorXd& multipliers) const {
         return is_elastic() ? compute_tension(place) : multipliers[0];
     }
+    // Computes the derivative of that tension by the length.
+    double compute_stiffness(const WidePlace& place) const;
     Eigen::VectorXd stack_rates(const WidePlace& place) const;
     Eigen::VectorXd stack_accelerations(const WidePlace& place) const;
     Eigen::VectorXd differentiate_square(const WidePlace& place, const Eigen::VectorXd& rates) const;
 
     std::string name_;
     const TendonWinch* winch_;
-    TimeFunction shortening_;
+    TimeFunction shortening_;  // or what fills the gas
     TendonLine line_;
+    std::optional<GasLaw> gas_;
     double rod_stiffness_;  // force per length
 };
 

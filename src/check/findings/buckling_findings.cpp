@@ -31,6 +31,13 @@ std::string find_pressed_section(const Model& model) {
     return "";
 }
 
+// The first chamber whose pressure follows its volume.
+std::string find_gas(const Model& model) {
+    const auto has_gas = [](const Tendon& tendon) { return tendon.winch && tendon.winch->gas; };
+    const auto found = std::ranges::find_if(model.tendons, has_gas);
+    return found == model.tendons.end() ? "" : found->name;
+}
+
 // The first tendon whose tension depends on the way to it.
 std::string find_rubbing_tendon(const Model& model) {
     const auto rubs = [](const Tendon& tendon) {
@@ -81,6 +88,8 @@ std::string find_taut_spring(const Model& model) {
 std::string find_reason_against_factors(const Model& model) {
     const std::string rubbing = find_rubbing_tendon(model);
     if (!rubbing.empty()) return leave_out("how the friction of tendon." + rubbing + " changes its tension");
+    const std::string gas = find_gas(model);
+    if (!gas.empty()) return leave_out("how the gas in chamber." + gas + " changes its pressure");
     const std::string bent = find_bent_actuation(model);
     if (!bent.empty()) return leave_out("what " + bent);
     const std::string pressed = find_pressed_section(model);

@@ -81,7 +81,9 @@ class FunctionExamination {
     void examine_tendon(const Tendon& tendon) {
         examine_load(fmt::format("tendon.{}.tension", tendon.name), tendon.tension);
         if (!tendon.winch || tendon.winch->is_released) return;
-        if (tendon.winch->stiffness > 0.0) {
+        if (tendon.winch->gas) {
+            examine_load(fmt::format("chamber.{}.gas.pressure", tendon.name), tendon.winch->gas->pressure);
+        } else if (tendon.winch->stiffness > 0.0) {
             examine_load(fmt::format("tendon.{}.shortening", tendon.name), tendon.winch->shortening);
         } else if (!tendon.winch->length) {
             examine_move(fmt::format("the winch of tendon {} draws it in", tendon.name),

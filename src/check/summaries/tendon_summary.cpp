@@ -76,6 +76,19 @@ std::string describe_friction(const Model& model, const Tendon& tendon, const Te
         100.0 * std::exp(-friction.coefficient * angle));
 }
 
+// "−p A …", or the gas, or the volume.
+std::string describe_filling(const Tendon& chamber) {
+    if (!chamber.winch) return describe_course("−p A", chamber.tension);
+    if (chamber.winch->is_released) return "open";
+    if (!chamber.winch->gas)
+        return fmt::format("holds its volume, {:.6g} times its length: ", chamber.area) +
+               describe_course("length", *chamber.winch->length);
+    const ClosedGas& gas = *chamber.winch->gas;
+    return fmt::format("gas of p Vⁿ, n {:.6g}, ambient {:.6g}, ", gas.exponent, gas.ambient) +
+           describe_course("pressure", gas.pressure) +
+           (gas.volume ? fmt::format(" in the volume {:.6g}", *gas.volume) : " in its volume at t = 0");
+}
+
 std::string describe_tendon(const Model& model, const Tendon& tendon, bool is_chamber) {
     const Rod& rod = model.rods[static_cast<std::size_t>(tendon.rod)];
     const bool is_whole = tendon.from == 0.0 && tendon.to == rod.length;
@@ -87,7 +100,7 @@ std::string describe_tendon(const Model& model, const Tendon& tendon, bool is_ch
                        is_whole ? "" : fmt::format(" from s = {:.6g} to {:.6g}", tendon.from, tendon.to),
                        describe_offsets(tendon),
                        line.start_length(),
-                       is_chamber ? describe_course("−p A", tendon.tension) : describe_pull(tendon),
+                       is_chamber ? describe_filling(tendon) : describe_pull(tendon),
                        describe_friction(model, tendon, line));
 }
 

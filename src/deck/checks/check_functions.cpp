@@ -159,6 +159,9 @@ void check_functions(const BuildContext& context) {
         for (const ActingTable& table : tables_of<ActingTable>(context.deck, *spec))
             check_values(table, times, context);
     }
+    for (const ChamberTable& chamber : tables_of<ChamberTable>(context.deck, chamber_table())) {
+        if (chamber.gas) check(chamber.gas->pressure, times, context);
+    }
     for (const TendonTable& tendon : tables_of<TendonTable>(context.deck, tendon_table()))
         check_pull(tendon, times, context);
     for (const FluidTable& fluid : tables_of<FluidTable>(context.deck, fluid_table())) {

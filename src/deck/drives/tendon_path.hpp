@@ -34,6 +34,9 @@ std::optional<TendonRange> find_tendon_range(const TendonTable& tendon, const Bu
 // has no place.
 std::optional<Tendon> lay_tendon(const TendonTable& given, const BuildContext& context);
 
+// How a given length, or volume, that grows without t comes from its value at t = 0 to its own.
+TimeFunction find_share(const TimeFunction& length, const Acting& acting);
+
 // Makes the path of a tendon along a rod of this length, by the arc length. Its slope is exact between rows;
 // the slope of functions has about 12 digits. Calls throw EvaluationError where a function has no finite
 // value.

@@ -103,11 +103,6 @@ void check_winch_keys(const TendonTable& given, const BuildContext& context) {
     if (given.length && given.load_case) context.add_fault(given, given.load_case, of_length);
 }
 
-// How a value of a length that grows without t comes from the length at t = 0 to its own.
-TimeFunction find_share(const TimeFunction& length, const Acting& acting) {
-    return length.has_time() ? TimeFunction(1.0) : acting.apply(TimeFunction(1.0));
-}
-
 std::optional<TendonWinch> make_winch(const TendonTable& given,
                                       double length,
                                       const Acting& acting,
@@ -163,6 +158,10 @@ void add_tendon(const TendonTable& given, BuildContext& context) {
 }
 
 }  // namespace
+
+TimeFunction find_share(const TimeFunction& length, const Acting& acting) {
+    return length.has_time() ? TimeFunction(1.0) : acting.apply(TimeFunction(1.0));
+}
 
 std::optional<Tendon> lay_tendon(const TendonTable& given, const BuildContext& context) {
     const std::optional<Part> part = find_part(given, given.on, context);

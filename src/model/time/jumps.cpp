@@ -94,6 +94,7 @@ std::vector<double> find_jumps(const Model& model, const Interval& times, int sa
         search.look(tendon.winch->shortening);
         search.look(tendon.winch->length);
         search.look(tendon.winch->share);
+        if (tendon.winch->gas) search.look(tendon.winch->gas->pressure);
     }
     for (const Support& support : model.supports) search.look(support.motion);
     for_each_coordinates(

@@ -1,7 +1,11 @@
 #include "deck/drives/chamber_table.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <numbers>
 
+#include "analyses/ledger.hpp"
 #include "deck/decks.hpp"
 #include "face/simulation.hpp"
 #include "tools/catch.hpp"
@@ -71,6 +75,114 @@ TEST_CASE("Gas that is shut in a chamber follows p V by a continuous signal", "[
     CHECK(run["chamber"]["tendon_length"].number() == Approx(length * (1.0 + longer)).epsilon(1e-6));
 }
 
+namespace {
+
+const std::string filled = "[chamber.left]\non = \"arm\"\noffset = [0, 0.008]\narea = 1.5e-4\n";
+
+// The arm with a chamber that a history shows: at its side, or, if the tip is pulled, along its line.
+std::string fill_arm(const std::string& filling,
+                     double pull = 0.0,
+                     const std::string& analysis = "kind = \"static\"\nsteps = 4\n") {
+    return replaced(make_arm((pull == 0.0 ? filled : replaced(filled, "0.008", "0")) + filling, analysis),
+                    "\"tendon_tension\"]",
+                    "\"tendon_tension\", \"volume\", \"pressure\"]") +
+           fmt::format("[[load]]\nat = \"arm.end\"\nforce = [{}, 0, 0]\n", pull);
+}
+
+// Strain of the chamber's middle by a pressure in it, over the pressure.
+constexpr double softness_inside = area / (modulus * cross_section);
+constexpr double softness = softness_inside + area * offset * offset / (modulus * second_moment);
+
+// Its strain where the gas of the pressure p0 above the ambient one, a pull and the arm balance.
+double find_strain(double p0, double ambient, double exponent, double pull) {
+    double low = -0.9, high = 10.0;
+    for (int i = 0; i < 200; ++i) {
+        const double x = 0.5 * (low + high);
+        const double p = (ambient + p0) * std::pow(1.0 + x, -exponent) - ambient;
+        const double strain =
+            pull == 0.0 ? softness * p : softness_inside * p + pull / (modulus * cross_section);
+        (strain > x ? low : high) = x;
+    }
+    return low;
+}
+
+}  // namespace
+
+TEST_CASE("Gas in a chamber bends and stretches an arm to the balance of p Vⁿ", "[deck]") {
+    constexpr double ambient = 1e5, V0 = area * length;
+    const double exponent = GENERATE(1.0, 1.4);
+    for (const double p0 : {0.0, 4e4, -3e4}) {
+        for (const double pull : {0.0, 30.0}) {
+            INFO(exponent << " " << p0 << " " << pull);
+            Simulation run(read(fill_arm(
+                fmt::format("gas = {{ pressure = {}, ambient = 1e5, exponent = {} }}\n", p0, exponent),
+                pull)));
+            run.run();
+            const double x = find_strain(p0, ambient, exponent, pull);
+            const double p = (ambient + p0) * std::pow(1.0 + x, -exponent) - ambient;
+            CHECK(run["chamber"]["volume"].number() == Approx(V0 * (1.0 + x)).epsilon(1e-9));
+            CHECK(run["chamber"]["pressure"].number() == Approx(p).epsilon(1e-9).margin(1e-4));
+            CHECK(run["chamber"]["tendon_tension"].number() == Approx(-p * area).epsilon(1e-9).margin(1e-9));
+            const double turn = pull == 0.0 ? p * area * offset / (modulus * second_moment) * length : 0.0;
+            CHECK(run["tip"]["rotation_vector"].vector()[1] == Approx(turn).epsilon(1e-9).margin(1e-10));
+        }
+    }
+}
+
+TEST_CASE("The energy of gas is that of the work p dV", "[deck]") {
+    // Filled to nothing above the ambient pressure, so that a pull does all work.
+    constexpr double ambient = 1e5, V0 = area * length, pull = 30.0;
+    const double exponent = GENERATE(1.0, 1.4);
+    Simulation run(read(fill_arm(fmt::format("gas = {{ ambient = 1e5, exponent = {} }}\n", exponent),
+                                 pull,
+                                 "kind = \"static\"\nsteps = 64\n")));
+    run.run();
+    const double x = find_strain(0.0, ambient, exponent, pull);
+    const double p = ambient * (std::pow(1.0 + x, -exponent) - 1.0);
+    const double stretch = (pull + p * area) / (modulus * cross_section);
+    const double of_rod = 0.5 * length * modulus * cross_section * stretch * stretch;
+    const double of_gas = exponent == 1.0
+                              ? -ambient * V0 * std::log(1.0 + x)
+                              : ambient * V0 / (exponent - 1.0) * (std::pow(1.0 + x, 1.0 - exponent) - 1.0);
+    const LedgerRow ledger = run.ledger();
+    CHECK(ledger.strain_energy == Approx(of_rod + of_gas + ambient * V0 * x).epsilon(1e-8));
+    CHECK(std::abs(ledger.energy_error) < 1e-5 * ledger.external_work);
+    // What pumps the gas does work, too.
+    Simulation pumped(read(
+        fill_arm("gas = { pressure = \"4e4*t\", ambient = 1e5 }\n", 0.0, "kind = \"static\"\nsteps = 64\n")));
+    pumped.run();
+    CHECK(std::abs(pumped.ledger().energy_error) < 1e-4 * std::abs(pumped.ledger().external_work));
+}
+
+TEST_CASE("Gas swings an arm, and energy stays", "[deck]") {
+    Simulation run(read(
+        fill_arm(
+            "gas = { ambient = 1e5, exponent = 1.4 }\n",
+            0.0,
+            "kind = \"dynamic\"\nend_time = 0.05\ntime_step = 1e-4\nintegrator = \"newmark-simplified\"\n") +
+        "[[initial]]\non = \"arm\"\nvelocity = [\"2*x\", 0, 0]\n"));
+    const double whole = run.ledger().kinetic_energy;
+    run.run();
+    CHECK(std::abs(run.ledger().energy_error) < 1e-3 * whole);
+}
+
+TEST_CASE("Gas that is pumped below nothing is an error", "[deck]") {
+    Simulation run(read(fill_arm("gas = { pressure = \"-2e5*t\", ambient = 1e5 }\n")));
+    CHECK_THROWS_WITH(run.run(), Catch::Contains("chamber.left.gas.pressure: with ambient it is"));
+}
+
+TEST_CASE("A volume in a chamber sets its pressure", "[deck]") {
+    constexpr double V0 = area * length;
+    Simulation run(read(fill_arm(fmt::format("volume = \"{}*(1 + 0.02*t)\"\n", V0))));
+    run.run();
+    CHECK(run["chamber"]["volume"].number() == Approx(1.02 * V0).epsilon(1e-12));
+    CHECK(run["chamber"]["pressure"].number() == Approx(0.02 / softness).epsilon(1e-9));
+    // A number is reached from the volume at t = 0.
+    Simulation reached(read(fill_arm(fmt::format("volume = {}\n", 0.99 * V0))));
+    reached.run();
+    CHECK(reached["chamber"]["pressure"].number() == Approx(-0.01 / softness).epsilon(1e-9));
+}
+
 TEST_CASE("A chamber has the form of its pressure in time, factors and stages", "[deck]") {
     const std::string pulsed =
         "[chamber.left]\non = \"arm\"\noffset = [[0.25, 0.01, 0], [0.75, 0.02, 0.004]]\narea = 2\n"
@@ -100,6 +212,11 @@ TEST_CASE("Wrong chambers are faults", "[deck]") {
     CHECK_THAT(fault("[chamber.left]\non = \"arn\"\noffset = [0, 0]\narea = 1\npressure = 1\n"),
                Contains("chamber.left.on") && Contains("arm"));
     CHECK_THAT(fault("[chamber.left]\non = \"arm\"\noffset = [0, 0]\narea = 1\n"), Contains("pressure"));
+    CHECK_THAT(fault(left + "volume = 1\n"), Contains("volume") && Contains("pressure"));
+    CHECK_THAT(fault(filled + "gas = { pressure = 1 }\n"), Contains("chamber.left.gas.ambient"));
+    CHECK_THAT(fault(filled + "gas = { pressure = -2, ambient = 1 }\n"),
+               Contains("pressure + ambient is -1, which is no gas"));
+    CHECK_THAT(fault(filled + "volume = 1e-5\nfactor = 2\n"), Contains("of a volume has no meaning"));
     CHECK_THAT(fault(left + "from = 0.5\nto = 0.25\n"), Contains("from < to"));
     CHECK_THAT(fault("[tendon.left]\non = \"arm\"\noffset = [0, 0]\ntension = 1\n" + left),
                Contains("has this name too"));
