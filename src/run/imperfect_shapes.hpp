@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "model/mode_kind.hpp"
 #include "model/problem.hpp"
+#include "model/settings/mode_kind.hpp"
 
 namespace gxrod {
 

@@ -7,6 +7,7 @@
 #include "deck/text/table_files.hpp"
 #include "model/mode_kind.hpp"
 #include "model/problem.hpp"
+#include "model/settings/mode_kind.hpp"
 
 // [[imperfection]]: a stress-free start that is not the perfect one.
 namespace gxrod {
