@@ -207,7 +207,7 @@ class Looks(ProgramTest):
         from gxrod.plot import results, shapes
 
         scene = results.read_results(self.run_deck(), lambda found: shapes.make_scene(found, shapes.choose_frames(found)))
-        self.assertEqual(len(scene.outlines), 2)  # of bodies on joints those of the last frame
+        self.assertEqual(len(scene.outlines), 1)  # of bodies on joints those with looks, in the last frame
         edges, time = scene.outlines[-1]
         self.assertEqual(edges.shape[1:], (2, 3))
         self.assertAlmostEqual(time, 0.5)

@@ -36,13 +36,13 @@ class Scene:
     mechanism: Mechanism = field(default_factory=Mechanism)
 
     def places(self):
-        """All points but the tips of axes."""
-        edges = [np.reshape(lines, (-1, 3)) for lines, _ in self.outlines]
-        return np.concatenate([*(points for points, _ in self.shapes + self.traces), *edges, self.mechanism.points()])
+        """All points but those of outlines and the tips of axes."""
+        return np.concatenate([*(points for points, _ in self.shapes + self.traces), self.mechanism.points()])
 
     def points(self):
         tips = [tip for origin, axes in self.triads for tip in (origin, *axes.values())]
-        return np.concatenate([self.places(), np.reshape(tips, (-1, 3))])
+        edges = [np.reshape(lines, (-1, 3)) for lines, _ in self.outlines]
+        return np.concatenate([self.places(), *edges, np.reshape(tips, (-1, 3))])
 
 
 def choose_frames(results, times=None, count=None):
@@ -87,8 +87,11 @@ def make_scene(results, frames):
 
 
 def add_outlines(scene, results, frames, jointed):
-    """Edges of bodies in the last frame; of those without joints, whose links show the way, also where a corner has moved on by more than half of the body."""
+    """Edges of bodies in the last frame, and in those where a corner has moved on by more than half of the body. Of those on joints links show the way:
+    they have edges in the last frame, and only where the deck has their looks."""
     for outline in results.outlines():
+        if outline.point in jointed and not outline.is_given:
+            continue
         edges = outline.lines[:: -(-len(outline.lines) // MOST_EDGES)] if len(outline.lines) else outline.lines
         drawn = None
         for index in () if not len(edges) else frames[-1:] if outline.point in jointed else frames:
