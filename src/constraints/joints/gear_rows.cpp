@@ -38,7 +38,13 @@ GearRows::GearRows(const Model& model, const Gear& gear) : name_("gear " + gear.
         else
             term.slide = coordinates.slide->product();
     }
-    if (gear.teeth) teeth_.limits = *gear.teeth;
+    if (!gear.teeth) return;
+    if (gear.teeth->lower == gear.teeth->upper) {  // without backlash they are a spring
+        teeth_.stiffness = gear.teeth->stiffness;
+        teeth_.damping = gear.teeth->damping;
+    } else {
+        teeth_.limits = *gear.teeth;
+    }
 }
 
 // Appends a node that is not there yet.
@@ -187,7 +193,7 @@ Eigen::VectorXd GearRows::compute_law_force(const WidePlace& place) const {
 Eigen::MatrixXd GearRows::compute_law_tangent(const WidePlace& place,
                                               const std::vector<NodeLinearization>& linearizations) const {
     const CoordinateForce push = compute_push(place);
-    if (push.value == 0.0) return Eigen::MatrixXd::Zero(size(), size());
+    if (push.by_coordinate == 0.0) return Eigen::MatrixXd::Zero(size(), size());
     return linearizations.front().placement * compute_turned(place, push.value) +
            compute_row(place).transpose() *
                compute_change(place, linearizations, {push.by_coordinate, push.by_rate, 0.0});

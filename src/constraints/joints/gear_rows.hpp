@@ -37,7 +37,7 @@ class GearRows : public WideRows {
     JointValues compute_joint_values(const WidePlace& place,
                                      const Eigen::VectorXd& multipliers) const override;
 
-    bool has_laws() const override { return teeth_.limits.act(); }
+    bool has_laws() const override { return is_acted_on(teeth_); }
     Eigen::VectorXd compute_law_force(const WidePlace& place) const override;
     Eigen::MatrixXd compute_law_tangent(const WidePlace& place,
                                         const std::vector<NodeLinearization>& linearizations) const override;
@@ -77,7 +77,7 @@ class GearRows : public WideRows {
     std::string name_;
     std::vector<int> nodes_;
     std::array<Term, 2> terms_;
-    JointCoordinate teeth_;  // has limits if the teeth yield
+    JointCoordinate teeth_;  // empty if the teeth are rigid
 };
 
 }  // namespace gxrod

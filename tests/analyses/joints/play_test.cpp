@@ -226,6 +226,13 @@ TEST_CASE("Geared shafts differ by half the backlash and what the teeth yield", 
     CHECK(within.at(1.0, "g/play")[0] == Approx(0.0098).epsilon(1e-12));
 }
 
+TEST_CASE("Teeth without backlash are springs, also where they rest", "[analyses][joints][gear]") {
+    // Only the teeth hold the first shaft: 0.3 = 0.2 × 500 × play, and 500 × play on the spring of 3.
+    const Motion motion(replaced(replaced(geared, "FIRST", "drive = 0.3"), "backlash = 0.02\n", ""));
+    CHECK(motion.at(1.0, "g/play")[0] == Approx(0.003).epsilon(1e-9));
+    CHECK(motion.at(1.0, "second/angle")[0] == Approx(-0.5).epsilon(1e-9));
+}
+
 TEST_CASE("A wheel is free within the backlash, and its impacts lose what their damping takes",
           "[analyses][joints][gear]") {
     // By a moment of 0.3 from rest, inertia 0.02: 0.2 q₁ = 0.01 after √(2 × 0.05 × 0.02/0.3) s.
