@@ -8,6 +8,7 @@
 #include "loads/pressure.hpp"
 #include "loads/shape_functions.hpp"
 #include "model/sections/rods_in_fluid.hpp"
+#include "model/sections/section_at.hpp"
 
 namespace gxrod {
 
@@ -372,16 +373,16 @@ PointSurroundings SurroundingsAssembly::compute_point_value(const State& state,
             position += shapes.value[j] * state.trial[static_cast<std::size_t>(wet->nodes[j])].r;
         find_fluids(position, false, around);
         values.water_velocity = around.water.velocity;
+        values.pressure_force = compute_pressure_force(*section_at(*model_, place).fluid,
+                                                       model_->surroundings.water,
+                                                       fluids_at(around_[wet->places.front()]).gravity.norm(),
+                                                       position.z());
         for (std::size_t j = 0; j < wet->nodes.size(); ++j) {
             const NodeMotion& motion = state.trial[static_cast<std::size_t>(wet->nodes[j])];
             const FluidsAt fluids = fluids_at(around_[wet->places[j]]);
             const FluidForce force = compute_fluid_force(wet_point(*wet, j, motion), fluids, motion);
             values.fluid_force += shapes.value[j] * force.force;
             values.wet_fraction += shapes.value[j] * force.wet_fraction;
-            values.pressure_force += shapes.value[j] * compute_pressure_force(*wet->sections[j],
-                                                                              model_->surroundings.water,
-                                                                              fluids.gravity.norm(),
-                                                                              motion.r.z());
         }
     }
     const Rod& rod = model_->rods[static_cast<std::size_t>(place.rod)];

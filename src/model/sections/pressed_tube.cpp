@@ -69,6 +69,8 @@ std::optional<PressedTube> find_pressed_tube(const Model& model, const Section& 
     if (!is_pressed || !(hole > 0.0) || (contents > 0.0 && !is_about(contents, hole, area)))
         return std::nullopt;
     const std::optional<Water>& water = model.surroundings.water;
+    // Without water and air nothing finds the pressure of contents along rods.
+    if (!water && !model.surroundings.air) return std::nullopt;
     if (water && water->surface &&
         std::abs(growth_of(*section.fluid, water, true)) < balanced * water->density * area)
         return std::nullopt;

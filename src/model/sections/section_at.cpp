@@ -66,6 +66,9 @@ std::string explain_no_stress(const Model& model, const Section& section) {
     if (section.law) return "has a law, " + section.law->describe() + ", of which stresses do not follow";
     if (!section.shape) return "has numbers and no shape";
     if (!section.fluid || find_pressed_tube(model, section)) return "";
+    if (section.fluid->contents_area > 0.0 && !model.surroundings.water && !model.surroundings.air)
+        return "is under the pressure of its contents, which is found in water or air alone; expected "
+               "[fluid] or [air], such as [air] with density = 1.2";
     if (section.fluid->contents_area > 0.0)
         return "is under the pressure of its contents, and no round tube that they fill, of one material "
                "without strength";
