@@ -98,7 +98,9 @@ bool hangs_by_its_weight(const RodTable& table,
     constexpr double most_stretched = 0.9;  // a shorter line is a mistake, which the plain catenary reports
     const CatenaryTable& given = *table.catenary;
     const double distance = (given.to - given.from).norm();
-    if (table.rest || given.length < most_stretched * distance) return false;
+    const bool is_upright = (given.to - given.from).head<2>().norm() <= same_fraction * distance;
+    if (table.rest || is_upright || given.length < most_stretched * distance) return false;
+    if (context.model.sections.empty()) return false;
     const StillWater water = find_still_water(context);
     const Section& section = context.model.sections[static_cast<std::size_t>(stations.front().section)];
     return has_gravity(water) && section.stiffness(0, 0) > 0.0 && water.weight_in_water(section) > 0.0;

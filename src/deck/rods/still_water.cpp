@@ -1,8 +1,9 @@
 #include "deck/rods/still_water.hpp"
-#include "deck/loads/gravity_table.hpp"
 
 #include <algorithm>
 
+#include "deck/loads/combinations.hpp"
+#include "deck/loads/gravity_table.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/top_level.hpp"
 #include "deck/surroundings/build_seabed.hpp"
@@ -32,6 +33,7 @@ StillWater find_still_water(const BuildContext& context) {
     StillWater water;
     if (const CheckedTimeVector* given = find_gravity(context.deck)) {
         for (int i = 0; i < 3; ++i) water.gravity[i] = (*given)[static_cast<std::size_t>(i)].function(1.0);
+        water.gravity *= find_gravity_factor(context);
     }
     const auto fluids = tables_of<FluidTable>(context.deck, fluid_table());
     if (fluids.empty()) return water;
