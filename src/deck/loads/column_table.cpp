@@ -93,6 +93,10 @@ ColumnTable read_binary_output(std::string_view bytes, const std::string& file) 
             const double number =
                 format == OutputFormat::not_packed ? input.next<double>() : input.next<std::int16_t>();
             table.values.push_back((number - offsets[i]) / scales[i]);
+            if (!std::isfinite(table.values.back()))
+                throw FileError(
+                    file,
+                    fmt::format("row {} of column {} is not a finite number", row + 1, table.names[i + 1]));
         }
     }
     return table;

@@ -355,6 +355,11 @@ class CopyMaker {
         }
         refuse("where", "a condition on the place is not turned with copies; name the points");
         if (kind == "load") {
+            const DeckEntry* frame = table.find("frame");
+            if (frame == nullptr || frame->node.text() == nullptr || *frame->node.text() != "body")
+                refuse("file",
+                       "components of a file are not turned with copies; expected frame = \"body\", or a "
+                       "load for each copy");
             for (const char* key : {"force", "moment", "force_per_length", "moment_per_length"})
                 check_load(key, path, table);
         }
