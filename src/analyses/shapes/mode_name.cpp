@@ -183,12 +183,18 @@ std::string name_mode(const System& system,
     const MovingRod moving(system, state, strained.rod);
     const std::optional<TurningFrame>& frame = system.model().rotation;
     if (!frame || frame->is_at_rest()) return find_strain_order(moving, shape, strained.strain) + shape.words;
-    std::array<double, 4> energies{};
+    std::array<double, 4> energies{}, of_imaginary{};
     moving.add_energies(shape.nodes, frame->axis, energies);
-    if (imaginary != nullptr) moving.add_energies(*imaginary, frame->axis, energies);
+    const std::array<double, 4> of_real = energies;
+    if (imaginary != nullptr) moving.add_energies(*imaginary, frame->axis, of_imaginary);
+    for (std::size_t i = 0; i < 4; ++i) energies[i] += of_imaginary[i];
     const auto motion = static_cast<Motion>(std::ranges::max_element(energies) - energies.begin());
     const auto across = [&](std::size_t i) { return moving.direction(motion, i, frame->axis); };
-    const std::string order = write_order(moving.find_order(shape.nodes, motion, across));
+    // Counted where most of the motion is: the other part can be round-off.
+    const auto place = static_cast<std::size_t>(motion);
+    const bool is_in_real = imaginary == nullptr || of_real[place] >= of_imaginary[place];
+    const std::string order =
+        write_order(moving.find_order(is_in_real ? shape.nodes : *imaginary, motion, across));
     if (shape.words.starts_with(motion_names[static_cast<std::size_t>(motion)]))
         return order + " " + shape.words;
     return fmt::format("{} {}: {}", order, motion_names[static_cast<std::size_t>(motion)], shape.words);
