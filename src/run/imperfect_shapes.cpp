@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analyses/shapes/buckling_loads.hpp"
 #include "run/run.hpp"
 
 namespace gxrod {
@@ -39,9 +40,11 @@ std::vector<Vec6> find_buckling_mode(const Problem& problem, int mode) {
 
 // As many modes as a stage finds if the deck does not say how many: shapes depend on it in their last digits.
 std::vector<Vec6> find_vibration_mode(const Problem& problem, int mode) {
+    Problem unloaded = problem;  // in motions gravity and loads act at once
+    unloaded.model = make_unloaded(std::move(unloaded.model));
     ModesSettings settings;
     settings.count = std::max(settings.count, mode);
-    const auto record = find_shapes_of<ModesRecord>(problem, settings, "vibration");
+    const auto record = find_shapes_of<ModesRecord>(unloaded, settings, "vibration");
     const auto index = static_cast<std::size_t>(mode) - 1;
     if (index >= record.modes.size())
         throw std::runtime_error(fmt::format("the structure has {} modes of vibration", record.modes.size()));
