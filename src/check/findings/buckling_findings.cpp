@@ -33,7 +33,9 @@ std::string find_pressed_section(const Model& model) {
 
 // The first chamber whose pressure follows its volume.
 std::string find_gas(const Model& model) {
-    const auto has_gas = [](const Tendon& tendon) { return tendon.winch && tendon.winch->gas; };
+    const auto has_gas = [](const Tendon& tendon) {
+        return tendon.winch && tendon.winch->gas && !tendon.winch->is_released;
+    };
     const auto found = std::ranges::find_if(model.tendons, has_gas);
     return found == model.tendons.end() ? "" : found->name;
 }
