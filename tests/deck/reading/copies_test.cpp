@@ -164,6 +164,8 @@ TEST_CASE("faults of copies name their key", "[deck]") {
                Contains("load[0].at: a pattern names all copies at once"));
     CHECK_THAT(faults_of(rotor + "[[load]]\nwhere = \"x > 0\"\nforce = [0, 0, 1]\ncopies = \"blade\"\n"),
                Contains("load[0].where: a condition on the place is not turned with copies"));
+    CHECK_THAT(faults_of(rotor + "[[load]]\non = \"blade\"\nfile = \"q.csv\"\ncopies = \"blade\"\n"),
+               Contains("load[0].file: components of a file are not turned with copies"));
     CHECK(faults_of(rotor + "[[load]]\nat = \"blade*.end\"\nforce = [0, 0, 1]\n").empty());
     CHECK_THAT(faults("elements = 4", "elements = 0"), Contains("rod.blade_1.elements"));
 }

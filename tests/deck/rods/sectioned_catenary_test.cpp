@@ -109,6 +109,20 @@ TEST_CASE("Without weight along -z, or with a rest shape, a line of one section 
     }
 }
 
+TEST_CASE("A line straight up of the length of its distance stands straight", "[deck]") {
+    const std::string one =
+        replaced(line_deck,
+                 "sections = [[0, \"chain\"], [0.5, \"chain\"], [0.5, \"rope\"], [1, \"rope\"]]",
+                 "section = \"rope\"") +
+        one_step;
+    const std::string upright =
+        replaced(one, "to = [350, 0, -5], length = 385, bed = true", "to = [0, 0, -5], length = 95");
+    const Model model = read(upright).model;
+    CHECK((place_at(model, 0.5) - Vec3(0, 0, -52.5)).norm() < 1e-12);
+    // Without a section there is its fault alone.
+    CHECK_THAT(faults_of(replaced(one, "section = \"rope\"", "section = \"robe\"")), Contains("robe"));
+}
+
 TEST_CASE("Without gravity, and beyond the surface, a line of sections is refused", "[deck]") {
     CHECK_THAT(faults_of(replaced(line_deck, "gravity = [0, 0, -9.80665]", "") + one_step),
                Contains("x.toml:15") && Contains("rod.line.catenary") && Contains("gravity"));
