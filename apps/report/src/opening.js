@@ -7,16 +7,25 @@ const instabilities = new Set(["limit", "bifurcation", "divergence"]);
 export function findOpening(data, found, clock, address) {
   const asked = /^#t=(.*)$/.exec(address);
   if (!asked) return findEvent(data, found, clock);
-  const time = Number(decodeURIComponent(asked[1]).replace("−", "-").trim() || NaN);
+  const time = readNumber(asked[1]);
   const symbol = timeSymbol(data.info.time_name);
   if (Number.isFinite(time)) return { frame: Math.round(clock.positionAt(time)), why: `the frame nearest to ${symbol} = ${formatNumber(time, 6)} of the address`, isAsked: true };
   return { ...findEvent(data, found, clock), fault: `The address has ${address}; expected a number, as in #t=0.5` };
 }
 
+// Of a part of an address; NaN if it is none.
+function readNumber(text) {
+  try {
+    return Number(decodeURIComponent(text).replace("−", "-").trim() || NaN);
+  } catch {
+    return NaN;
+  }
+}
+
 function findEvent(data, found, clock) {
   const { info } = data;
   if (info.status === "failed") return { frame: clock.last, why: "the last frame before the run failed" };
-  const broken = findBreak(data, clock);
+  const broken = findBreak(data, found, clock);
   if (broken) return broken;
   const critical = findCritical(found, clock);
   if (critical) return critical;
@@ -27,14 +36,18 @@ function findEvent(data, found, clock) {
   return { frame, why: moved[frame] > 0 ? "the frame that has moved most" : "the last frame" };
 }
 
-// Where a joint breaks, as far as a history says whether it holds.
-function findBreak({ info, stepTimes }, clock) {
+// Where the first joint breaks, as far as histories say whether they hold. One that ceases to hold where a stage begins rests in it.
+function findBreak({ info, stepTimes }, { stages }, clock) {
+  const [, ...later] = stages.filter(({ from, until }) => until > from);
+  const begins = new Set(later.map(({ from }) => from));
+  let found = null;
   for (const { title, quantity, columns } of info.charts) {
     if (quantity !== "holds") continue;
-    const step = columns[0].findIndex((value, i) => i > 0 && value === 0 && columns[0][i - 1] === 1);
-    if (step >= 0) return { frame: Math.ceil(clock.positionAt(stepTimes[step])), why: `${title} breaks` };
+    const [holds] = columns;
+    const step = holds.findIndex((value, i) => i > 0 && value === 0 && holds[i - 1] === 1 && !begins.has(stepTimes[i - 1]));
+    if (step >= 0 && !(found?.step <= step)) found = { step, title };
   }
-  return null;
+  return found && { frame: Math.ceil(clock.positionAt(stepTimes[found.step])), why: `${found.title} breaks` };
 }
 
 // Where a path becomes unstable for the first time, else its first critical point.
