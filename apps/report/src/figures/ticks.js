@@ -42,8 +42,9 @@ export function logTicks([least, largest], pixels, isUpright) {
   return inside.filter((_, i) => i % Math.max(1, Math.ceil(inside.length / most)) === 0);
 }
 
-// The values of a sweep as its ticks, if they are few, short to write and have room; null otherwise.
-export function ticksAtValues(values, [least, largest], pixels, isUpright, isLog) {
+// The values of a sweep within the range as its ticks, if they are few, short to write and have room; null otherwise.
+export function ticksAtValues(all, [least, largest], pixels, isUpright, isLog) {
+  const values = all.filter((value) => value >= least && value <= largest);
   if (values.length < 2 || values.length > 12 || values.some((value) => Number(value.toPrecision(5)) !== value)) return null;
   const at = isLog ? Math.log : Number;
   const places = values.map((value) => (pixels * (at(value) - at(least))) / (at(largest) - at(least)));
