@@ -113,7 +113,7 @@ def parse(arguments: Sequence[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="gxrod-import", description="Writes a blade, a turbine, mooring lines or a section of another program as a deck of gxrod.", epilog=EPILOG,
                                      allow_abbrev=False, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("file", metavar="FILE", help="BeamDyn primary file, windIO yaml, htc or st file of HAWC2, ElastoDyn blade or primary file, .fst of OpenFAST, MoorDyn file, MoorPy's MoorProps, VABS input, folder of BECAS")
-    parser.add_argument("-o", "--output", metavar="DECK", help="deck to write, with a CSV file of its sections or a mesh beside it (FILE's name with .toml)")
+    parser.add_argument("-o", "--output", metavar="DECK", help="deck to write, with a CSV file of its sections or a mesh next to it (FILE's name with .toml)")
     parser.add_argument("--format", choices=FORMATS, help="by default what the contents of FILE show")
     parser.add_argument("--inline", action="store_true", help="sections in the deck itself, a [section.NAME] for each station")
     parser.add_argument("--blade", metavar="FILE", help="BeamDyn: blade file, in place of the one that the primary file names; OpenFAST: a blade of any format, in place of its own")

@@ -134,7 +134,7 @@ def parse(arguments):
                         help="of the folder of a batch: errors of what it collects over the key that it refines (--x KEY), against the finest "
                              "run, with their orders; or of the file that `gxrod verify DECK --json` printed")
     parser.add_argument("--reference", type=float, metavar="VALUE", help="exact value of the column --y, for --error")
-    parser.add_argument("--latex", action="store_true", help="with --error: also writes its tables, beside the picture, as .tex")
+    parser.add_argument("--latex", action="store_true", help="with --error: also writes its tables, next to the picture, as .tex")
     parser.add_argument("--size", nargs=2, type=positive_number, metavar=("WIDTH", "HEIGHT"),
                         help="size of the picture in inches (by default what its contents need)")
     titles = parser.add_mutually_exclusive_group()
