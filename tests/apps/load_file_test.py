@@ -58,7 +58,7 @@ def rows():
     return "\n".join(lines) + "\n"
 
 
-NAMES = [f"AB1N{number:03}{kind}" for number in (1, 2, 10) for kind in ("Fx", "Fy", "Mm")]
+NAMES = [f"AB1N{number:03}{kind}" for number in (1, 2, 10) for kind in ("Fn", "Ft", "Mm")]
 
 
 def wide(t):
@@ -66,7 +66,7 @@ def wide(t):
     return [t, *(sign * value(name, t, s) for s in STATIONS for name, sign in (("fy", 1), ("fz", -1), ("mx", 1)))]
 
 
-WIDE = 'file = "FILE"\ncolumns = { fy = "AB1N*Fx", fz = "-AB1N*Fy", mx = "AB1N*Mm" }\nstations = [0, 1.5, 4]\nframe = "body"\n'
+WIDE = 'file = "FILE"\ncolumns = { fy = "AB1N*Fn", fz = "-AB1N*Ft", mx = "AB1N*Mm" }\nstations = [0, 1.5, 4]\nframe = "body"\n'
 
 
 def text_output():
@@ -159,9 +159,9 @@ class LoadFile(ProgramTest):
         self.assertIn("has no row for t = 0, s = 4; expected one for each time with each station", fault(csv, rows().replace("\n" + rows().split("\n")[1], "", 1)))
         self.assertIn('has a column "fq"; expected t, s, fx, fy, fz, mx, my, mz, or `columns`', fault(csv, rows().replace("fx", "fq")))
         self.assertIn("aero.csv: has no column s", fault(csv, "t, fx\n0, 1\n"))
-        self.assertIn('has 0 columns "AB2N*Fx" for fy, and `stations` has 3 entries', fault(WIDE.replace("FILE", "aero.out").replace("AB1N*Fx", "AB2N*Fx"), text_output(), "aero.out"))
-        self.assertIn('load[0].columns.fy: expected a name with one * for the number of the station, found "AB1Fx"',
-                      fault(WIDE.replace("FILE", "aero.out").replace("AB1N*Fx", "AB1Fx"), text_output(), "aero.out"))
+        self.assertIn('has 0 columns "AB2N*Fn" for fy, and `stations` has 3 entries', fault(WIDE.replace("FILE", "aero.out").replace("AB1N*Fn", "AB2N*Fn"), text_output(), "aero.out"))
+        self.assertIn('load[0].columns.fy: expected a name with one * for the number of the station, found "AB1Fn"',
+                      fault(WIDE.replace("FILE", "aero.out").replace("AB1N*Fn", "AB1Fn"), text_output(), "aero.out"))
         self.assertIn("has columns without `stations`", fault(WIDE.replace("FILE", "aero.out").replace("stations = [0, 1.5, 4]\n", ""), text_output(), "aero.out"))
         self.assertIn("goes with frame", fault(csv + 'axes = "untwisted"\n'))
         self.assertIn("absent.csv", fault('file = "absent.csv"\n'))
