@@ -164,7 +164,23 @@ def test_the_command(tmp_path, capsys):
     path = turbines.write_fst(tmp_path)
     assert find_format(path) == "openfast"
     assert main([str(path), "-o", str(tmp_path / "t.toml")]) == 0
-    assert "3 blades of 20 m" in capsys.readouterr().out
+    said = capsys.readouterr()
+    assert "3 blades of 20 m" in said.out
+    assert "note: not imported: aerodynamics, hydrodynamics, moorings and controllers (AeroDyn," in said.err
+
+
+def test_the_command_takes_another_blade(tmp_path, capsys):
+    path, deck = turbines.write_fst(tmp_path), str(tmp_path / "t.toml")
+    (tmp_path / "other").mkdir()
+    elastodyn = str(blades.write_elastodyn(tmp_path / "other", blades.SECTIONS))
+    for options, length in (([], 20), (["--length", "20.1"], 20.1)):
+        assert main([str(path), "--blade", elastodyn, *options, "-o", deck]) == 0
+        assert f"3 blades of {length:g} m" in capsys.readouterr().out
+    hawc2 = str(blades.write_hawc2(tmp_path / "other", 20.0, full=False))
+    assert main([str(path), "--blade", hawc2, "--set", "7", "1", "-o", deck]) == 2
+    assert "there is no set #7" in capsys.readouterr().err
+    assert main([str(path), "--inline", "-o", deck]) == 2
+    assert "--inline is for blades, this is a turbine; leave it out" in capsys.readouterr().err
 
 
 FAULTS = [

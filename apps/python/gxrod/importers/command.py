@@ -12,7 +12,7 @@ from .formats import FORMATS, SECTIONS, find_format, read_blade, read_section_me
 from .moordyn import read_moordyn
 from .mooring_deck import write_mooring
 from .moorprops import read_moorprops, write_section
-from .openfast import read_turbine
+from .openfast import read_blade_length, read_turbine
 from .section_mesh import SectionMesh
 from .section_writing import write_section_mesh
 from .text import ImportFault
@@ -53,7 +53,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def import_blade(request: argparse.Namespace) -> list[Path]:
-    blade = read_blade(request.file, request.format, blade_file=request.blade, st_file=request.st, body=request.body, chosen=tuple(request.set) if request.set else None, length=request.length)
+    blade = read_blade(request.file, request.format, blade_file=request.blade, st_file=request.st, body=request.body, chosen=request.set and tuple(request.set), length=request.length)
     written = write_deck(blade, request.output, inline=request.inline)
     print(f"{len(blade.fractions)} stations, {blade.length:.6g} m, {blade.total_mass:.6g} kg ({blade.source})")
     say(blade.notes, blade.warnings)
@@ -61,7 +61,11 @@ def import_blade(request: argparse.Namespace) -> list[Path]:
 
 
 def import_turbine(request: argparse.Namespace) -> list[Path]:
-    blade = read_blade(request.blade, body=request.body, st_file=request.st, length=request.length) if request.blade else None
+    if request.inline:
+        raise ImportFault(f"{request.file}: --inline is for blades, this is a turbine; leave it out")
+    blade = None
+    if request.blade:
+        blade = read_blade(request.blade, body=request.body, st_file=request.st, chosen=request.set and tuple(request.set), length=request.length or read_blade_length(request.file))
     turbine = read_turbine(request.file, blade)
     written = write_turbine(turbine, request.output)
     print(f"tower {turbine.tower.length:.6g} m, {turbine.blades} blades of {turbine.blade.length:.6g} m, {turbine.total_mass:.6g} kg, the rotor {turbine.rotor_mass:.6g} kg ({turbine.source})")
@@ -120,7 +124,7 @@ def parse(arguments: Sequence[str]) -> argparse.Namespace:
     parser.add_argument("--st", metavar="FILE", help="HAWC2: st file, in place of the one that the htc file names")
     parser.add_argument("--body", metavar="NAME", help="HAWC2: body of the htc file (the first one with a blade's name)")
     parser.add_argument("--set", nargs=2, type=int, metavar=("NUMBER", "SUBSET"), help="HAWC2: table of the st file (that of the htc file, or 1 1)")
-    parser.add_argument("--length", type=length, metavar="L", help="ElastoDyn: length of the blade in m, TipRad - HubRad")
+    parser.add_argument("--length", type=length, metavar="L", help="ElastoDyn: length of the blade in m, TipRad - HubRad (with a turbine, that of its file)")
     parser.add_argument("--layup", type=float, metavar="F", help="windIO: the section at this fraction of the span, meshed from its layers and webs, in place of the blade")
     parser.add_argument("--line", metavar="NAME", help="MoorPy: the material of its library")
     parser.add_argument("--diameter", type=length, metavar="D", help="MoorPy: nominal diameter of the line in m")

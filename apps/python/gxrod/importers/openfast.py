@@ -35,21 +35,36 @@ def read_turbine(path: AnyPath, blade: Blade | None = None) -> Turbine:
     Raises FileError, with file, line, what was expected and what to do.
     """
     from .formats import read_blade  # which knows this file
-    main = Lines(path)
-    named = None
-    if is_fst("\n".join(main.lines)):
-        named = file_of(main, "BDBldFile(1)") if value_of(main, "CompElast", what=WHOLE) == 2 else None
-        main = Lines(file_of(main, "EDFile"))
+    main, named = read_primary(path)
     number = lambda key, default=None: value_of(main, key, default, what=WHOLE)
-    length = number("TipRad") - number("HubRad")
-    if length <= 0.0:
-        raise main.fault(f"TipRad − HubRad is {length:g}; expected more than 0", "correct them", line_of(main, "TipRad"))
+    length = length_of(main)
     if blade is None:
         blade = read_blade(named) if named else read_elastodyn(file_of(main, "BldFile(1)", "BldFile1"), length)
     elif abs(blade.length / length - 1.0) > 0.01:
         blade.warnings.append(f"the blade is {blade.length:g} m long, and TipRad − HubRad of {main.path.name} is {length:g} m")
     tower = read_tower(file_of(main, "TwrFile"), number("TowerBsHt"), number("TowerHt"))
     return place(main, tower, blade)
+
+
+def read_blade_length(path: AnyPath) -> float:
+    """Of the blades of a .fst file of OpenFAST or ElastoDyn's primary file, in m."""
+    return length_of(read_primary(path)[0])
+
+
+def read_primary(path: AnyPath) -> tuple[Lines, Path | None]:
+    """ElastoDyn's primary file, and BeamDyn's file if that has the blades."""
+    main = Lines(path)
+    if not is_fst("\n".join(main.lines)):
+        return main, None
+    named = file_of(main, "BDBldFile(1)") if value_of(main, "CompElast", what=WHOLE) == 2 else None
+    return Lines(file_of(main, "EDFile")), named
+
+
+def length_of(main: Lines) -> float:
+    length = value_of(main, "TipRad", what=WHOLE) - value_of(main, "HubRad", what=WHOLE)
+    if length <= 0.0:
+        raise main.fault(f"TipRad − HubRad is {length:g}; expected more than 0", "correct them", line_of(main, "TipRad"))
+    return length
 
 
 WHOLE = "give a whole primary file of ElastoDyn"
@@ -77,7 +92,8 @@ def place(main: Lines, tower: Blade, blade: Blade) -> Turbine:
 
 def assumed() -> list[str]:
     return ["of nacelle and hub ElastoDyn has the inertia about one axis; the other two are half of it", "the tower is clamped at its base, TowerBsHt",
-            "not used: GenIner and GBRatio, as the generator is held, or turns at a constant speed; ElastoDyn's degrees of freedom, scheme and output"]
+            "not used: GenIner and GBRatio, as the generator is held, or turns at a constant speed; ElastoDyn's degrees of freedom, scheme and output",
+            "not imported: aerodynamics, hydrodynamics, moorings and controllers (AeroDyn, InflowWind, HydroDyn, SubDyn, MoorDyn, ServoDyn)"]
 
 
 def unlike(main: Lines, count: int) -> list[str]:
