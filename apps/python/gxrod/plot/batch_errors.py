@@ -53,7 +53,7 @@ class BatchErrors:
         votes = 0
         for name in self.names():
             for rows in self.groups().values():
-                changes = np.abs(np.diff(self.columns[name][rows]))
+                changes = np.abs(np.diff(self.columns[name][self.finite(name, rows)]))
                 votes += int(np.sign(changes[0] - changes[-1])) if len(changes) > 1 else 0
         if votes == 0:
             raise UsageError(f"{self.folder}: which end of {self.key} is finer does not show; --x takes another key")
@@ -82,6 +82,8 @@ class BatchErrors:
 
     def panels(self):
         names = self.names()
+        if self.request.reference is not None and any(self.is_error(name) for name in names):
+            raise UsageError("--reference: the plan has a `reference`, from which the column's values are distances already; leave one of them out")
         if self.request.reference is not None and len(names) > 1:
             raise UsageError(f"--reference is of one column; --y takes one of {', '.join(names)}")
         found = [self.panel(name) for name in names]
@@ -89,11 +91,15 @@ class BatchErrors:
             raise UsageError(f"{self.folder}: too few cases are done: a line needs two errors, and without a reference one more run")
         return [panel for panel in found if panel.lines]
 
+    def is_error(self, name):
+        """Whether the plan has a reference for a column, so that its values are distances from it."""
+        return ", distance from " in self.meanings[name]
+
     def panel(self, name):
-        is_error = ", distance from " in self.meanings[name]
+        is_error = self.is_error(name)
         lines = []
         for values, rows in self.groups().items():
-            rows = [row for row in rows if np.isfinite(self.columns[name][row])][:: self.sign]
+            rows = self.finite(name, rows)[:: self.sign]
             label = ", ".join(f"{short(key)} = {value}" for key, value in zip(self.others, values))
             if line := self.line(label, self.columns[self.key][rows].astype(float), self.columns[name][rows], is_error):
                 lines.append(line)
@@ -104,7 +110,13 @@ class BatchErrors:
             reference += f"; without {lost} of {len(self.done)} cases, which are not done"
         return Panel(f"{name}: {self.meanings[name]}", self.key, f"error of {name}", reference, lines)
 
+    def finite(self, name, rows):
+        """Those of these rows that have a value."""
+        return [row for row in rows if np.isfinite(self.columns[name][row])]
+
     def line(self, label, x, values, is_error):
+        if len(values) < 2:
+            return None
         if self.request.reference is not None:
             errors, finest = np.abs(values - self.request.reference), None
         elif is_error:

@@ -123,7 +123,7 @@ def write_latex(panels):
         if any(line.name for line in panel.lines):
             tables.append(" & ".join(["", *(f"\\multicolumn{{2}}{{c}}{{{escape_latex(line.name)}}}" for line in panel.lines)]) + r" \\")
         tables += [" & ".join([escape_latex(panel.across), *(["error", "order"] * len(panel.lines))]) + r" \\", "\\midrule"]
-        tables += [" & ".join([f"${x:.12g}$", *(cell for line in panel.lines for cell in cells_at(line, x))]) + r" \\" for x in values]
+        tables += [" & ".join([f"${in_latex(f'{x:.12g}')}$", *(cell for line in panel.lines for cell in cells_at(line, x))]) + r" \\" for x in values]
         tables += ["\\bottomrule", "\\end{tabular}", ""]
     return "\n".join(tables)
 
@@ -132,6 +132,13 @@ def cells_at(line, x):
     found = np.flatnonzero(line.x == x)
     if not len(found):
         return "", ""
-    mantissa, power = f"{line.errors[found[0]]:.2e}".split("e")
     order = line.orders[found[0]]
-    return f"${mantissa}\\cdot10^{{{int(power)}}}$", f"${order:.2f}$" if np.isfinite(order) else "--"
+    return f"${in_latex(f'{line.errors[found[0]]:.2e}')}$", f"${order:.2f}$" if np.isfinite(order) else "--"
+
+
+def in_latex(number):
+    """A number as text, 1e-05, with its power of ten as LaTeX sets it."""
+    mantissa, _, power = number.partition("e")
+    if not power:
+        return number
+    return f"10^{{{int(power)}}}" if mantissa == "1" else f"{mantissa}\\cdot10^{{{int(power)}}}"
