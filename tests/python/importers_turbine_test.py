@@ -28,20 +28,54 @@ def frequencies(deck, key="frequency"):
         return np.abs(file[f"stages/tones/{key}"][()])
 
 
-def test_the_blades_stand_where_elastodyn_has_them(tmp_path):
-    turbine = read_turbine(turbines.write_fst(tmp_path, Azimuth=30.0, BlPitch_1=10.0, NacYaw=20.0))
+TURNED = {"Azimuth": 30.0, "BlPitch_1": 10.0, "NacYaw": 20.0}
+
+
+def elastodyn_axes():
+    """ElastoDyn's axes of the turned turbine: c of the shaft, i of the coned blade 1, j of the pitched one; rows are x, y, z."""
     yaw, tilt, azimuth, cone, pitch = np.radians((20.0, -6.0, 30.0, -3.0, 10.0))
-    # ElastoDyn's coordinate systems: nacelle d, shaft c, azimuth e, coned i, pitched j; here x downwind, y to the left, z up.
+    # Nacelle d, shaft c, azimuth e, coned i, pitched j; here x downwind, y to the left, z up.
     d = np.array([[np.cos(yaw), np.sin(yaw), 0], [-np.sin(yaw), np.cos(yaw), 0], [0, 0, 1]])
     c1, c2 = np.cos(tilt) * d[0] + np.sin(tilt) * d[2], d[1]
     c3 = np.cross(c1, c2)
     e2, e3 = np.cos(azimuth) * c2 + np.sin(azimuth) * c3, -np.sin(azimuth) * c2 + np.cos(azimuth) * c3
     i1, i3 = np.cos(cone) * c1 - np.sin(cone) * e3, np.sin(cone) * c1 + np.cos(cone) * e3
     j1 = np.cos(pitch) * i1 - np.sin(pitch) * e2
+    return d, np.array([c1, c2, c3]), np.array([j1, np.cross(i3, j1), i3])
+
+
+def test_the_blades_stand_where_elastodyn_has_them(tmp_path):
+    turbine = read_turbine(turbines.write_fst(tmp_path, **TURNED))
+    _, (c1, _, _), (j1, _, i3) = elastodyn_axes()
     assert np.allclose(turbine.apex, [0, 0, 52] - 4.0 * c1, atol=1e-13)
     assert np.allclose(turbine.blade_root, turbine.apex + 2.0 * i3, atol=1e-13)
     assert np.allclose(turbine.blade_axes[:, 2], i3, atol=1e-15)
     assert np.allclose(turbine.blade_axes[:, 0], j1, atol=1e-15)
+
+
+def test_a_turned_turbine_weighs_on_base_and_root_as_its_points_of_mass_do(tmp_path):
+    turbine = read_turbine(turbines.write_fst(tmp_path, **TURNED, BlPitch_2=10.0, BlPitch_3=10.0, DTTorSpr=0.0))
+    for each in (turbine.tower, turbine.blade):
+        each.stiffness *= 1e3  # so that hardly anything moves
+    run(write_turbine(turbine, tmp_path / "t.toml")[-1], "--until", "weight")
+    histories = gxrod.open_results(tmp_path / "t.vtkhdf").histories
+    d, (c1, _, _), (j1, j2, i3) = elastodyn_axes()
+    stations = sorted(blades.SECTIONS, key=lambda each: each.fraction)
+    mass = moment = 0.0  # of a blade, about its root
+    for a, b in zip(stations, stations[1:]):
+        h = (b.fraction - a.fraction) * 20.0
+        mass += (a.m + b.m) / 2 * h
+        moment += h * (a.fraction * 20.0 * (a.m + b.m) / 2 + h * (a.m + 2 * b.m) / 6)
+    g, apex = np.array([0, 0, -9.80665]), np.array([0, 0, 52.0]) - 4.0 * c1
+    # All blades together have their centre on the shaft.
+    along = (2.0 * mass + moment) * (i3 @ c1)
+    first = 5000.0 * (np.array([0, 0, 40.0]) + np.array([1.0, 0.25, 1.5]) @ d) + 900.0 * (apex + 0.5 * c1 - [0, 0, 10.0]) + 3 * (mass * (apex - [0, 0, 10.0]) + along * c1)
+    assert np.allclose(histories["tower_base"]["moment_spatial"][-1], np.cross(first, g), atol=1e-4 * np.linalg.norm(np.cross(first, g)))
+    turn = np.radians(-5.0)  # a structural twist of 5 degrees
+    section = np.array([i3, np.cos(turn) * j1 + np.sin(turn) * j2, np.cos(turn) * j2 - np.sin(turn) * j1])
+    # Forces at a rod's end go on from those within its first element.
+    assert np.allclose(histories["root_1"]["force"][-1], section @ (mass * g), atol=5e-3 * mass * 9.8)
+    assert np.allclose(histories["root_1"]["moment"][-1], section @ np.cross(moment * i3, g), atol=5e-3 * moment * 9.8)
 
 
 def test_masses(tmp_path):
@@ -156,8 +190,12 @@ def test_blades_of_beamdyn(tmp_path):
     beamdyn = blades.write_beamdyn(tmp_path)
     turbine = read_turbine(turbines.write_fst(tmp_path, beamdyn, TipRad=2.0 + read_blade(beamdyn).length))
     assert np.array_equal(turbine.blade.stiffness, read_blade(beamdyn).stiffness)
+    turbine.tower.stiffness *= 1e6  # as of a clamp: each blade swings as it does alone
     deck = write_turbine(turbine, tmp_path / "t.toml")[-1]
-    assert len(frequencies(deck)) >= 12
+    deck.write_text(deck.read_text().replace("-9.80665", "0"))
+    single = write_deck(read_blade(beamdyn), tmp_path / "single.toml")[-1]
+    single.write_text(single.read_text().replace("elements = 50", "elements = 20"))
+    assert np.allclose(frequencies(deck), np.repeat(frequencies(single)[:4], 3), rtol=1e-4)
 
 
 def test_the_command(tmp_path, capsys):
