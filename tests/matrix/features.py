@@ -341,6 +341,12 @@ def chamber(deck, draw):
     deck["chamber"] = {"bellows": {"on": "beam", "offset": [0, 0.05], "area": 0.01, "pressure": f"{draw.uniform(50, 300)}*P"}}
 
 
+@feature("chamber")
+def gas_chamber(deck, draw):
+    deck["chamber"] = {"bellows": {"on": "beam", "offset": [0, 0.05], "area": 0.01,
+                                   "gas": {"pressure": f"{draw.uniform(50, 300)}*P", "ambient": 1000.0, "exponent": 1.4}}}
+
+
 @feature("tendon", kinked=True)
 def winch(deck, draw):
     deck["tendon"] = {"winch": {"on": "beam", "offset": [0, 0.05], "shortening": f"{draw.uniform(0.005, 0.02)}*P",
