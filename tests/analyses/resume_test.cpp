@@ -57,7 +57,7 @@ std::vector<std::string> names_of(const Hdf5Reader& file) {
     std::vector<std::string> names = file.datasets();
     std::erase_if(names, [](const std::string& name) {
         return name.starts_with("/restart") || name.starts_with("/deck") || name == "/rods/name" ||
-               name == "/rods/section";
+               name == "/rods/section" || name == "/bodies/name";
     });
     return names;
 }

@@ -157,6 +157,10 @@ class Examples(Pages):
             spin = file["histories/nut/angular_velocity_material"][at]
         np.testing.assert_allclose(spin, [10.94623977013, 4.42844730509, 9.47985357634], atol=5e-6)
 
+    def test_chain_under_raos(self):
+        """Against its motion and catenary by hand: chain_under_raos_test.py."""
+        self.run_page("chain_under_raos")
+
     def test_hall(self):
         """Against a stiffness matrix: hall_test.py."""
         self.run_page("hall")

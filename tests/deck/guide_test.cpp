@@ -109,8 +109,8 @@ TEST_CASE("The mechanisms of the guide are decks", "[deck][joint]") {
     CHECK(read(decks[7]).model.sleeves.at(0).place == Approx(0.25));
     CHECK(read(decks[8]).model.gears.at(0).ratio == 5.0);
     const std::string shafts = decks[8].substr(0, decks[8].find("[gear.reduction]"));
-    const std::string analysis = decks[8].substr(decks[8].find("[analysis]"));
-    CHECK(read(shafts + decks[9] + analysis).model.gears.at(0).teeth->upper == 0.005);
+    const std::string ending = decks[8].substr(decks[8].find("[analysis]"));
+    CHECK(read(shafts + decks[9] + ending).model.gears.at(0).teeth->upper == 0.005);
     CHECK(read(decks[10]).model.joints.size() == 4);
     const std::string hinge =
         "[joint.j]\ntype = \"hinge\"\nbetween = [\"ground\", \"top\"]\naxis = [0, 0, 1]\n";

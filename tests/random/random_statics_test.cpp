@@ -132,6 +132,7 @@ double measure_leaving(const RandomFrame& frame, const State& end, unsigned seed
     }
     for (const Support& support : model.supports) record.nodes[support.node].v.setZero();
     record.carried.resize(2 * record.nodes.size());
+    record.reactions.assign(record.nodes.size(), Vec6::Zero());
     record.ledger.forces.assign(record.nodes.size(), Vec6::Zero());
     REQUIRE(analysis.resume(record));
     double farthest = 0.0;

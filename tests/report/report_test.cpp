@@ -117,7 +117,7 @@ TEST_CASE("Numbers of nodes have their room in a budget", "[report]") {
     };
     const std::size_t all = write(100'000'000).left_out.size();
     // Between a budget that is too small for the whole and one that is not.
-    std::size_t small = 1'100'000, large = 10'000'000;
+    std::size_t small = 1'200'000, large = 10'000'000;
     REQUIRE(write(small).left_out.size() > all);
     while (large - small > 100) {
         const std::size_t budget = (small + large) / 2;
@@ -148,7 +148,7 @@ TEST_CASE("Very many bodies fit; the first are drawn", "[report]") {
         model.nodes.push_back({body.name, Vec3(i, 0, 0)});
     }
     write_still(folder / "a.vtkhdf", sample::make_deck(), model);
-    const ReportSummary summary = write_report({folder / "a.vtkhdf", folder / "a.html", 1'000'000});
+    const ReportSummary summary = write_report({folder / "a.vtkhdf", folder / "a.html", 1'100'000});
     CHECK(summary.left_out == std::vector<std::string>{"Of 30000 bodies, the first 300 are drawn."});
     const Json bodies = describe(read(folder / "a.html"))["bodies"];
     CHECK(bodies.size() == 300);

@@ -114,6 +114,11 @@ on = "arm"
 offset = [0, 0.05]
 tension = "20*t"
 friction = 0.2
+[chamber.bellows]
+on = "arm"
+offset = [0.05, 0]
+area = 0.01
+pressure = "30*t"
 [[support]]
 at = "arm.start"
 fix = "all"
@@ -220,6 +225,10 @@ quantities = ["play", "force", "moment"]
 name = "cable"
 at = "cable"
 quantities = ["tendon_length", "tendon_tension", "tendon_end_tension"]
+[[history]]
+name = "bellows"
+at = "bellows"
+quantities = ["volume", "pressure"]
 [[history]]
 name = "clamp"
 at = "arm.start"

@@ -30,7 +30,8 @@ const std::set<std::string> dimensions{"1",
                                        "force·length",
                                        "length",
                                        "length/time",
-                                       "length/time²"};
+                                       "length/time²",
+                                       "length³"};
 
 }  // namespace
 
@@ -93,6 +94,8 @@ TEST_CASE("the value of a quantity is a row of its columns", "[watch]") {
     now.tendons = tendons;
     now.obstacles = now.watched_contacts = contacts;
     model.gears.resize(1);
+    model.tendons.resize(1);
+    model.tendons[0].area = 2.0;
     const std::vector<std::pair<Watched, const char*>> things{{WatchedPoint{{0, 0, 1.0}, 1}, "rod"},
                                                               {WatchedBody{.index = 1, .node = 3}, "body"},
                                                               {WatchedTie{TieKind::spring}, "spring"},

@@ -48,10 +48,11 @@ double slope_at(const Rod& rod, std::size_t entry) {
     return t.z() / std::hypot(t.x(), t.y());
 }
 
-// Of a line that hangs, dz/dx grows with the arc length by its weight over the level part of its tension; on
-// the ground it is 0.
+// Of a line that hangs, stretched or not, dz/dx grows with the length free of stress by its weight over the
+// level part of its tension; on the ground it is 0.
 bool hang(const Model& model, const Rod& rod, LineAtRest& line) {
-    if (rod.rest_strains.empty() || !(find_weight(model, rod, 0).z() < 0.0)) return false;
+    const bool starts_free = rod.rest_strains.empty() && rod.rest_positions.empty();
+    if (starts_free || !(find_weight(model, rod, 0).z() < 0.0)) return false;
     const std::vector<double>& s = rod.arc_length;
     // Ends of the intervals of what hangs, and of what may before; the longest is meant, as an end that is a
     // little above the ground comes down to it.

@@ -8,7 +8,7 @@
 namespace gxrod::test {
 namespace {
 
-// The ends are turned from the catenary's slopes −V/H to level.
+// The ends are turned to level from the slopes −V/H of a catenary that does not stretch, as it has a rest.
 const std::string cable = R"deck(
 gravity = [0, 0, -9.81]
 plane = "xz"
@@ -18,6 +18,7 @@ inertia = { rhoA = 20, rhoIy = 0.0125, rhoIz = 0.0125 }
 [rod.cable]
 section = "s"
 catenary = { from = [0, 0, 0], to = [100, 0, 20], length = 120 }
+rest = { line = { from = [0, 0, 0], to = [120, 0, 0] } }
 elements = 16
 order = 4
 [[support]]

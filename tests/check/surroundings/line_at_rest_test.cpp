@@ -28,6 +28,13 @@ std::string support(const std::string& at, const std::string& fix) {
     return "[[support]]\nat = \"" + at + "\"\nfix = " + fix + "\n";
 }
 
+// With a rest shape of its own a catenary does not stretch.
+std::string stiff(const std::string& catenary, int length) {
+    return fmt::format("catenary = {{ {} }}\nrest = {{ line = {{ from = [0, 0, 0], to = [{}, 0, 0] }} }}\n",
+                       catenary,
+                       length);
+}
+
 const std::string held_ends = support("r.start", "\"position\"") + support("r.end", "\"position\"");
 const std::string upright = "line = { from = [0, 0, 10], to = [0, 0, 0] }\n";
 
@@ -49,8 +56,7 @@ double frequency_of(const std::string& deck) {
 TEST_CASE("A hung line's tension follows from how its slope grows", "[check]") {
     // Of the weight 196.2: H = 9603.43917624285, 13316.7780218414 and 17240.7780218414 at the ends.
     const Model model =
-        read(pipe_deck("catenary = { from = [0, 0, 0], to = [100, 0, 20], length = 120 }\n", held_ends))
-            .model;
+        read(pipe_deck(stiff("from = [0, 0, 0], to = [100, 0, 20], length = 120", 120), held_ends)).model;
     const LineAtRest line = line_of(model);
     const double weight = 9.81 * (12.0 - 1025.0 * M_PI * 0.0025);
     CHECK(line.source == LineAtRest::Source::hung);
@@ -60,9 +66,26 @@ TEST_CASE("A hung line's tension follows from how its slope grows", "[check]") {
           Approx(std::sqrt(2e4 / line.tension[0])).epsilon(1e-12));
 }
 
+TEST_CASE("A line that hangs and stretches has the tension of the elastic catenary", "[check]") {
+    const Model model =
+        read(pipe_deck("catenary = { from = [0, 0, 0], to = [100, 0, 20], length = 120 }\n", held_ends))
+            .model;
+    const LineAtRest line = line_of(model);
+    // T² = H² + V² at both ends, and V grows by the weight.
+    const double weight = 9.81 * (12.0 - 1025.0 * M_PI * 0.0025);
+    const double lower = line.tension.front(), upper = line.tension.back();
+    const double sum = (upper * upper - lower * lower) / (120.0 * weight);
+    const double V0 = 0.5 * (sum - 120.0 * weight), V1 = 0.5 * (sum + 120.0 * weight);
+    const double H = std::sqrt(upper * upper - V1 * V1);
+    CHECK(H * 120.0 / 2e7 + H / weight * (std::asinh(V1 / H) - std::asinh(V0 / H)) ==
+          Approx(100.0).epsilon(1e-8));
+    CHECK((V1 * V1 - V0 * V0) / (2.0 * 2e7 * weight) + (upper - lower) / weight ==
+          Approx(20.0).epsilon(1e-8));
+}
+
 TEST_CASE("What lies on the ground has the level tension", "[check]") {
-    const std::string deck = pipe_deck(
-        "catenary = { from = [0, 0, 0], to = [640, 0, 100], length = 680, bed = true }\n", held_ends);
+    const std::string deck =
+        pipe_deck(stiff("from = [0, 0, 0], to = [640, 0, 100], length = 680, bed = true", 680), held_ends);
     const Model model = read(deck + "[seabed]\nz = 0\nstiffness = 1e5\n").model;
     const LineAtRest line = line_of(model);
     // H = w a, with a from the length ℓ and the height h of what hangs: a = (ℓ² − h²)/(2 h).
@@ -79,12 +102,10 @@ TEST_CASE("What lies on the ground has the level tension", "[check]") {
 
 TEST_CASE("An end that is hardly above the ground does not hide what hangs", "[check]") {
     const auto find_line = [](const char* z) {
-        const Model model = read(pipe_deck(fmt::format("catenary = {{ from = [0, 0, {}], to = [640, 0, 100], "
-                                                       "length = 680, bed = true }}\n",
-                                                       z),
-                                           held_ends) +
-                                 "[seabed]\nz = 0\nstiffness = 1e5\n")
-                                .model;
+        const std::string catenary =
+            fmt::format("from = [0, 0, {}], to = [640, 0, 100], length = 680, bed = true", z);
+        const Model model =
+            read(pipe_deck(stiff(catenary, 680), held_ends) + "[seabed]\nz = 0\nstiffness = 1e5\n").model;
         return line_of(model);
     };
     CHECK(find_line("1e-9").from == Approx(find_line("0").from).epsilon(1e-6));

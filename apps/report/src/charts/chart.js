@@ -88,7 +88,7 @@ export class Chart {
       legend: { show: false },
       cursor: { show: false },
       pxAlign: 0,
-      padding: [10, 10, 0, 0],
+      padding: [10, 18, 0, 0],
       scales: { x: { time: false, range: (plot, least, largest) => widen(least, largest) }, y: { range } },
       axes: axesOptions(),
       series: [

@@ -94,7 +94,7 @@ export class TouchDown {
       height,
       legend: { show: false },
       cursor: { show: false },
-      padding: [10, 10, 0, 0],
+      padding: [10, 18, 0, 0],
       scales: {
         x: { time: false, range: (plot, least, largest) => widen(least, largest) },
         y: { range: (plot, least, largest) => rangeAround(least, largest, 0) },

@@ -40,7 +40,7 @@ class StudyChart {
       legend: { show: false },
       cursor: { show: false },
       pxAlign: 0,
-      padding: [10, 10, 0, 0],
+      padding: [10, 18, 0, 0],
       scales: { x: { time: false }, y: this.isLog ? { distr: 3 } : {} },
       axes: axesOptions(this.isLog),
       series: [{}, ...this.lines.map((line, i) => ({ stroke: () => readTheme().series[i % 4], width: 1.5, points: { show: this.times.length < 40, size: 5 } }))],
