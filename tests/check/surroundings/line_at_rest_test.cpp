@@ -29,10 +29,10 @@ std::string support(const std::string& at, const std::string& fix) {
 }
 
 // With a rest shape of its own a catenary does not stretch.
-std::string stiff(const std::string& catenary, int length) {
+std::string stiff(const std::string& catenary, int free_length) {
     return fmt::format("catenary = {{ {} }}\nrest = {{ line = {{ from = [0, 0, 0], to = [{}, 0, 0] }} }}\n",
                        catenary,
-                       length);
+                       free_length);
 }
 
 const std::string held_ends = support("r.start", "\"position\"") + support("r.end", "\"position\"");
