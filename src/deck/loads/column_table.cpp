@@ -53,9 +53,9 @@ class BinaryOutput {
     std::size_t at_ = 0;
 };
 
-// The formats of binary output.
+// The formats of binary output; 2 is packed and without times.
 struct OutputFormat {
-    static constexpr std::int16_t with_times = 1, without_times = 2, not_packed = 3, with_long_names = 4;
+    static constexpr std::int16_t with_times = 1, not_packed = 3, with_long_names = 4;
 };
 
 bool is_binary_output(std::string_view bytes) {

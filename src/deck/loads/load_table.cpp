@@ -51,6 +51,24 @@ const TableSpec& load_columns_table() {
     return table;
 }
 
+// Loads of a file.
+void add_station_keys(Table<LoadTable>& table) {
+    using T = LoadTable;
+    // clang-format off
+    table
+        .key("file", &T::file, "In place of values, a file with loads per length at stations, linear between stations and "
+             "times; outside of them the nearest ones act. CSV with columns t, s, fx, fy, fz, mx, my, mz, of which s is required, "
+             "a row for each time and station; or, with `columns`, one row for each time: CSV, or the output of OpenFAST, .out or .outb.")
+        .key("columns", &T::columns, load_columns_table(), "The columns of each component, if the file has one for each station. The "
+             "first column of the file is the time.")
+            .only_with("file")
+        .key("stations", &T::stations, "Arc lengths of the stations from the rod's start, in the order of their numbers.")
+            .unit("length").only_with("columns").also("span")
+        .key("axes", &T::axes, "With a file and frame `body`: the section axes, or untwisted, those axes turned back by the twist.")
+            .only_with("file");
+    // clang-format on
+}
+
 }  // namespace
 
 const TableSpec& load_table() {
@@ -78,16 +96,7 @@ const TableSpec& load_table() {
         .key("moment_per_length", &T::moment_per_length,
              "Moment per reference length; of the same variables.")
             .unit("mass·length/time²").otherwise("[0, 0, 0]")
-        .key("file", &T::file, "In place of values, a file with loads per length at stations, linear between stations and "
-             "times; outside of them the nearest ones act. CSV with columns t, s, fx, fy, fz, mx, my, mz, of which s is required, "
-             "a row for each time and station; or, with `columns`, one row for each time: CSV, or the output of OpenFAST, .out or .outb.")
-        .key("columns", &T::columns, load_columns_table(), "The columns of each component, if the file has one for each station. The "
-             "first column of the file is the time.")
-            .only_with("file")
-        .key("stations", &T::stations, "Arc lengths of the stations from the rod's start, in the order of their numbers.")
-            .unit("length").only_with("columns").also("span")
-        .key("axes", &T::axes, "With a file and frame `body`: the section axes, or untwisted, those axes turned back by the twist.")
-            .only_with("file")
+        .with(add_station_keys)
         .key("frame", &T::frame, "spatial: fixed in space, a dead load. follower: global components at t = 0, turned "
              "with the node or section. body: components in the section axes of the point named, or along the rod "
              "(body axes of a body).")
