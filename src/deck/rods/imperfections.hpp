@@ -5,7 +5,6 @@
 
 #include "deck/places/build_context.hpp"
 #include "deck/text/table_files.hpp"
-#include "model/mode_kind.hpp"
 #include "model/problem.hpp"
 #include "model/settings/mode_kind.hpp"
 
