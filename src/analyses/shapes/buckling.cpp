@@ -55,7 +55,7 @@ class FactorFinder {
         if (record_.failure.empty() && load_time_ != time_)
             record_.failure = find_moved_obstacle(system_.model());
         if (!record_.failure.empty()) return record_;
-        std::vector<double> K = compute_tangent(system_, time_, {});
+        std::vector<double> K = compute_first_tangent();
         record_.failure = solve_for_load(K);
         if (!record_.failure.empty()) return record_;
         std::vector<double> S = compute_change(K);
@@ -77,6 +77,14 @@ class FactorFinder {
 
   private:
     std::int64_t multiplier_count() const { return system_.equations().attached_count(); }
+
+    // Of a shape without loads before them: those that follow it add to the tangent in proportion, too.
+    std::vector<double> compute_first_tangent() const {
+        if (load_time_ == time_) return compute_tangent(system_, time_, {});
+        const Model unloaded_model = make_unloaded(system_.model());
+        const System unloaded(unloaded_model, system_.team(), touching_groups_of(system_));
+        return compute_tangent(unloaded, time_, {});
+    }
 
     std::vector<double> compute_tangent(const System& system,
                                         double time,

@@ -220,4 +220,8 @@ TEST_CASE("following loads make linear buckling a matter of their symmetric part
     const Eigen::VectorXd inverse_factors = find_symmetric_eigenvalues(-S, K);
     CHECK(record.factors[0].factor == Approx(1.0 / inverse_factors.maxCoeff()).epsilon(1e-7));
     CHECK((change - S).norm() > 1e-3 * S.norm());
+    // A load that acts at once, not by the load factor, is multiplied with its stiffness, too.
+    for (TimeFunction& force : model.loads.front().force) force = TimeFunction(2.0 * force(1.0));
+    CHECK(find_factors(model, 1).factors.at(0).factor ==
+          Approx(0.5 * record.factors[0].factor).epsilon(1e-9));
 }
