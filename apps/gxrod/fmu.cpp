@@ -24,7 +24,7 @@ struct FmuArguments {
     bool force = false;
 };
 
-// The library of FMUs stands beside the program, or in lib/gxrod of an installed one.
+// The library of FMUs is in the folder of the program, or in lib/gxrod of an installed one.
 std::string read_fmu_library() {
     namespace fs = std::filesystem;
     const std::string file = std::string(fmu_model_identifier) + ".so";

@@ -13,7 +13,7 @@ export function findOpening(data, found, clock, address) {
   return { ...findEvent(data, found, clock), fault: `The address has ${address}; expected a number, as in #t=0.5` };
 }
 
-// Of a part of an address; NaN if it is none.
+// Of a part of an address; NaN if it is not a number.
 function readNumber(text) {
   try {
     return Number(decodeURIComponent(text).replace("−", "-").trim() || NaN);

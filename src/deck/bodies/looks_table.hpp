@@ -9,7 +9,7 @@
 
 namespace gxrod {
 
-// What turns and moves a part within its body.
+// Turns and moves a part within its body.
 struct LookPlaceTable : TableHead {
     Vec3 at = Vec3::Zero();
     Vec3 rotation_vector = Vec3::Zero();

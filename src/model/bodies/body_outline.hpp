@@ -8,7 +8,7 @@
 
 namespace gxrod {
 
-// What a body looks like in pictures: triangles and lines that move with it. No force depends on it.
+// Holds what a body looks like in pictures: triangles and lines that move with it. No force depends on it.
 struct BodyOutline {
     int body = 0;
     bool is_given = false;       // by the deck; otherwise it follows from mass, inertia, contact and joints

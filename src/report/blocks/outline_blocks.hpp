@@ -10,7 +10,7 @@
 
 namespace gxrod {
 
-// What the deck says that bodies look like, for the page.
+// Writes into the page what bodies look like by the deck.
 class OutlineBlocks {
   public:
     OutlineBlocks() = default;

@@ -66,7 +66,7 @@ def rod(kind: Blade, name: str, csv: str, root: Array, axes: Array, elements: in
 
 
 def bodies(turbine: Turbine) -> list[str]:
-    """Nacelle and hub as rigid bodies; about axes of which the file says nothing they have half of what it says, the least that a body can have."""
+    """Nacelle and hub as rigid bodies; about axes that the file leaves out they have half the inertia it gives, the least that a body can have."""
     centre = turbine.nacelle_centre
     inertia = turbine.nacelle_inertia - turbine.nacelle_mass * float(centre[0] ** 2 + centre[1] ** 2)
     turned = f"\nrotation_vector = [0, 0, {number(turbine.yaw)}]" if turbine.yaw else ""

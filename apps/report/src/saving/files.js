@@ -21,7 +21,7 @@ export function pageStem() {
   return String(file || folder || deck || "gxrod").replace(/\.(vtkhdf|toml)$/, "");
 }
 
-// Small buttons that save what is beside them: { SVG: () => … }.
+// Small buttons that save what is next to them: { SVG: () => … }.
 export function makeSaveKeys(actions, what) {
   const keys = Object.entries(actions).map(([name, act]) => {
     const key = make("button", { type: "button", title: `Save ${what} as ${name}`, "aria-label": `Save ${what} as ${name}`, "data-format": name });

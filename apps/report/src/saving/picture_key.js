@@ -4,7 +4,7 @@ import { fileStem, pageStem, saveFile } from "./files.js";
 const margin = 12;
 const barWidth = 240;
 
-// A button beside those of the view that saves the picture as PNG, with the legend of its colours on the paper of the page.
+// A button next to those of the view that saves the picture as PNG, with the legend of its colours on the paper of the page.
 export function addPictureKey(stage) {
   const key = make("button", { id: "save-picture", type: "button", title: "Save the picture as PNG" }, "PNG");
   key.addEventListener("click", () => {

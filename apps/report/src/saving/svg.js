@@ -107,7 +107,7 @@ function writeKey({ text, colour, dash, opacity, height, left }) {
   return `<path d="M${x} -4h15" stroke="${colourOfLine}" stroke-width="2"${dash ? ' stroke-dasharray="4 2.5"' : ""}/>${words}`;
 }
 
-// A bar of colours with its ticks, if there is one beside the chart.
+// A bar of colours with its ticks, if there is one next to the chart.
 function writeBar(section, width) {
   const bar = section.querySelector(".section-bar, #bar:not([hidden]) #bar-colours");
   const stops = bar ? bar.style.background.match(/rgb\([^)]*\)/g) : null;
