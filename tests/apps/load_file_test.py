@@ -163,6 +163,9 @@ class LoadFile(ProgramTest):
         self.assertIn('load[0].columns.fy: expected a name with one * for the number of the station, found "AB1Fn"',
                       fault(WIDE.replace("FILE", "aero.out").replace("AB1N*Fn", "AB1Fn"), text_output(), "aero.out"))
         self.assertIn("has columns without `stations`", fault(WIDE.replace("FILE", "aero.out").replace("stations = [0, 1.5, 4]\n", ""), text_output(), "aero.out"))
+        (self.folder / "aero.outb").write_bytes(binary_output(3, (0.0, 1.0, 2.0))[0][:-8] + struct.pack("<d", float("nan")))
+        self.write("wrong.toml", DECK + WIDE.replace("FILE", "aero.outb"))
+        self.assertIn(f"row 3 of column {NAMES[-1]} is not a finite number", self.gxrod("check", "wrong.toml", code=2).stderr)
         self.assertIn("goes with frame", fault(csv + 'axes = "untwisted"\n'))
         self.assertIn("absent.csv", fault('file = "absent.csv"\n'))
 

@@ -276,6 +276,9 @@ steps = 2
                       self.faults("gravity = [0, 0, -9.81]\n" + wet))
         full = wet.replace("drag = 1", "contents = { density = 1000 }")
         self.assertIn("is under the pressure of its contents, and no round tube that they fill", self.faults("gravity = [0, 0, -9.81]\n" + full))
+        dry = full.replace("outer_diameter = 0.06, ", "").replace("[fluid]\ndensity = 1000\nsurface = 10\n", "[seabed]\nz = -1\nstiffness = 1e6\n")
+        self.assertIn("is under the pressure of its contents, which is found in water or air alone; expected [fluid] or [air]",
+                      self.faults("gravity = [0, 0, -9.81]\n" + dry))
         tube = wet.replace("outer_diameter = 0.06, ", "")
         self.assertIn("no rod has stresses: beam (its section is a tube under pressure, whose stresses a [[history]] of a point has)",
                       self.faults("gravity = [0, 0, -9.81]\n" + tube))

@@ -371,8 +371,6 @@ void check_load_stations(const LoadTable& given, FaultList& faults) {
         faults.add(given.columns->place,
                    given.path,
                    "has columns without `stations`, the arc lengths of the stations that they number");
-    } else if (given.stations->empty()) {
-        faults.add(given.place_of(&given.stations), given.path_of(&given.stations), "names no station");
     } else if (std::ranges::adjacent_find(*given.stations, std::greater_equal<>()) != given.stations->end()) {
         faults.add(given.place_of(&given.stations),
                    given.path_of(&given.stations),
