@@ -123,6 +123,17 @@ TEST_CASE("A line straight up of the length of its distance stands straight", "[
     CHECK_THAT(faults_of(replaced(one, "section = \"rope\"", "section = \"robe\"")), Contains("robe"));
 }
 
+TEST_CASE("A line hangs by the gravity of the combination that acts", "[deck]") {
+    const std::string twice = replaced(line_deck, "-9.80665", "-19.6133") + one_step;
+    const std::string factors = "[combination.twice]\nfactors = { gravity = 2 }\n";
+    const Model wanted = read(twice).model;
+    const Model found = read(line_deck + factors + one_step).model;
+    for (std::size_t i = 0; i < wanted.nodes.size(); ++i)
+        CHECK((found.nodes[i].position - wanted.nodes[i].position).norm() < 1e-9);
+    const Model once = read(line_deck + one_step).model;
+    CHECK((found.nodes[100].position - once.nodes[100].position).norm() > 1e-3);
+}
+
 TEST_CASE("Without gravity, and beyond the surface, a line of sections is refused", "[deck]") {
     CHECK_THAT(faults_of(replaced(line_deck, "gravity = [0, 0, -9.80665]", "") + one_step),
                Contains("x.toml:15") && Contains("rod.line.catenary") && Contains("gravity"));
