@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "assembly/system_values.hpp"
-#include "loads/shape_functions.hpp"
+#include "model/sections/section_at.hpp"
 
 namespace gxrod {
 namespace {
@@ -14,10 +14,8 @@ class MemberLine {
     MemberLine(const Member& member, const SteppedRun& run)
         : member_(member),
           run_(run),
-          rod_(run.problem().model.rods[static_cast<std::size_t>(member.ends[0].rod)]),
-          shapes_at_(find_shape_functions(rod_.order)),
-          first_(arc_length_at(member.ends[0])),
-          last_(arc_length_at(member.ends[1])) {}
+          first_(arc_length_of(member.ends[0])),
+          last_(arc_length_of(member.ends[1])) {}
 
     std::vector<StationForces> list_stations() const {
         std::vector<RodPlace> places;
@@ -33,7 +31,7 @@ class MemberLine {
             const PointValues value = run_values({places[i]}).front();
             StationForces& one = stations.emplace_back();
             one.station = station_words[i];
-            one.s = arc_length_at(places[i]) - first_;
+            one.s = arc_length_of(places[i]) - first_;
             one.position = value.start;
             one.forces << value.force, value.moment;
         }
@@ -47,25 +45,18 @@ class MemberLine {
         return SystemValues(analysis.system()).compute_point_values(state, state.time, places);
     }
 
-    double arc_length_at(const RodPlace& place) const {
-        const ShapeValues shapes = shapes_at_(place.xi);
-        const auto per_element = static_cast<std::size_t>(rod_.order) + 1;
-        const std::size_t first = static_cast<std::size_t>(place.element) * per_element;
-        double s = 0.0;
-        for (std::size_t i = 0; i < per_element; ++i) s += shapes.value[i] * rod_.arc_length[first + i];
-        return s;
-    }
+    double arc_length_of(const RodPlace& place) const { return arc_length_at(run_.problem().model, place); }
 
     RodPlace find_place(double s) const {
         RodPlace place = member_.ends[0];
         place.xi = 1.0;
-        while (place.element < member_.ends[1].element && arc_length_at(place) < s) ++place.element;
+        while (place.element < member_.ends[1].element && arc_length_of(place) < s) ++place.element;
         double low = -1.0;
         double high = 1.0;
         constexpr int halvings = 60;
         for (int i = 0; i < halvings; ++i) {
             place.xi = 0.5 * (low + high);
-            (arc_length_at(place) < s ? low : high) = place.xi;
+            (arc_length_of(place) < s ? low : high) = place.xi;
         }
         return place;
     }
@@ -123,8 +114,6 @@ class MemberLine {
 
     const Member& member_;
     const SteppedRun& run_;
-    const Rod& rod_;
-    ShapeFunctions shapes_at_;
     double first_, last_;  // arc lengths of the ends
 };
 
