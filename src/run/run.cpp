@@ -22,7 +22,12 @@ RunSummary run_to_end(const RunRequest& request, const std::function<void(const 
             else
                 simulation.step();
         }
-        at_end(simulation);
+        try {
+            at_end(simulation);
+        } catch (...) {
+            simulation.close();  // what it has computed is whole, whatever cannot be made of it
+            throw;
+        }
         simulation.close();
         summary = simulation.summary();
     }

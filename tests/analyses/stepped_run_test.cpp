@@ -1,9 +1,12 @@
 // A run that is driven from outside: step by step, to a time, back to an earlier state, by inputs.
 #include "run/stepped_run.hpp"
 
+#include <stdexcept>
+
 #include "deck/decks.hpp"
 #include "results/file/hdf5_reader.hpp"
 #include "results/sample.hpp"
+#include "run/run_to_end.hpp"
 #include "tools/catch.hpp"
 #include "tools/problem_run.hpp"
 
@@ -85,6 +88,19 @@ std::vector<double> bits_of(const SteppedRun& simulation) {
 }
 
 }  // namespace
+
+TEST_CASE("results are whole if what is made of a run at its end fails", "[run]") {
+    const sample::ScratchFolder folder;
+    const auto file = folder / "swing.vtkhdf";
+    const Problem problem = read(with_push("1"));
+    RunRequest request{problem};
+    request.results = ResultsFileOptions{file};
+    const auto fail = [](const SteppedRun&) { throw std::runtime_error("the disk is full"); };
+    CHECK_THROWS_WITH(run_to_end(request, fail), "the disk is full");
+    const Hdf5Reader results(file);
+    CHECK(results.text_attribute("/", "status") == "complete");
+    CHECK(results.numbers("/histories/time").back() == Approx(0.5));
+}
 
 TEST_CASE("A run driven step by step is the run", "[analyses][simulation]") {
     Driven driven(with_push("3"));
