@@ -30,7 +30,7 @@ GROUPS = [
     ("Many runs", "", {"mapping": ["map"], "batches": ["batch", "read_batch"]}),
     ("Results of runs", "", {"results": ["open_results", "Results"], "results/records": ["Record", "History", "SampledHistory", "Quantity", "Named"],
                      "results/frames": ["Frames", "Frame", "Fields", "Rod"], "results/ranges": ["Range"], "results/stresses": ["SectionStress", "Envelope", "ResultSection"], "results/contacts": ["Contacts", "ContactFrame"], "results/tables": ["Table"], "results/outlines": ["Outline"],
-                     "results/stages": ["Stage", "ShapesStage", "Sweep", "Response", "Answers", "PathStage", "Shapes"], "plot": ["draw"], "page": ["Page"]}),
+                     "results/stages": ["Stage", "ShapesStage", "Sweep", "Response", "Answers", "PathStage", "Shapes", "SweepShapes"], "plot": ["draw"], "page": ["Page"]}),
     ("Fatigue", "", {"fatigue": ["rainflow", "Cycles", "SNCurve", "damage", "equivalent_range"]}),
     ("Blades, turbines and sections of other programs", "", {"importers/formats": ["read_blade", "read_section_mesh"], "importers/writing": ["write_deck"], "importers/blade": ["Blade"],
                                                       "importers/openfast": ["read_turbine"], "importers/turbine_deck": ["write_turbine"], "importers/turbine": ["Turbine"],

@@ -1,7 +1,6 @@
 #include "results/results_file.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <set>
 #include <stdexcept>
@@ -213,7 +212,7 @@ void ResultsFile::write_shapes(const StagePlace& stage,
     const std::vector<double> scales = find_shape_scales(model, shapes);
     attempt(hdf5_reserve, [&] { tables_->write_shapes(stage, model, record, scales); });
     if (shapes.empty()) return;
-    const std::array equilibria{equilibrium};
+    const auto equilibria = list_equilibria_of(record, equilibrium);
     write_shape_file(shape_file_path(path_, stage.name),
                      deck,
                      model,

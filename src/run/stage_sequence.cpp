@@ -154,7 +154,9 @@ ResponseRecord StageSequence::find_response_of(const System& system,
 
 SweepRecord StageSequence::find_sweep(const EigenvalueSettings& settings) const {
     SweptEquilibria equilibria(plan_.problem.stages[index_], index_, plan_.threads);
-    SweepSettings sweep{.eigenvalues = settings, .finds_onset = settings.sweep->finds_onset};
+    SweepSettings sweep{.eigenvalues = settings,
+                        .finds_onset = settings.sweep->finds_onset,
+                        .keeps_shapes = settings.sweep->keeps_shapes};
     sweep.eigenvalues.counts = false;
     SweepRecord record = sweep_eigenvalues(
         settings.sweep->values, [&](double value) { return equilibria.find(value); }, sweep);

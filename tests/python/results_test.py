@@ -424,6 +424,33 @@ def test_eigenvalues_and_sweeps(runs):
     assert row["value"] == numbers(read_csv(runs.tables("beck") / "stage_onset_onset.csv"), "value")[0, 0]
 
 
+def test_shapes_and_words_of_a_sweep(runs):
+    results = gxrod.open_results(runs("campbell"))
+    sweep = results.stages["campbell"]
+    values, modes = sweep.angular_frequencies.shape
+    assert sweep.mode_words.shape == (values, modes)
+    assert list(sweep.mode_words[0]) == list(sweep.words)
+    shapes = sweep.shapes
+    nodes = shapes.position.shape[1]
+    assert len(shapes) == values
+    assert shapes.position.shape == (values, nodes, 3)
+    assert shapes.displacement.shape == shapes.rotation_vector.shape == (values, modes, nodes, 3)
+    # The blade stretches as it turns faster, and its shapes are a tenth of it.
+    reach = shapes.position[:, -1, 0]
+    assert reach[0] == pytest.approx(1.2, abs=1e-12)
+    assert (np.diff(reach) > 0.0).all()
+    largest = np.linalg.norm(shapes.displacement.real, axis=-1).max(axis=-1)
+    np.testing.assert_allclose(largest, 0.1, atol=0.02)
+    # The first mode leaves the plane of rotation at all speeds, the second one stays in it.
+    moves = np.abs(shapes.displacement[:, :, -1])
+    assert (moves[:, 0, 2] > 100.0 * moves[:, 0, 1]).all()
+    assert (moves[:, 1, 1] > 100.0 * moves[:, 1, 2]).all()
+    assert all("flap" in words for words in sweep.mode_words[1:, 0])
+    plain = gxrod.open_results(runs("beck")).stages["onset"]
+    with pytest.raises(gxrod.FileError, match="there is no such file; it holds the shapes of stage onset"):
+        plain.shapes  # noqa: B018
+
+
 def test_buckling_factors(runs):
     buckling = gxrod.open_results(runs("lateral_buckling")).stages["buckling"]
     table = read_csv(runs.tables("lateral_buckling") / "stage_buckling.csv")

@@ -38,6 +38,7 @@ class Sweep {
             add_point(found);
             if (found.failure.empty()) before = std::move(found);
         }
+        if (settings_.keeps_shapes) fill_shapes();
         if (settings_.finds_onset) find_onsets();
         return std::move(record_);
     }
@@ -49,6 +50,8 @@ class Sweep {
         std::string failure;
         std::vector<Complex> lambdas;
         std::vector<std::string> words;
+        std::vector<Eigenmode> modes;   // if shapes are kept
+        std::vector<NodeMotion> nodes;  // likewise
         ModeTraces traces;
         std::vector<int> followed;  // which of these each mode that is followed has become; −1: lost
         std::vector<double> corruption;
@@ -84,6 +87,9 @@ class Sweep {
             found.words.push_back(mode.shape.words);
         }
         found.traces = make_traces(system, matrices, record.modes);
+        if (!settings_.keeps_shapes) return found;
+        found.modes = record.modes;
+        found.nodes = touching.state().trial;
         return found;
     }
 
@@ -140,9 +146,32 @@ class Sweep {
         point.growth = find_growth(found.lambdas);
         point.is_growing = is_growing(found.lambdas);
         point.corruption = found.corruption;
-        for (const int mode : found.followed)
-            point.lambda.push_back(mode < 0 ? Complex(lost) : found.lambdas[static_cast<std::size_t>(mode)]);
+        for (const int mode : found.followed) {
+            const auto at = static_cast<std::size_t>(mode);
+            point.lambda.push_back(mode < 0 ? Complex(lost) : found.lambdas[at]);
+            point.words.push_back(mode < 0 ? std::string() : found.words[at]);
+            if (!found.nodes.empty()) point.modes.push_back(mode < 0 ? Eigenmode{} : found.modes[at]);
+        }
+        point.nodes = found.nodes;
         record_.points.push_back(std::move(point));
+    }
+
+    // Modes that were lost, and all of a value without equilibrium, rest where the last equilibrium was, so
+    // that each value has as many shapes.
+    void fill_shapes() {
+        const auto is_known = [](const SweepRecord::Point& point) { return !point.nodes.empty(); };
+        const auto first = std::ranges::find_if(record_.points, is_known);
+        if (first == record_.points.end()) return;
+        std::vector<NodeMotion> nodes = first->nodes;
+        for (SweepRecord::Point& point : record_.points) {
+            if (is_known(point)) nodes = point.nodes;
+            point.nodes = nodes;
+            point.modes.resize(followed_);
+            for (Eigenmode& mode : point.modes) {
+                mode.shape.nodes.resize(nodes.size(), Vec6::Zero());
+                mode.imaginary.resize(nodes.size(), Vec6::Zero());
+            }
+        }
     }
 
     void find_onsets() {

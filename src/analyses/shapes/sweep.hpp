@@ -25,6 +25,7 @@ using FindSweepState = std::function<SweepState(double value)>;
 struct SweepSettings {
     EigenvalueSettings eigenvalues{.counts = false};  // `count` modes are followed from the first value on
     bool finds_onset = true;
+    bool keeps_shapes = false;
     // If another mode has a larger share of a mode than this, the sweep adds values in between.
     double most_corruption = 0.5;
     int halvings = 4;

@@ -113,6 +113,7 @@ struct SweepTable : NumbersTable {
     SweepTable() { count = 21; }
     std::string key;
     OnsetSearch onset = OnsetSearch::locate;
+    bool shapes = false;
 };
 
 struct ExcitationTable : TableHead {

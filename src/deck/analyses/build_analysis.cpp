@@ -210,8 +210,10 @@ SteadySettings build_steady(const AnalysisTable& table, const BuildContext& cont
 EigenvalueSettings build_eigenvalues(const AnalysisTable& table, const BuildContext& context) {
     auto settings = build_shapes<EigenvalueSettings>(table);
     if (table.sweep) {
-        settings.sweep = {
-            table.sweep->key, list_numbers(*table.sweep, context), table.sweep->onset == OnsetSearch::locate};
+        settings.sweep = {table.sweep->key,
+                          list_numbers(*table.sweep, context),
+                          table.sweep->onset == OnsetSearch::locate,
+                          table.sweep->shapes};
     }
     return settings;
 }

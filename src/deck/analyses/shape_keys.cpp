@@ -17,7 +17,12 @@ const TableSpec& sweep_table() {
                 "onset",
                 &T::onset,
                 "locate: values between those of the sweep, at which motions begin to grow or cease to. off: "
-                "only the modes at each value.");
+                "only the modes at each value.")
+            .key("shapes",
+                 &T::shapes,
+                 "Keep the shapes of the modes at each value, in NAME.STAGE.vtkhdf: six numbers or, if they "
+                 "are "
+                 "complex, twelve for each node, mode and value.");
     }();
     return table;
 }

@@ -12,6 +12,7 @@ struct EigenvalueSweep {
     std::string key;             // key of the deck, such as parameters.Omega
     std::vector<double> values;  // in the order in which modes are followed
     bool finds_onset = true;     // finds where motions begin to grow, or stop growing
+    bool keeps_shapes = false;   // keeps the shapes at each value
 };
 
 // Small motions about a state with damping, follower loads and rotation.

@@ -112,6 +112,7 @@ class Writer {
     }
 
     void operator()(const SweepRecord& record) {
+        std::vector<std::string> words;
         std::vector<double> values, speeds, growths, omegas, corruption, largest;
         for (const SweepRecord::Point& point : record.points) {
             values.push_back(point.value);
@@ -122,6 +123,7 @@ class Writer {
                 growths.push_back(is_known ? point.lambda[i].real() : std::nan(""));
                 omegas.push_back(is_known ? point.lambda[i].imag() : std::nan(""));
                 corruption.push_back(is_known ? point.corruption[i] : std::nan(""));
+                words.push_back(is_known ? point.words[i] : "");
             }
         }
         write_dataset(group_, {sweep_values_name, "of " + record.key, "none", "as in the deck"}, values);
@@ -142,6 +144,8 @@ class Writer {
         write_dataset(group_,
                       {shape_words_name, "each mode in words, at the first value", "none", "none"},
                       record.words);
+        write_dataset(
+            group_, {sweep_words_name, "the same at each value, value by value", "none", "none"}, words);
         write_onsets(record.onsets);
         write_attribute(group_.id(), "key", record.key);
     }
@@ -183,9 +187,13 @@ class Writer {
                        "1"},
                       size,
                       shares);
+        write_scales(scales);
+        write_dataset(group_, {shape_words_name, "the shape in words", "none", "none"}, words);
+    }
+
+    void write_scales(std::span<const double> scales) {
         write_dataset(
             group_, {"scale", "what the shape is multiplied by in its own file", "none", "1"}, scales);
-        write_dataset(group_, {shape_words_name, "the shape in words", "none", "none"}, words);
     }
 
   private:
@@ -235,7 +243,11 @@ void write_shape_table(const Hdf5Handle& group,
                        std::span<const double> scales) {
     Writer writer(group, model);
     std::visit(std::ref(writer), record);
-    if (has_shapes(record)) writer.write_shapes(list_shapes_of(record), scales);
+    if (has_shapes(record)) {
+        writer.write_shapes(list_shapes_of(record), scales);
+    } else if (!scales.empty()) {
+        writer.write_scales(scales);
+    }
 }
 
 std::vector<const Shape*> list_shapes_of(const ShapesRecord& record) {
@@ -246,6 +258,12 @@ std::vector<const Shape*> list_shapes_of(const ShapesRecord& record) {
     }
     if (const auto* found = std::get_if<EigenvaluesRecord>(&record)) {
         for (const Eigenmode& mode : found->modes) shapes.push_back(&mode.shape);
+        return shapes;
+    }
+    if (const auto* sweep = std::get_if<SweepRecord>(&record)) {
+        for (const SweepRecord::Point& point : sweep->points) {
+            for (const Eigenmode& mode : point.modes) shapes.push_back(&mode.shape);
+        }
         return shapes;
     }
     if (!has_shapes(record)) return shapes;
@@ -261,7 +279,22 @@ std::vector<const std::vector<Vec6>*> list_imaginary_parts(const ShapesRecord& r
     if (const auto* found = std::get_if<EigenvaluesRecord>(&record)) {
         for (const Eigenmode& mode : found->modes) parts.push_back(&mode.imaginary);
     }
+    if (const auto* sweep = std::get_if<SweepRecord>(&record)) {
+        for (const SweepRecord::Point& point : sweep->points) {
+            for (const Eigenmode& mode : point.modes) parts.push_back(&mode.imaginary);
+        }
+    }
     return parts;
+}
+
+std::vector<std::span<const NodeMotion>> list_equilibria_of(const ShapesRecord& record,
+                                                            std::span<const NodeMotion> own) {
+    const auto* sweep = std::get_if<SweepRecord>(&record);
+    if (sweep == nullptr) return {own};
+    std::vector<std::span<const NodeMotion>> equilibria;
+    for (const SweepRecord::Point& point : sweep->points)
+        equilibria.insert(equilibria.end(), point.modes.size(), point.nodes);
+    return equilibria;
 }
 
 }  // namespace gxrod

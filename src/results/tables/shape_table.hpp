@@ -13,6 +13,8 @@ namespace gxrod {
 inline constexpr const char* shape_words_name = "words";
 // The dataset of the values of a sweep.
 inline constexpr const char* sweep_values_name = "value";
+// The dataset of words for each mode of a sweep, value by value.
+inline constexpr const char* sweep_words_name = "words_at_values";
 inline constexpr const char* onsets_name = "onset";
 // Returns whether a group of /stages belongs to a stage that took no steps.
 inline bool has_findings(const Hdf5Handle& group) {
@@ -28,6 +30,9 @@ void write_shape_table(const Hdf5Handle& group,
 
 // Lists the shapes in the order of the table.
 std::vector<const Shape*> list_shapes_of(const ShapesRecord& record);
+// Lists the equilibria about which they are: of a sweep one for each shape, else `own` for all.
+std::vector<std::span<const NodeMotion>> list_equilibria_of(const ShapesRecord& record,
+                                                            std::span<const NodeMotion> own);
 // Lists their imaginary parts; empty if they are real.
 std::vector<const std::vector<Vec6>*> list_imaginary_parts(const ShapesRecord& record);
 

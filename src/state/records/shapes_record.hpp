@@ -13,7 +13,8 @@ namespace gxrod {
 using ShapesRecord =
     std::variant<ModesRecord, BucklingRecord, EigenvaluesRecord, ResponseRecord, SweepRecord>;
 
-// Returns whether the record holds shapes: responses have none, and sweeps keep none.
+// Returns whether the record holds shapes about one state: responses have none, and those of sweeps, if they
+// are kept, are about several.
 inline bool has_shapes(const ShapesRecord& record) {
     return !std::holds_alternative<ResponseRecord>(record) && !std::holds_alternative<SweepRecord>(record);
 }

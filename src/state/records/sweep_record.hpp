@@ -4,6 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "state/motion.hpp"
+#include "state/records/eigenvalue_record.hpp"
+
 // Eigenvalues as functions of a parameter.
 namespace gxrod {
 
@@ -28,6 +31,10 @@ struct SweepRecord {
         // Share of another mode of the previous point in each mode, relative to the share of the mode itself:
         // 0 if the mode is the same, near 1 where two modes exchange their shapes.
         std::vector<double> corruption;
+        std::vector<std::string> words;  // of each mode here; "" where it was lost
+        // If shapes are kept: the modes, without motion where they were lost, and the equilibrium.
+        std::vector<Eigenmode> modes;
+        std::vector<NodeMotion> nodes;
         double growth = 0.0;      // the largest Re λ of all that were found
         bool is_growing = false;  // beyond round-off
     };

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "check/shape_report.hpp"
 #include "deck/decks.hpp"
@@ -126,6 +128,65 @@ TEST_CASE("Results and tables hold a sweep", "[analyses][sweep]") {
         "value,speed,largest_growth,omega_1,omega_2,growth_1,growth_2,corruption_1,corruption_2\n0,0,"));
     CHECK(read_text_file(folder / "csv/stage_sweep_onset.csv", "a table", 100'000)
               .starts_with("begins,kind,omega,value\n1,flutter,10.9688"));
+}
+
+TEST_CASE("A sweep keeps shapes and words at each value", "[analyses][sweep]") {
+    const sample::ScratchFolder folder;
+    const auto file = folder / "column.vtkhdf";
+    const RunSummary summary = run_problem(
+        read(column + press + sweep_of("key = \"parameters.P\", values = [0, 5, 25], shapes = true")), file);
+    REQUIRE(summary.status == RunStatus::complete);
+    const SweepRecord& sweep = sweep_in(summary);
+    // Each is the mode that a stage of its own finds at the same load.
+    for (std::size_t i = 0; i < sweep.points.size(); ++i) {
+        const std::string load = "P = " + std::to_string(sweep.points[i].value);
+        const RunSummary alone =
+            run_problem(read(replaced(column, "P = 5.0", load) + press +
+                             "[[stage]]\nname = \"alone\"\nkind = \"eigenvalues\"\ncount = 2\n"));
+        const auto& modes = std::get<EigenvaluesRecord>(alone.shapes.at(0).record).modes;
+        REQUIRE(sweep.points[i].modes.size() == 2);
+        for (std::size_t mode = 0; mode < 2; ++mode) {
+            const Eigenmode& kept = sweep.points[i].modes[mode];
+            const auto same = std::ranges::find_if(
+                modes, [&](const Eigenmode& one) { return std::abs(one.lambda() - kept.lambda()) < 1e-6; });
+            REQUIRE(same != modes.end());
+            CHECK(sweep.points[i].words[mode] == same->shape.words);
+            double largest = 0.0;
+            for (std::size_t node = 0; node < kept.shape.nodes.size(); ++node)
+                largest = std::max(largest, (kept.shape.nodes[node] - same->shape.nodes[node]).norm());
+            CHECK(largest < 1e-5);
+        }
+    }
+    CHECK(sweep.points[0].modes[0].shape.nodes != sweep.points[1].modes[0].shape.nodes);
+    const std::size_t nodes = sweep.points[0].nodes.size();
+    const Hdf5Reader results(file);
+    CHECK(results.texts("/stages/sweep/words_at_values").size() == 6);
+    CHECK(results.texts("/stages/sweep/words_at_values").at(3) == sweep.points[1].words[1]);
+    const std::vector<double> scales = results.numbers("/stages/sweep/scale");
+    REQUIRE(scales.size() == 6);
+    const Hdf5Reader shapes(folder / "column.sweep.vtkhdf");
+    CHECK(shapes.size("/VTKHDF/Points") == std::vector<hsize_t>{6 * nodes, 3});
+    const std::vector<double> moves = shapes.rows("/VTKHDF/PointData/displacement", 3 * nodes, nodes, 3);
+    for (std::size_t node = 0; node < nodes; ++node) {
+        for (int k = 0; k < 3; ++k)
+            CHECK(moves[3 * node + static_cast<std::size_t>(k)] ==
+                  Approx(scales[3] * sweep.points[1].modes[1].shape.nodes[node][k]).margin(1e-15));
+    }
+    // The column is shorter under 5 than under 0.
+    const std::vector<double> tops = shapes.rows("/VTKHDF/Points", 0, 6 * nodes, 3);
+    CHECK(tops[3 * (nodes - 1)] == Approx(1.0).epsilon(1e-12));
+    CHECK(tops[3 * (3 * nodes - 1)] == Approx(1.0 - 5e-4).epsilon(1e-6));
+}
+
+TEST_CASE("A sweep without shapes writes words alone", "[analyses][sweep]") {
+    const sample::ScratchFolder folder;
+    const auto file = folder / "column.vtkhdf";
+    REQUIRE(run_problem(read(column + press + sweep_of("key = \"parameters.P\", values = [0, 5]")), file)
+                .status == RunStatus::complete);
+    const Hdf5Reader results(file);
+    CHECK(results.texts("/stages/sweep/words_at_values").size() == 4);
+    CHECK_FALSE(results.has("/stages/sweep/scale"));
+    CHECK_FALSE(std::filesystem::exists(folder / "column.sweep.vtkhdf"));
 }
 
 TEST_CASE("Sweeps that cannot be are refused", "[analyses][sweep]") {

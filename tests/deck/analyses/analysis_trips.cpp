@@ -111,7 +111,10 @@ std::vector<RoundTrip> sweep_trips() {
         {"analysis.sweep.values", with("values = [5, 2]"), has({5, 2})},
         {"analysis.sweep.onset",
          with("values = [1], onset = \"off\""),
-         sweeps([](const EigenvalueSweep& sweep) { return !sweep.finds_onset; })}};
+         sweeps([](const EigenvalueSweep& sweep) { return !sweep.finds_onset; })},
+        {"analysis.sweep.shapes",
+         with("values = [1], shapes = true"),
+         sweeps([](const EigenvalueSweep& sweep) { return sweep.keeps_shapes; })}};
 }
 
 std::vector<RoundTrip> analysis_trips() {

@@ -42,7 +42,7 @@ class Stage(Shown):
     |---|---|
     | `modes` | `frequencies` [n] in cycles per time, `angular_frequencies` [n] in rad per time, `growth_rates` [n], `words` [n], `effective_masses` [n,6] along and about x, y, z, `total_mass` [6], `energy_shares` [n,rods,6], `shapes` |
     | `eigenvalues` | the same without masses; `damping_ratios` [n], `eigenvalues` [n], complex: growth + iω |
-    | `eigenvalues` with a sweep | `values` [V] of the `key`, `angular_frequencies`, `growth_rates` [V,n], `speeds` [V], `onsets` |
+    | `eigenvalues` with a sweep | `values` [V] of the `key`, `angular_frequencies`, `growth_rates` [V,n], `mode_words` [V,n], `speeds` [V], `onsets`, with `shapes = true` also `shapes` |
     | `buckling` | `factors` [n], `words` [n], `shapes` |
     | `response` | `frequencies`, `angular_frequencies` [F], `histories["tip"].displacement` [F,3], complex |
     | `path` | `critical_points`, `branches`: tables |
@@ -178,6 +178,16 @@ class Sweep(Stage):
     def eigenvalues(self) -> NDArray[np.complex128]:
         """Growth + iω [V,n], complex."""
         return self["growth"] + 1j * self["omega"]
+
+    @property
+    def mode_words(self) -> NDArray[np.object_]:
+        """Each mode in words at each value [V,n]; "" where it was lost."""
+        return self["words_at_values"].reshape(self._shapes_of["omega"])
+
+    @property
+    def shapes(self) -> SweepShapes:
+        """The shapes at each value, of a sweep with `shapes = true`: see `SweepShapes`."""
+        return SweepShapes(self._source.path, self.name, self._shapes_of["omega"])
 
     @property
     def onsets(self) -> Table:
@@ -332,6 +342,32 @@ class Shapes(Shown):
 
     def _headline(self):
         return f"{len(self)} shapes in {self.path.name}"
+
+
+class SweepShapes(Shapes):
+    """The shapes that a sweep has kept: for V values and n modes, `displacement` and `rotation_vector` [V,n,N,3], complex if the file has
+    imaginary parts, about the `position` [V,N,3] at each value; 0 where a mode was lost. Scaled as `Shapes`."""
+
+    def __init__(self, results, stage, size):
+        super().__init__(results, stage, has_own_places=True)
+        self._size = size
+
+    @property
+    def position(self) -> Array:
+        """Of the nodes in the equilibrium at each value [V,N,3]."""
+        places = super().position
+        return places.reshape(*self._size, *places.shape[1:])[:, 0]
+
+    def _shapes(self, name):
+        values = super()._shapes(name)
+        return values.reshape(*self._size, *values.shape[1:])
+
+    def __len__(self) -> int:
+        return self._size[0]
+
+    def _headline(self):
+        values, modes = self._size
+        return f"shapes of {modes} modes at {values} values in {self.path.name}"
 
 
 def read_stages(source: Source):
