@@ -68,7 +68,7 @@ showHeader(info);
 showDeck(info);
 showModel(data, units);
 const picture = makePicture();
-const swinging = picture && [...found.modes, ...found.paths].some(({ shapes }) => shapes) ? new Swinging(picture, clock) : null;
+const swinging = picture && [...found.modes, ...found.paths, ...found.sweeps].some(({ shapes }) => shapes) ? new Swinging(picture, clock) : null;
 const foundCharts = addFoundTabs(found, { clock, swinging, units, timeName });
 const stressTab = stresses && addStressTab(data, stresses, clock, units);
 bindTabs(find("tabs"));

@@ -45,9 +45,11 @@ void Findings::add_shapes(const std::filesystem::path& results,
                           std::size_t bytes) {
     for (const FoundStage& stage : stages_) {
         std::vector<double> times;
-        if (has_modes(file_, stage)) {
+        if (has_modes(file_, stage) || has_sweep(file_, stage)) {
             const std::size_t row = std::min(find_row_of_state(file_, stage), times_.size() - 1);
-            times.assign(count_modes(file_, stage), times_[row]);
+            times.assign(
+                has_sweep(file_, stage) ? count_sweep_shapes(file_, stage) : count_modes(file_, stage),
+                times_[row]);
         } else {
             for (const std::size_t row : path_.list_rows_of_shapes(stage))
                 times.push_back(times_[std::min(row, times_.size() - 1)]);
@@ -129,7 +131,9 @@ void Findings::describe(Json& json) const {
     add("responses", std::move(responses));
     Json sweeps = Json::array();
     for (const FoundStage& stage : stages_) {
-        if (has_sweep(file_, stage)) sweeps.push_back(describe_sweep(file_, stage));
+        if (!has_sweep(file_, stage)) continue;
+        sweeps.push_back(describe_sweep(file_, stage));
+        sweeps.back()["swing"] = describe_swing(stage.name);
     }
     add("sweeps", std::move(sweeps));
 }

@@ -41,6 +41,10 @@ Json list_onsets(const Hdf5Reader& file, const std::string& group) {
 
 bool has_sweep(const Hdf5Reader& file, const FoundStage& stage) { return stage.has(file, sweep_values_name); }
 
+std::size_t count_sweep_shapes(const Hdf5Reader& file, const FoundStage& stage) {
+    return stage.has(file, "scale") ? file.size(stage.group() + "/scale").at(0) : 0;
+}
+
 Json describe_sweep(const Hdf5Reader& file, const FoundStage& stage) {
     const std::string group = stage.group() + "/";
     const std::vector<std::string> words = file.texts(group + shape_words_name);
@@ -48,6 +52,17 @@ Json describe_sweep(const Hdf5Reader& file, const FoundStage& stage) {
     json["values"] = file.numbers(group + sweep_values_name);
     json["speeds"] = file.numbers(group + "speed");
     json["words"] = words;
+    // By mode; files of earlier versions have the words at the first value alone.
+    Json by_mode = Json::array();
+    if (stage.has(file, sweep_words_name)) {
+        const std::vector<std::string> all = file.texts(group + sweep_words_name);
+        for (std::size_t mode = 0; mode < words.size(); ++mode) {
+            Json list = Json::array();
+            for (std::size_t i = mode; i < all.size(); i += words.size()) list.push_back(all[i]);
+            by_mode.push_back(std::move(list));
+        }
+    }
+    json["words_at_values"] = by_mode;
     for (const char* name : {"omega", "growth"})
         json[name] = list_by_mode(file.numbers(group + name), words.size());
     json["onsets"] = stage.has(file, onsets_name) ? list_onsets(file, group + onsets_name) : Json::array();

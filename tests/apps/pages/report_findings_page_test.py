@@ -12,7 +12,7 @@ from browser import PHONE, Browser
 from program import GXROD, SOURCE
 from report_pages import PageTest
 
-DECKS = ("sway", "sagging_cable", "damped_cantilever", "turning_blade")
+DECKS = ("sway", "sagging_cable", "damped_cantilever", "turning_blade", "campbell")
 MOVE = """
     const over = document.querySelector(arguments[0] + ' .u-over');
     const box = over.getBoundingClientRect();
@@ -204,6 +204,64 @@ class Modes(FoundTest):
             return [point.left / ratio - over.offsetLeft, point.top / ratio - over.offsetTop];""")
         self.assertIn(tones["words"].asstr()[2], self.browser.run(MOVE, "#modes", *place, True))
         self.assertIn("tones 3", self.text("#swing-note"))
+
+
+class Sweeps(FoundTest):
+    def setUp(self):
+        super().setUp()
+        self.open("campbell")
+        self.press("[aria-controls=sweep]")
+
+    def figure(self, value):
+        return self.browser.run(f"const figure = document.querySelector('#sweep .figure').figure(); return {value};")
+
+    def test_lists_where_multiples_of_the_speed_meet_modes(self):
+        stage = self.results("campbell")["stages/campbell"]
+        speeds, omegas = stage["speed"][()], stage["omega"][()]
+        expected = []
+        for mode, curve in enumerate(omegas.T):
+            for multiple in range(1, 9):
+                off = curve - multiple * speeds
+                for i in np.flatnonzero(off[:-1] * off[1:] < 0):
+                    part = off[i] / (off[i] - off[i + 1])
+                    place = speeds[i] + part * (speeds[i + 1] - speeds[i])
+                    fine = np.linspace(0, 20, 200001)
+                    near = np.abs(np.interp(fine, speeds, curve) / np.maximum(multiple * fine, 1e-9) - 1) <= 0.1
+                    at = np.searchsorted(fine, place)
+                    before, after = np.flatnonzero(~near[:at]), np.flatnonzero(~near[at:])
+                    ends = fine[before[-1] + 1] if len(before) else 0, fine[at + after[0] - 1] if len(after) else 20
+                    expected.append((place, multiple, mode, multiple * place, *ends))
+        expected.sort()
+        self.assertGreater(len(expected), 8)
+        found = self.figure("figure.crossings.map((c) => [c.place, c.multiple, c.mode, c.frequency, c.from, c.until])")
+        np.testing.assert_allclose(found, expected, rtol=1e-9, atol=2e-4)
+        rows = self.browser.run("return [...document.querySelectorAll('.crossings tbody tr')].map((row) => row.textContent)")
+        self.assertEqual(len(rows), min(len(expected), 40))
+        self.assertIn(f"{expected[0][1]}P", rows[0])
+        self.assertEqual(self.figure("figure.y.range[0]"), 0)
+        self.assertEqual(self.figure("figure.rays.map(({ multiple }) => multiple)"), list(range(1, 9)))
+
+    def test_a_press_on_a_curve_shows_the_shape_there(self):
+        stage = self.results("campbell")["stages/campbell"]
+        value, mode = 30, 1
+        place = self.browser.run("""
+            const canvas = document.querySelector('#sweep canvas');
+            const over = document.querySelector('#sweep .u-over');
+            const ratio = canvas.width / canvas.clientWidth;
+            const point = document.querySelector('#sweep .figure').figure().lines[arguments[1]][arguments[0]];
+            return [point.left / ratio - over.offsetLeft, point.top / ratio - over.offsetTop];""", value, mode)
+        words = stage["words_at_values"].asstr()[6 * value + mode]
+        self.assertIn(words, self.browser.run(MOVE, "#sweep", *place, True))
+        self.pause()
+        self.assertIn(words, self.text("#swing-note"))
+        self.assertIn("campbell 2", self.text("#swing-note"))
+        self.slide(18)
+        with h5py.File(self.folder / "campbell.campbell.vtkhdf") as file:
+            nodes = int(file["VTKHDF/NumberOfPoints"][0])
+            rows = slice((6 * value + mode) * nodes, (6 * value + mode + 1) * nodes)
+            expected = file["VTKHDF/Points"][rows] - file["VTKHDF/PointData/displacement_imaginary"][rows]
+        positions = self.browser.run("return Array.from(document.getElementById('canvas').motion().positions)")
+        np.testing.assert_allclose(np.array(positions).reshape(-1, 3), expected, atol=2e-6)
 
 
 class Responses(FoundTest):

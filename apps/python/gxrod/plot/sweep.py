@@ -24,7 +24,7 @@ class Sweep:
     speeds: np.ndarray  # [V]; 0 where nothing turns
     omegas: np.ndarray  # [V, n]
     growths: np.ndarray  # [V, n]
-    words: list
+    words: list  # of each mode at the first value and, if others fit it there, at the last one
     onsets: list  # (value, omega, text)
     has_seconds: bool = False  # whether the deck's unit of time is known to be the second
 
@@ -39,7 +39,17 @@ def read_sweep(stage, units=""):
     onsets = [(row["value"], row["omega"], f"{row['kind']} {'begins' if row['begins'] else 'ends'} at {row['value']:.6g}")
               for row in stage.onsets]
     return Sweep(stage.name, stage.key, stage.values, stage.speeds, stage.angular_frequencies, stage.growth_rates,
-                 list(stage.words), onsets, read_units(units).get("time") == {"s": 1})
+                 name_branches(stage), onsets, read_units(units).get("time") == {"s": 1})
+
+
+def name_branches(stage):
+    if "words_at_values" not in stage:  # of an earlier version
+        return list(stage.words)
+    names = []
+    for first, words in zip(stage.words, stage.mode_words.T):
+        known = [text for text in words if text]
+        names.append(first if not known or known[-1] == first else f"{first}, in the end {known[-1]}")
+    return names
 
 
 class Scales:
@@ -111,4 +121,16 @@ def draw_rays(axes, scales, top):
         inside = across < end
         places, heights = np.append(across[inside], end), np.append(ray[inside], min(ray[-1], top))
         axes.plot(places, heights, color=GREY, linewidth=0.7, linestyle=(0, (4, 3)), zorder=0)
-        axes.annotate(f"{multiple}×", (end, heights[-1]), fontsize=7, color=GREY, ha="right", va="top" if ray[-1] > top else "bottom")
+        draw_meetings(axes, across, ray, scales.frequency * sweep.omegas[order])
+        axes.annotate(f"{multiple}P", (end, heights[-1]), fontsize=7, color=GREY, ha="right", va="top" if ray[-1] > top else "bottom")
+
+
+def draw_meetings(axes, across, ray, frequencies):
+    """Small rings where a ray meets a curve, linear between values."""
+    for mode, curve in enumerate(frequencies.T):
+        off = curve - ray
+        for i in np.flatnonzero(off[:-1] * off[1:] < 0.0):
+            part = off[i] / (off[i] - off[i + 1])
+            place = across[i] + part * (across[i + 1] - across[i])
+            axes.plot(place, ray[i] + part * (ray[i + 1] - ray[i]), "o", markersize=3.5, markerfacecolor="white",
+                      markeredgecolor=COLOURS[mode % len(COLOURS)], markeredgewidth=0.9)

@@ -8,7 +8,7 @@ export function readFindings(info) {
     rows: info.paths ? readPathRows(info) : null,
     modes: (info.modes ?? []).map((modes) => ({ ...modes, shapes: readShapes(modes.swing) })),
     responses: (info.responses ?? []).map(readResponse),
-    sweeps: info.sweeps ?? [],
+    sweeps: (info.sweeps ?? []).map((sweep) => ({ ...sweep, shapes: readShapes(sweep.swing) })),
   };
 }
 

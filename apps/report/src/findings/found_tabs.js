@@ -21,7 +21,7 @@ export function addFoundTabs(found, { clock, swinging, units, timeName }) {
   }
   if (found.modes.length > 0) add("modes", found.modes.every(({ kind }) => kind === "buckling") ? "Buckling" : "Modes", [new ModesTab(found.modes, { swinging, units })]);
   if (found.responses.length > 0) add("response", "Response", [new ResponseTab(found.responses, found.modes, units)]);
-  if (found.sweeps.length > 0) add("sweep", "Sweep", [new SweepTab(found.sweeps, units)]);
+  if (found.sweeps.length > 0) add("sweep", "Sweep", [new SweepTab(found.sweeps, { swinging, units })]);
   find("tabs").classList.toggle("many", tabs.length > 1);
   find("tabs").prepend(...tabs.map(([tab]) => tab));
   find("charts").before(...tabs.map(([, panel]) => panel));

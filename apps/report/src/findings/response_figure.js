@@ -61,6 +61,6 @@ export class ResponseFigure {
     if (!nearest) return null;
     const values = this.curves.filter(({ isHidden }) => !isHidden).map(({ name, values: all }) => make("span", {}, `${name} `, make("b", {}, formatNumber(all[nearest.i], 5))));
     const frequency = make("span", {}, `${this.across.symbol} = ${formatNumber(this.across.values[nearest.i], 5)}`);
-    return { row: -1, left: nearest.at, top: 12, words: [frequency, ...values] };
+    return { row: -1, i: nearest.i, left: nearest.at, top: 12, words: [frequency, ...values] };
   }
 }
