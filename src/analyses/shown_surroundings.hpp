@@ -5,7 +5,9 @@
 
 namespace gxrod {
 
-// Shows in the snapshot of a frame what water and ground press on rods, valid until the next call.
-void show_surroundings(const System& system, const State& state, double time, Snapshot& snapshot);
+// Shows in a snapshot whether there is ground and, for a frame, what water and ground press on rods, valid
+// until the next call.
+void show_surroundings(
+    const System& system, const State& state, double time, bool is_for_frame, Snapshot& snapshot);
 
 }  // namespace gxrod

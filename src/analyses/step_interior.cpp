@@ -173,7 +173,7 @@ Snapshot StepInterior::snapshot(double time,
     snapshot.tendons = tendons_;
     find_contacts(with_elements, watched_contacts);
     contact_record_.show_in(snapshot);
-    if (with_elements) show_surroundings(system_, between_, time, snapshot);
+    show_surroundings(system_, between_, time, with_elements, snapshot);
     return snapshot;
 }
 

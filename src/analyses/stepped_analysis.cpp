@@ -404,6 +404,7 @@ bool SteppedAnalysis::is_to_follow() {
     snapshot.joints = joints;
     snapshot.bodies = bodies;
     snapshot.tendons = tendons;
+    show_surroundings(system_, state_, time, false, snapshot);
     contact_record_ = record_contacts(system_, state_, time, watched_contacts_, false);
     contact_record_.show_in(snapshot);
     return follower_->follow(snapshot, time);
@@ -658,7 +659,7 @@ Snapshot SteppedAnalysis::snapshot(bool with_elements) {
     snapshot.tendons = tendon_values_;
     contact_record_ = record_contacts(system_, state_, state_.time, watched_contacts_, with_elements);
     contact_record_.show_in(snapshot);
-    if (with_elements) show_surroundings(system_, state_, state_.time, snapshot);
+    show_surroundings(system_, state_, state_.time, with_elements, snapshot);
     return snapshot;
 }
 

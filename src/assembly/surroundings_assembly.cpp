@@ -151,7 +151,8 @@ void SurroundingsAssembly::forget() const {
 void SurroundingsAssembly::find_fluids(const Vec3& position, bool gradients, Around& around) const {
     around.position = position;
     around.has_gradients = gradients;
-    if (model_->surroundings.water) around.water = field_->water_at(position, gradients);
+    const std::optional<Water>& water = model_->surroundings.water;
+    if (water && water->acts()) around.water = field_->water_at(position, gradients);
     if (!model_->has_inertia || !model_->has_time) {
         // Neither rods nor water have any: a current that grows with the load factor pushes by its speed
         // alone.
@@ -164,6 +165,7 @@ void SurroundingsAssembly::find_fluids(const Vec3& position, bool gradients, Aro
 void SurroundingsAssembly::move_to(double time) const {
     field_->move_to(time);
     gravity_ = model_->gravity(time);
+    if (model_->surroundings.water) water_factor_ = model_->surroundings.water->factor(time);
 }
 
 void SurroundingsAssembly::look_around(const State& state, double time, bool asks_gradients) const {
@@ -193,8 +195,8 @@ FluidsAt SurroundingsAssembly::fluids_at(const Around& around) const {
     const Surroundings& given = model_->surroundings;
     FluidsAt fluids;
     fluids.gravity = gravity_;
-    if (given.water) {
-        fluids.water_density = given.water->density;
+    if (given.water && given.water->acts()) {
+        fluids.water_density = water_factor_ * given.water->density;
         fluids.water = &around.water;
     }
     if (given.air) {
@@ -260,11 +262,19 @@ BedPoint SurroundingsAssembly::bed_point(const Contact& contact, const NodeMotio
     return {contact.radius, contact.area, motion.Lambda * contact.axis};
 }
 
-BedForce SurroundingsAssembly::compute_contact(std::size_t index, const State& state) const {
+double SurroundingsAssembly::bed_factor(double time) const {
+    return contacts_.empty() ? 0.0 : model_->surroundings.seabed->factor(time);
+}
+
+BedForce SurroundingsAssembly::compute_contact(std::size_t index, const State& state, double factor) const {
+    if (factor == 0.0) return {};
     const Contact& contact = contacts_[index];
     const NodeMotion& motion = state.trial[static_cast<std::size_t>(contact.node)];
-    return compute_bed_force(
+    BedForce bed = compute_bed_force(
         *model_->surroundings.seabed, bed_point(contact, motion), motion, contact_before(index, state));
+    bed.force *= factor;
+    bed.pressure *= factor;
+    return bed;
 }
 
 void SurroundingsAssembly::subtract_forces(const State& state,
@@ -294,9 +304,10 @@ void SurroundingsAssembly::subtract_forces(const State& state,
                     .force);
         }
     }
+    const double factor = bed_factor(time);
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
         Vec6 force = Vec6::Zero();
-        force.head<3>() = compute_contact(c, state).force;
+        force.head<3>() = compute_contact(c, state, factor).force;
         subtract(contacts_[c].node, force);
     }
 }
@@ -328,20 +339,23 @@ void SurroundingsAssembly::add_tangents(const State& state,
             add_own(wet, -compose(linearizations[static_cast<std::size_t>(wet.node)], derivative));
         }
     }
-    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    const double factor = bed_factor(time);
+    for (std::size_t c = 0; factor != 0.0 && c < contacts_.size(); ++c) {
         const Contact& contact = contacts_[c];
         const auto node = static_cast<std::size_t>(contact.node);
         const NodeMotion& motion = state.trial[node];
         const BedForceDerivative derivative = compute_bed_force_derivative(
             *model_->surroundings.seabed, bed_point(contact, motion), motion, contact_before(c, state));
-        add_own(contact, -compose(linearizations[node], derivative));
+        add_own(contact, -factor * compose(linearizations[node], derivative));
     }
 }
 
-void SurroundingsAssembly::commit(State& state, double /*time*/) const {
+// Without ground nothing touches, and friction that begins later holds what then touches where it is.
+void SurroundingsAssembly::commit(State& state, double time) const {
     if (!rubs_) return;
+    const double factor = bed_factor(time);
     for (std::size_t c = 0; c < contacts_.size(); ++c)
-        write(compute_contact(c, state).after, memory_of(c).of(state));
+        write(compute_contact(c, state, factor).after, memory_of(c).of(state));
 }
 
 const SurroundingsAssembly::WetElement* SurroundingsAssembly::find_element(int rod, int element) const {
@@ -376,7 +390,8 @@ PointSurroundings SurroundingsAssembly::compute_point_value(const State& state,
         values.pressure_force = compute_pressure_force(*section_at(*model_, place).fluid,
                                                        model_->surroundings.water,
                                                        fluids_at(around_[wet->places.front()]).gravity.norm(),
-                                                       position.z());
+                                                       position.z(),
+                                                       water_factor_);
         for (std::size_t j = 0; j < wet->nodes.size(); ++j) {
             const NodeMotion& motion = state.trial[static_cast<std::size_t>(wet->nodes[j])];
             const FluidsAt fluids = fluids_at(around_[wet->places[j]]);
@@ -387,11 +402,13 @@ PointSurroundings SurroundingsAssembly::compute_point_value(const State& state,
     }
     const Rod& rod = model_->rods[static_cast<std::size_t>(place.rod)];
     const auto nodes = static_cast<std::size_t>(rod.order) + 1;
+    const double factor = bed_factor(time);
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
         if (contacts_[c].rod != place.rod) continue;
         for (std::size_t j = 0; j < nodes; ++j) {
             if (rod.element_nodes[static_cast<std::size_t>(place.element) * nodes + j] == contacts_[c].node)
-                values.bed_force += shapes.value[j] * (compute_contact(c, state).force / contacts_[c].length);
+                values.bed_force +=
+                    shapes.value[j] * (compute_contact(c, state, factor).force / contacts_[c].length);
         }
     }
     return values;
@@ -399,7 +416,9 @@ PointSurroundings SurroundingsAssembly::compute_point_value(const State& state,
 
 std::span<const double> SurroundingsAssembly::compute_pressure_forces(const State& state, double time) const {
     if (!has_rods_in_water(*model_)) return {};
+    const std::optional<Water>& water = model_->surroundings.water;
     const double gravity = model_->gravity(time).norm();
+    const double water_factor = water->factor(time);
     pressure_forces_.clear();
     for (std::size_t r = 0; r < model_->rods.size(); ++r) {
         const Rod& rod = model_->rods[r];
@@ -410,7 +429,7 @@ std::span<const double> SurroundingsAssembly::compute_pressure_forces(const Stat
             for (std::size_t j = 0; wet != nullptr && j < wet->nodes.size(); ++j) {
                 const double z = state.trial[static_cast<std::size_t>(wet->nodes[j])].r.z();
                 force += shapes.value[j] *
-                         compute_pressure_force(*wet->sections[j], model_->surroundings.water, gravity, z);
+                         compute_pressure_force(*wet->sections[j], water, gravity, z, water_factor);
             }
             pressure_forces_.push_back(force);
         }
@@ -418,13 +437,14 @@ std::span<const double> SurroundingsAssembly::compute_pressure_forces(const Stat
     return pressure_forces_;
 }
 
-std::span<const Vec3> SurroundingsAssembly::compute_bed_forces(const State& state) const {
+std::span<const Vec3> SurroundingsAssembly::compute_bed_forces(const State& state, double time) const {
     if (contacts_.empty()) return {};
+    const double factor = bed_factor(time);
     bed_forces_.assign(model_->nodes.size(), Vec3::Zero());
     std::vector<double> lengths(model_->nodes.size(), 0.0);
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
         const auto node = static_cast<std::size_t>(contacts_[c].node);
-        bed_forces_[node] += compute_contact(c, state).force;
+        bed_forces_[node] += compute_contact(c, state, factor).force;
         lengths[node] += contacts_[c].length;
     }
     for (std::size_t node = 0; node < lengths.size(); ++node) {

@@ -66,7 +66,7 @@ class SurroundingsAssembly : public Contribution {
     // of the ground per length at each of its nodes; zero where nothing presses, empty if nothing can. Both
     // are valid until the next call.
     std::span<const double> compute_pressure_forces(const State& state, double time) const;
-    std::span<const Vec3> compute_bed_forces(const State& state) const;
+    std::span<const Vec3> compute_bed_forces(const State& state, double time) const;
     PointSurroundings compute_body_value(const State& state, double time, std::size_t body) const;
 
   private:
@@ -118,7 +118,9 @@ class SurroundingsAssembly : public Contribution {
                                const State& state,
                                const std::vector<NodeLinearization>& linearizations) const;
     Around around_body(const WetBody& body, const State& state) const;
-    BedForce compute_contact(std::size_t contact, const State& state) const;
+    // `factor` is that of the ground; 0: there is none.
+    BedForce compute_contact(std::size_t contact, const State& state, double factor) const;
+    double bed_factor(double time) const;
     BedPoint bed_point(const Contact& contact, const NodeMotion& motion) const;
     MemorySlice memory_of(std::size_t contact) const {
         return memory_.piece(contact, numbers_of_bed_contact);
@@ -143,6 +145,7 @@ class SurroundingsAssembly : public Contribution {
     mutable std::vector<double> pressure_forces_;
     mutable std::vector<Vec3> bed_forces_;
     mutable Vec3 gravity_ = Vec3::Zero();
+    mutable double water_factor_ = 1.0;
     mutable double time_ = 0.0;
     mutable bool is_known_ = false;
 };

@@ -99,7 +99,7 @@ Instant System::instant(const State& state, double time, const std::vector<NodeM
         model_->has_time ? std::max(time - state.time, 0.0) : std::numeric_limits<double>::infinity();
     if (!drive_values_.empty()) {
         drive_values_.move_to(time);
-        if (drive_values_.have_pressures()) drive_values_.press(motions, model_->gravity(time).norm());
+        if (drive_values_.have_pressures()) drive_values_.press(motions, time);
         tendon_lines_.capstans().set_tensions(motions, state, time, drive_values_);
         instant.drives = &drive_values_;
     }

@@ -42,9 +42,9 @@ std::span<const double> SystemValues::compute_pressure_forces(const State& state
     return system_->surroundings_->compute_pressure_forces(state, time);
 }
 
-std::span<const Vec3> SystemValues::compute_bed_forces(const State& state) const {
+std::span<const Vec3> SystemValues::compute_bed_forces(const State& state, double time) const {
     if (!system_->surroundings_) return {};
-    return system_->surroundings_->compute_bed_forces(state);
+    return system_->surroundings_->compute_bed_forces(state, time);
 }
 
 void SystemValues::compute_points_of_element(const State& state,

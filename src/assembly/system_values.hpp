@@ -36,7 +36,7 @@ class SystemValues {
     // the ground per length at each node; both are valid until the next call. Empty where the model has no
     // such surroundings.
     std::span<const double> compute_pressure_forces(const State& state, double time) const;
-    std::span<const Vec3> compute_bed_forces(const State& state) const;
+    std::span<const Vec3> compute_bed_forces(const State& state, double time) const;
     // Calls visit(block, instant) for the elements of each kind, with what acts within sections at the trial
     // motions.
     template <class Visit>

@@ -83,6 +83,8 @@ std::vector<double> compute_history(const Problem& problem,
     if (std::holds_alternative<WatchedTendon>(requests.at(history).target))
         tendons = SystemValues(system).compute_tendon_values(state, load_factor);
     snapshot.tendons = tendons;
+    const std::optional<Seabed>& seabed = problem.model.surroundings.seabed;
+    snapshot.has_ground = !seabed || seabed->acts();
     ContactRecord contacts;
     if (part_of(asked) == SnapshotPart::contact) {
         contacts = record_contacts(system, state, load_factor, list_contact_watches(requests), false);

@@ -106,13 +106,15 @@ void DriveValues::place_pressures(int index) {
     }
 }
 
-void DriveValues::press(const std::vector<NodeMotion>& motions, double gravity) {
+void DriveValues::press(const std::vector<NodeMotion>& motions, double time) {
+    const std::optional<Water>& water = model_->surroundings.water;
+    const double gravity = model_->gravity(time).norm();
+    const double water_factor = water ? water->factor(time) : 1.0;
     for (const PressedPoint& one : pressed_) {
         double z = 0.0;
         for (const auto& [node, share] : one.heights)
             z += share * motions[static_cast<std::size_t>(node)].r.z();
-        const double force =
-            compute_pressure_force(*one.section->fluid, model_->surroundings.water, gravity, z);
+        const double force = compute_pressure_force(*one.section->fluid, water, gravity, z, water_factor);
         drives_[one.point].strain[0] =
             one.given + compute_pressure_strain(*one.section->fluid, force, one.section->stiffness(0, 0));
     }

@@ -30,8 +30,8 @@ class DriveValues {
     // Sets the tension of one tendon at each of its force points, from the rod's start to its end.
     void set_tensions(std::size_t tendon, std::span<const double> at_points);
     // Sets strains by the pressure of water and contents, which depend on the depth, from the positions of
-    // the rods and the size of gravity. Call it after move_to, before the drives are asked for.
-    void press(const std::vector<NodeMotion>& motions, double gravity);
+    // the rods, gravity and water. Call it after move_to, before the drives are asked for.
+    void press(const std::vector<NodeMotion>& motions, double time);
     bool have_pressures() const { return !pressed_.empty(); }
     // Forgets functions that depend on more than the time: they are evaluated again, whatever the time.
     void forget() { time_.reset(); }

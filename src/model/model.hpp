@@ -264,7 +264,7 @@ struct Actions {
     std::vector<DistributedLoad> distributed_loads;
     std::vector<Actuation> actuations;
     std::vector<Tendon> tendons;  // the same in all stages; slack ones have a tension of zero
-    Surroundings surroundings;    // the same in all stages except currents, wind and waves
+    Surroundings surroundings;    // the same in all stages except flows, waves and factors
     Contact contact;              // the same in all stages except the motions of obstacles
     std::vector<Support> supports;
 };

@@ -71,6 +71,9 @@ enum class Stretching {
 
 struct Water {
     double density = 0.0;
+    // By which the forces of the water are multiplied, as if its density were; 0 where it is not there.
+    TimeFunction factor{1.0};
+    bool changes = false;             // whether the factor is another one in some stage or at some time
     std::optional<double> surface{};  // z of still water; without one water is everywhere
     std::optional<double> depth{};    // depth for waves; without one the formulas of deep water
     Flow current{};
@@ -80,6 +83,10 @@ struct Water {
     // Waves grow from `ramp_start` on over `ramp`, by q³(10 − 15 q + 6 q²).
     double ramp_start = 0.0;
     double ramp = 0.0;
+
+    // Whether there is water in this stage.
+    bool acts() const { return !factor.is_zero(); }
+    double density_at(double time) const { return factor(time) * density; }
 };
 
 struct Air {
@@ -104,9 +111,13 @@ struct Seabed {
     double axial_friction = 0.0;       // Coulomb's coefficient along a rod
     double lateral_friction = 0.0;     // Coulomb's coefficient across a rod
     double friction_stiffness = 0.0;   // force per area and displacement, while it sticks
+    // By which the force of the ground is multiplied; 0 where it is not there.
+    TimeFunction factor{1.0};
 
+    // Whether there is ground in this stage.
+    bool acts() const { return !factor.is_zero(); }
     bool has_friction() const {
-        return friction_stiffness > 0.0 && (axial_friction > 0.0 || lateral_friction > 0.0);
+        return acts() && friction_stiffness > 0.0 && (axial_friction > 0.0 || lateral_friction > 0.0);
     }
 };
 

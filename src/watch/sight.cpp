@@ -171,6 +171,7 @@ SectionStress Sight::stress() const {
 }
 
 std::optional<GroundedPart> Sight::grounded_part() const {
+    if (!now.has_ground) return std::nullopt;
     return find_grounded_part(*of.model, std::get<WatchedContacts>(of.target).contact.rod, now.nodes);
 }
 

@@ -125,6 +125,9 @@ TEST_CASE("Tangents of models in water, in wind and on the ground are derivative
             check_tangents(model);
             put_on_ground(model, middle);
             check_tangents(model);
+            model.surroundings.water->factor = TimeFunction([](double t) { return 0.3 + t; });
+            model.surroundings.seabed->factor = TimeFunction([](double t) { return 1.7 * t; });
+            check_tangents(model);
         }
     }
 }
@@ -151,6 +154,62 @@ TEST_CASE("A rod under water weighs less by what it displaces", "[assembly][surr
         const Vec3 expected = -1025.0 * 0.03 * length * model.gravity(0.0);
         CHECK(relative_difference(force, expected) < 1e-12);
     }
+}
+
+TEST_CASE("A factor of water is one of its density, a factor of the ground one of its forces",
+          "[assembly][surroundings]") {
+    Model model = make_turned_model(ElementKind::objective, 2);
+    surround_with_fluids(model, middle_height(model));
+    const auto forces_of = [](const Model& around) {
+        const System system(around);
+        State state = make_turned_state(system, 3);
+        update_trial_rates(system, NewmarkSimplified({0.25, 0.5}), stage, state);
+        return SystemMeasures(system).compute_surrounding_forces(state, now);
+    };
+    const auto difference = [](const std::vector<Vec6>& a, const std::vector<Vec6>& b, double factor) {
+        double largest = 0.0, size = 0.0;
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            largest = std::max(largest, (a[i] - factor * b[i]).norm());
+            size = std::max(size, a[i].norm());
+        }
+        return largest / size;
+    };
+    Model denser = model;
+    denser.surroundings.water->density *= 0.35;
+    model.surroundings.water->factor = TimeFunction([](double t) { return 0.5 * t; });  // 0.35 now
+    CHECK(difference(forces_of(model), forces_of(denser), 1.0) < 1e-14);
+    // Where there is no water, there is air.
+    Model dry = model;
+    dry.surroundings.water.reset();
+    model.surroundings.water->factor = TimeFunction(0.0);
+    CHECK(difference(forces_of(model), forces_of(dry), 1.0) < 1e-14);
+
+    Model lying = make_turned_model(ElementKind::objective, 2);
+    put_on_ground(lying, middle_height(lying));
+    const std::vector<Vec6> whole = forces_of(lying);
+    lying.surroundings.seabed->factor = TimeFunction([](double t) { return t; });
+    CHECK(difference(forces_of(lying), whole, now) < 1e-14);
+    lying.surroundings.seabed->factor = TimeFunction(0.0);
+    for (const Vec6& force : forces_of(lying)) CHECK(force.isZero(0.0));
+}
+
+TEST_CASE("Ground that is not there forgets what lay on it", "[assembly][surroundings]") {
+    Model model = make_turned_model(ElementKind::objective, 2);
+    put_on_ground(model, middle_height(model));
+    const auto commit_in = [&](double factor) {
+        model.surroundings.seabed->factor = TimeFunction(factor);
+        const System system(model);
+        State state = make_turned_state(system, 3);
+        for (std::size_t i = 0; numbers_of_bed_contact * i < state.memory.size(); ++i)
+            write({1.0, state.trial[i].r}, numbers_at(i, state));
+        system.commit(state, now);
+        bool touches = false;
+        for (std::size_t i = 0; numbers_of_bed_contact * i < state.memory.size(); ++i)
+            touches = touches || read_bed_contact(numbers_at(i, state)).touches;
+        return touches;
+    };
+    CHECK(commit_in(1.0));
+    CHECK_FALSE(commit_in(0.0));
 }
 
 TEST_CASE("Water and the ground act from outside", "[assembly][surroundings]") {

@@ -638,6 +638,13 @@ def vessel(deck, draw):
     deck["support"].append({"at": "beam.end", "vessel": "ship"})
 
 
+@feature("fluid", damped=True)
+def rising_water(deck, draw):
+    """Without added mass, as water that comes and goes must be where things move."""
+    wet(deck, added_mass=0)
+    deck["fluid"] = {"density": 50.0, "factor": f"{draw.uniform(0.2, 1.5)}*P"}
+
+
 @feature("contents", sudden=True)
 def flowing_contents(deck, draw):
     wet(deck, contents={"density": 500, "inner_diameter": 0.02, "velocity": draw.uniform(-2, 2)})
@@ -665,6 +672,12 @@ def seabed(deck, draw):
 def seabed_friction(deck, draw):
     wet(deck)
     deck["seabed"] = {"z": -0.05, "stiffness": 500.0, "friction": draw.uniform(0.1, 0.5)}
+
+
+@feature("ground", kinked=True, damped=True)
+def soft_ground(deck, draw):
+    wet(deck)
+    deck["seabed"] = {"z": -0.05, "stiffness": 500.0, "damping": 1.0, "factor": f"{draw.uniform(0.3, 1.5)}*P"}
 
 
 @feature("contact", kinked=True)

@@ -46,7 +46,7 @@ const DriveValues& TendonLines::drives_at(const State& state,
                                           double time) const {
     drives_.forget();  // functions may rest on inputs
     drives_.move_to(time);
-    if (drives_.have_pressures()) drives_.press(state.trial, model_->gravity(time).norm());
+    if (drives_.have_pressures()) drives_.press(state.trial, time);
     drives_.set_tensions(find_tensions(joints.compute_joint_values(state, time), time));
     capstans_.set_tensions(state.trial, state, time, drives_);
     return drives_;

@@ -133,7 +133,7 @@ class Questions {
     // More than a diameter deep, as what lies on the ground is not.
     void ask_of_ground() {
         const std::optional<Seabed>& seabed = model_.surroundings.seabed;
-        if (!seabed || model_.nodes.empty()) return;
+        if (!seabed || !seabed->acts() || model_.nodes.empty()) return;
         double diameter = 0.0;
         for (const Section& section : model_.sections)
             diameter = std::max(diameter, section.fluid ? section.fluid->diameter : 0.0);

@@ -134,7 +134,8 @@ std::string find_unsteady_load_of_spin(const Model& model, const TurningFrame& f
             return fmt::format("tendon.{} is in a rod that spins, which is not followed. Make", tendon.name);
     }
     const Surroundings& around = model.surroundings;
-    if (around.water && !around.water->waves.empty()) return "a wave is not steady. Leave it out, or make";
+    if (around.water && around.water->acts() && !around.water->waves.empty())
+        return "a wave is not steady. Leave it out, or make";
     if (around.seabed && around.seabed->has_friction())
         return "friction of seabed is not steady. Leave it out, or make";
     return "";

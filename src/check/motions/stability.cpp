@@ -84,7 +84,8 @@ std::string find_load_without_potential(const Model& model) {
         if (!is_zero(load.moment)) return load.key + " is a moment whose axis does not turn with its rod";
     }
     const Surroundings& around = model.surroundings;
-    if (around.water && !around.water->current.is_still()) return "the current of fluid drags";
+    if (around.water && around.water->acts() && !around.water->current.is_still())
+        return "the current of fluid drags";
     if (around.air && !around.air->wind.is_still()) return "the wind of air drags";
     if (around.seabed && around.seabed->has_friction()) return "seabed rubs";
     if (rubs(model.contact)) return "contact rubs";

@@ -169,13 +169,13 @@ std::string find_unsteady_surroundings(const Model& model, const TurningFrame& f
     const Surroundings& around = model.surroundings;
     const bool is_upright = are_parallel(Vec3::UnitZ(), frame.axis);
     const char* unsteady = nullptr;
-    if (around.water) {
+    if (around.water && around.water->acts()) {
         if (!is_steady(around.water->current, model, frame)) unsteady = "the current of fluid";
         if (around.water->surface && !is_upright) unsteady = "the surface of fluid";
         if (!around.water->waves.empty()) unsteady = "a wave";
     }
     if (around.air && !is_steady(around.air->wind, model, frame)) unsteady = "the wind of air";
-    if (around.seabed) {
+    if (around.seabed && around.seabed->acts()) {
         const Seabed& bed = *around.seabed;
         if (bed.grid || bed.has_friction() || !are_parallel(bed.normal, frame.axis)) unsteady = "seabed";
     }

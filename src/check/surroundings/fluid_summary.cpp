@@ -47,8 +47,8 @@ std::string describe(const Extent& range) {
 std::string describe_in_water(const Model& model,
                               const Rod& rod,
                               const std::vector<const Section*>& sections) {
-    if (!model.surroundings.water) return "";
-    const double density = model.surroundings.water->density;
+    if (!model.surroundings.water || !model.surroundings.water->acts()) return "";
+    const double density = model.surroundings.water->density_at(1.0);
     const double gravity = find_gravity(model);
     const Section& mean = model.sections[static_cast<std::size_t>(rod.section)];
     std::string text =
@@ -63,8 +63,8 @@ std::string describe_in_water(const Model& model,
 
 std::string describe_on_ground(const Model& model, const std::vector<const Section*>& sections) {
     const double gravity = find_gravity(model);
-    if (!model.surroundings.seabed || gravity == 0.0) return "";
-    const double density = model.surroundings.water ? model.surroundings.water->density : 0.0;
+    if (!model.surroundings.seabed || !model.surroundings.seabed->acts() || gravity == 0.0) return "";
+    const double density = model.surroundings.water ? model.surroundings.water->density_at(1.0) : 0.0;
     const double stiffness = model.surroundings.seabed->stiffness;
     const Extent depth = find_range(sections, [&](const Section& one) {
         const double weight = find_wet_weight(one, density, gravity);
@@ -101,8 +101,15 @@ std::string describe_flow(const Flow& flow, const char* what) {
     return text;
 }
 
+// Of water or ground that is not there, or not wholly, in the first stage.
+std::string describe_factor(const TimeFunction& factor) {
+    if (factor.is_zero()) return ", not in the first stage";
+    if (!factor.is_constant()) return ", times a factor";
+    return factor(0.0) == 1.0 ? "" : fmt::format(", times {:.6g}", factor(0.0));
+}
+
 std::string describe_water(const Water& water) {
-    std::string text = fmt::format("water: density {:.6g}", water.density);
+    std::string text = fmt::format("water: density {:.6g}", water.density) + describe_factor(water.factor);
     text += water.surface ? fmt::format(", surface at z = {:.6g}", *water.surface) : ", everywhere";
     if (water.depth) text += fmt::format(", {:.6g} deep for waves", *water.depth);
     return text + describe_flow(water.current, "current") + "\n";
@@ -149,6 +156,7 @@ std::string describe_ground(const Seabed& ground) {
             "a plane through {} across {}", in_parentheses(ground.point), in_parentheses(ground.normal));
     }
     text += fmt::format(", stiffness {:.6g}, damping {:.6g}", ground.stiffness, ground.damping);
+    text += describe_factor(ground.factor);
     if (!ground.has_friction())
         return text + (ground.friction_stiffness > 0.0 ? ", friction in later stages\n" : ", no friction\n");
     return text + fmt::format(", friction {:.6g} along and {:.6g} across, sliding after stiffness {:.6g}\n",
@@ -203,8 +211,8 @@ std::string describe_fluid(const Model& model, const Body& body) {
                                    body.fluid->volume,
                                    body.fluid->height,
                                    in_parentheses(body.fluid->drag_area));
-    if (!model.surroundings.water) return text;
-    const double displaced = model.surroundings.water->density * body.fluid->volume;
+    if (!model.surroundings.water || !model.surroundings.water->acts()) return text;
+    const double displaced = model.surroundings.water->density_at(1.0) * body.fluid->volume;
     return text + fmt::format("  in water: displaced mass {:.6g}{}\n",
                               displaced,
                               body.mass < displaced ? ": it floats" : "");

@@ -23,9 +23,9 @@ Vec3 find_weight(const Model& model, const Rod& rod, std::size_t entry) {
     const Section& section = section_at_entry(model, rod, entry);
     double mass = section.mass(0, 0);
     const auto& water = model.surroundings.water;
-    const bool is_wet = water && section.fluid &&
+    const bool is_wet = water && water->acts() && section.fluid &&
                         (!water->surface || node_at(model, rod, entry).position.z() < *water->surface);
-    if (is_wet) mass -= water->density * section.fluid->area;
+    if (is_wet) mass -= water->density_at(1.0) * section.fluid->area;
     return mass * model.gravity(1.0);
 }
 
@@ -118,7 +118,7 @@ Vec3 find_load(const Model& model, int node) {
         if (body.node != node) continue;
         double mass = body.mass;
         if (model.surroundings.water && body.fluid)
-            mass -= model.surroundings.water->density * body.fluid->volume;
+            mass -= model.surroundings.water->density_at(1.0) * body.fluid->volume;
         sum += mass * model.gravity(1.0);
     }
     return sum;

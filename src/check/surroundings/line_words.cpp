@@ -27,7 +27,7 @@ constexpr std::size_t most_rods = 50;
 constexpr int most_times = 20;
 
 bool is_estimated(const Model& model, const Rod& rod) {
-    return model.rods.size() <= most_rods && model.surroundings.water &&
+    return model.rods.size() <= most_rods && model.surroundings.water && model.surroundings.water->acts() &&
            model.sections[static_cast<std::size_t>(rod.section)].fluid;
 }
 

@@ -66,7 +66,7 @@ std::vector<int> list_held(const Model& model, const Rod& rod, const LineAtRest&
 SwingingBeam make_beam(const Model& model, const Rod& rod, const LineAtRest& line, int axis) {
     const int bending = axis == 1 ? 5 : 4;  // along y a section bends about z
     const double length = line.to - line.from;
-    const double density = model.surroundings.water ? model.surroundings.water->density : 0.0;
+    const double density = model.surroundings.water ? model.surroundings.water->density_at(1.0) : 0.0;
     SwingingBeam beam(length, beam_elements);
     std::size_t entry = line.first;
     for (int e = 0; e < beam_elements; ++e) {

@@ -55,7 +55,7 @@ class Examination {
     Examination(const Model& model, const AnalysisSettings& analysis) : model_(model), analysis_(analysis) {}
 
     std::vector<Finding> examine() {
-        if (model_.surroundings.water) {
+        if (model_.surroundings.water && model_.surroundings.water->acts()) {
             for (const TypicalWave& wave : list_typical(model_.surroundings.water->waves)) {
                 examine_height(wave);
                 examine_steps(wave);
@@ -75,6 +75,9 @@ class Examination {
 
   private:
     void add(Severity severity, std::string message) { findings_.push_back({severity, std::move(message)}); }
+
+    // Whether there is ground in the first stage.
+    bool has_ground() const { return model_.surroundings.seabed && model_.surroundings.seabed->acts(); }
 
     void note(std::string message) {
         if (!message.empty()) add(Severity::note, std::move(message));
@@ -153,8 +156,8 @@ class Examination {
 
     void examine_ground() {
         const double gravity = find_gravity(model_);
-        if (!model_.surroundings.seabed || gravity == 0.0) return;
-        const double density = model_.surroundings.water ? model_.surroundings.water->density : 0.0;
+        if (!has_ground() || gravity == 0.0) return;
+        const double density = model_.surroundings.water ? model_.surroundings.water->density_at(1.0) : 0.0;
         for (const Rod& rod : model_.rods) {
             const std::vector<const Section*> sections = list_sections(model_, rod);
             if (!sections.front()->fluid) continue;
@@ -178,8 +181,8 @@ class Examination {
 
     // Points that a support holds deeper in the ground than the line rests next to them, where it bends up.
     void examine_held_points() {
-        if (!model_.surroundings.seabed) return;
-        const double density = model_.surroundings.water ? model_.surroundings.water->density : 0.0;
+        if (!has_ground()) return;
+        const double density = model_.surroundings.water ? model_.surroundings.water->density_at(1.0) : 0.0;
         const double gravity = find_gravity(model_);
         std::vector<bool> is_known(model_.nodes.size(), false);
         for (const Rod& rod : model_.rods) {

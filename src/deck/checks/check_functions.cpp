@@ -13,7 +13,7 @@
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/top_level.hpp"
 #include "deck/supports/support_merge.hpp"
-#include "deck/surroundings/surroundings_tables.hpp"
+#include "deck/surroundings/presence.hpp"
 #include "deck/table/place_kinds.hpp"
 #include "model/evaluation_error.hpp"
 
@@ -147,6 +147,24 @@ void check_pull(const TendonTable& tendon, const std::vector<double>& times, con
                                    when));
 }
 
+// The factor of water or ground that is there, which neither pulls out of itself.
+void check_presence(const ActingTable& table, const std::vector<double>& times, const BuildContext& context) {
+    check_factor(table, times, context);
+    const TimeFunction factor = find_presence(table, context);
+    const double round_off = -1e-12;
+    for (const double time : times) {
+        double value = 0.0;
+        try {
+            value = factor(time);
+        } catch (const EvaluationError&) {
+            return;  // said already
+        }
+        if (value >= round_off) continue;
+        return context.add_fault(
+            table, table.factor, fmt::format("is {} at t = {}; expected at least 0", value, time));
+    }
+}
+
 }  // namespace
 
 void check_functions(const BuildContext& context) {
@@ -165,11 +183,14 @@ void check_functions(const BuildContext& context) {
     for (const TendonTable& tendon : tables_of<TendonTable>(context.deck, tendon_table()))
         check_pull(tendon, times, context);
     for (const FluidTable& fluid : tables_of<FluidTable>(context.deck, fluid_table())) {
+        check_presence(fluid, times, context);
         if (fluid.current) check_values(*fluid.current, times, context);
     }
     for (const AirTable& air : tables_of<AirTable>(context.deck, air_table())) {
         if (air.wind) check_values(*air.wind, times, context);
     }
+    for (const SeabedTable& seabed : tables_of<SeabedTable>(context.deck, seabed_table()))
+        check_presence(seabed, times, context);
     for (const SupportTable& support : tables_of<SupportTable>(context.deck, support_table())) {
         if (!support.move || !acts_in_stage(support, context)) continue;
         for (const CheckedTimeFunction& move : values_of<CheckedTimeFunction>(*support.move))

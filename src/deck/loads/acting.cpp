@@ -275,12 +275,14 @@ void check_stage_names(const BuildContext& context) {
         if (const auto* gravity = std::get_if<GravityTable>(&*given)) check_stage_names(*gravity, context);
     }
     for (const FluidTable& fluid : tables_of<FluidTable>(context.deck, fluid_table())) {
+        check_stage_names(fluid, context);
         if (fluid.current) check_stage_names(*fluid.current, context);
     }
     for (const AirTable& air : tables_of<AirTable>(context.deck, air_table())) {
         if (air.wind) check_stage_names(*air.wind, context);
     }
     for (const SeabedTable& seabed : tables_of<SeabedTable>(context.deck, seabed_table())) {
+        check_stage_names(seabed, context);
         if (const auto* friction =
                 seabed.friction ? std::get_if<BedFrictionTable>(&*seabed.friction) : nullptr)
             check_stage_names(*friction, context);

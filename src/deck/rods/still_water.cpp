@@ -7,6 +7,7 @@
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/top_level.hpp"
 #include "deck/surroundings/build_seabed.hpp"
+#include "deck/surroundings/presence.hpp"
 #include "deck/surroundings/surroundings_tables.hpp"
 
 namespace gxrod {
@@ -23,7 +24,8 @@ Lying find_lying(const Section* section, const BuildContext& context) {
     if (section == nullptr || !section->fluid) return {};
     const double diameter = section->fluid->diameter;
     const double weight = find_still_water(context).weight_in_water(*section);
-    const double stiffness = tables_of<SeabedTable>(context.deck, seabed_table()).front().get().stiffness;
+    const SeabedTable& seabed = tables_of<SeabedTable>(context.deck, seabed_table()).front();
+    const double stiffness = find_presence_at_start(seabed, context) * seabed.stiffness;
     return {0.5 * diameter, std::max(weight, 0.0) / (stiffness * diameter)};
 }
 
@@ -37,8 +39,11 @@ StillWater find_still_water(const BuildContext& context) {
     }
     const auto fluids = tables_of<FluidTable>(context.deck, fluid_table());
     if (fluids.empty()) return water;
-    water.density = fluids.front().get().density;
-    water.surface = fluids.front().get().surface;
+    const FluidTable& fluid = fluids.front();
+    const double factor = find_presence_at_start(fluid, context);
+    if (factor == 0.0) return water;
+    water.density = factor * fluid.density;
+    water.surface = fluid.surface;
     return water;
 }
 
@@ -53,6 +58,14 @@ std::optional<double> find_line_bed(const CatenaryTable& catenary,
                           context.deck.gives("seabed")
                               ? "a line can be laid on horizontal ground only, and this [seabed] is not"
                               : "the deck has no [seabed]; expected one with a height z");
+        return std::nullopt;
+    }
+    if (find_presence_at_start(tables_of<SeabedTable>(context.deck, seabed_table()).front(), context) <=
+        0.0) {
+        context.add_fault(catenary,
+                          catenary.bed,
+                          "there is no ground in the first stage to lie on: [seabed] has stages or a factor; "
+                          "expected a ground that is there from the first stage on");
         return std::nullopt;
     }
     const Lying lying = find_lying(section, context);

@@ -12,6 +12,7 @@
 #include "deck/surroundings/build_seabed.hpp"
 #include "deck/surroundings/build_waves.hpp"
 #include "deck/surroundings/check_surroundings.hpp"
+#include "deck/surroundings/presence.hpp"
 
 namespace gxrod {
 namespace {
@@ -66,6 +67,12 @@ const TableSpec& fluid_table() {
             .otherwise("false")
         .key("ramp", &T::ramp, "How long waves take to grow, from the start of the first stage that has them.")
             .unit("time").at_least(0)
+        .key("factor", &T::factor, "What all forces of the water are multiplied by, as its density would do: buoyancy, "
+             "pressure, drag and added mass. By t of a stage, or by stage: a stage that is not named keeps the last "
+             "value, and before the first one there is no water.")
+            .unit("1").otherwise("1")
+        .key("stages", &T::stages, "The stages in which there is water. In others [air] is everywhere.")
+            .otherwise("all").names_of({"stage"})
         .shown_by(
             "[fluid]\n"
             "density = 1025\n"
@@ -188,6 +195,9 @@ double find_air_density(const AirTable& given, const BuildContext& context) {
 
 Water find_water(const FluidTable& given, const SurroundingsFiles& files, const BuildContext& context) {
     Water water{.density = given.density};
+    water.factor = find_presence(given, context);
+    water.changes = given.factor || given.stages;
+    check_added_mass(given, water.factor, context);
     water.surface = given.surface;
     water.depth = find_depth(given, context);
     water.current = find_flow(given.current, context);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "deck/schema/schema_tables.hpp"
+#include "deck/surroundings/presence.hpp"
 
 namespace gxrod {
 namespace {
@@ -65,6 +66,12 @@ const TableSpec& seabed_table() {
         .key("friction", &T::friction, bed_friction_table(),
              "Coulomb's. A number is the coefficient along and across a rod.")
             .unit("1").at_least(0).otherwise("0").also("mu friction_coefficient")
+        .key("factor", &T::factor, "What the force of the ground is multiplied by: its stiffness, damping and friction. "
+             "By t of a stage, or by stage: a stage that is not named keeps the last value, and before the first one "
+             "there is no ground.")
+            .unit("1").otherwise("1")
+        .key("stages", &T::stages, "The stages in which there is ground.")
+            .otherwise("all").names_of({"stage"})
         .exactly_one_of({"z", "plane", "grid"})
         .shown_by(
             "[seabed]\n"
@@ -128,6 +135,7 @@ Seabed find_seabed(const SeabedTable& given,
     if (given.grid) seabed.grid = grid;
     seabed.stiffness = given.stiffness;
     seabed.damping = given.damping;
+    seabed.factor = find_presence(given, context);
     set_friction(given, seabed, context);
     return seabed;
 }

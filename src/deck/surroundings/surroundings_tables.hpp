@@ -13,7 +13,7 @@ struct FlowTable : ActingTable {
     std::optional<FieldVector> velocity;
 };
 
-struct FluidTable : TableHead {
+struct FluidTable : ActingTable {
     double density = 0.0;
     std::optional<double> surface, depth;
     std::optional<FlowTable> current;
@@ -70,7 +70,7 @@ struct BedFrictionTable : ActingTable {
     std::optional<double> stiffness;
 };
 
-struct SeabedTable : TableHead {
+struct SeabedTable : ActingTable {
     std::optional<double> z;
     std::optional<BedPlaneTable> plane;
     std::optional<BedGridTable> grid;

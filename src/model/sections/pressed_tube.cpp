@@ -39,8 +39,9 @@ Pressures recover_pressures(const SectionInFluid& section,
                             double pressure_force,
                             double z) {
     const bool is_wet = water && water->surface && *water->surface > z;
-    const double growth = growth_of(section, water, is_wet);
     const double at_rest = section.contents_pressure * section.contents_area;
+    // By contents without weight the pressure of water follows from the force alone, whatever its factor.
+    const double growth = growth_of(section, water, is_wet);
     const double head = growth == 0.0 ? 0.0 : (pressure_force - at_rest) / growth;
     return {.inside = section.contents_pressure + section.contents_density * head,
             .outside = is_wet ? water->density * head : 0.0};
@@ -61,6 +62,12 @@ Vec6 PressedTube::compute_stress(const Pressures& pressures, const Eigen::Vector
     return stress;
 }
 
+bool has_unknown_pressures(const Model& model, const SectionInFluid& section) {
+    const std::optional<Water>& water = model.surroundings.water;
+    return water && water->surface && water->changes && section.contents_area > 0.0 &&
+           section.contents_density > 0.0;
+}
+
 std::optional<PressedTube> find_pressed_tube(const Model& model, const Section& section) {
     if (section.law || !section.shape || section.other_shape || !section.fluid) return std::nullopt;
     const double area = section.fluid->area, contents = section.fluid->contents_area;
@@ -71,6 +78,7 @@ std::optional<PressedTube> find_pressed_tube(const Model& model, const Section& 
     const std::optional<Water>& water = model.surroundings.water;
     // Without water and air nothing finds the pressure of contents along rods.
     if (!water && !model.surroundings.air) return std::nullopt;
+    if (has_unknown_pressures(model, *section.fluid)) return std::nullopt;
     if (water && water->surface &&
         std::abs(growth_of(*section.fluid, water, true)) < balanced * water->density * area)
         return std::nullopt;

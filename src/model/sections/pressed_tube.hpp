@@ -35,9 +35,12 @@ struct PressedTube {
     Vec6 compute_stress(const Pressures& pressures, const Eigen::Vector2d& at) const;
 };
 
+// Whether pressures cannot be recovered, because contents weigh and the factor of the water changes.
+bool has_unknown_pressures(const Model& model, const SectionInFluid& section);
+
 // Returns the tube that a section is, if water or contents can press on it and it is hollow, of one material,
 // which has no `strength`; nullopt if it is not, or if its contents weigh as much as the water that it
-// displaces, so that the pressures cannot be recovered.
+// displaces, or while the water's factor changes, so that the pressures cannot be recovered.
 std::optional<PressedTube> find_pressed_tube(const Model& model, const Section& section);
 
 }  // namespace gxrod

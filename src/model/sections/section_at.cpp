@@ -69,6 +69,10 @@ std::string explain_no_stress(const Model& model, const Section& section) {
     if (section.fluid->contents_area > 0.0 && !model.surroundings.water && !model.surroundings.air)
         return "is under the pressure of its contents, which is found in water or air alone; expected "
                "[fluid] or [air], such as [air] with density = 1.2";
+    if (has_unknown_pressures(model, *section.fluid))
+        return "is under the pressures of its contents and of water that has a factor or stages, which its "
+               "results do not tell apart; expected [fluid] without factor and stages, or contents without "
+               "density";
     if (section.fluid->contents_area > 0.0)
         return "is under the pressure of its contents, and no round tube that they fill, of one material "
                "without strength";

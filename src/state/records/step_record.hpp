@@ -78,6 +78,7 @@ struct Snapshot {
     // the ground per length of the rods at each node, of models with rods that it can touch.
     std::span<const double> pressure_forces = {};
     std::span<const Vec3> bed_forces = {};
+    bool has_ground = true;  // false in a stage in which the ground of the model does not act
 };
 
 }  // namespace gxrod

@@ -43,6 +43,54 @@ TEST_CASE("Currents grow in a static stage and are whole afterwards", "[deck]") 
     CHECK(wind(1, 0.5) == Vec3(7.0, 3.0, 2.5));
 }
 
+TEST_CASE("Water and ground are there in some stages and grow by factors", "[deck]") {
+    const Problem problem =
+        read(staged_tube_deck() + water_deck + "factor = { storm = 0.5 }\n[seabed]\nz = -5\nstiffness = 1\n" +
+             "friction = 0.4\nfactor = \"t\"\nstages = [\"hang\", \"calm\"]\n");
+    const auto water = [&](std::size_t i) { return *around(problem, i).water; };
+    const auto bed = [&](std::size_t i) { return *around(problem, i).seabed; };
+    CHECK_FALSE(water(0).acts());  // before the first stage that is named
+    CHECK(water(1).density_at(0.7) == 500.0);
+    CHECK(water(2).factor.is_constant());
+    CHECK(water(2).density_at(0.7) == 500.0);  // keeps the last value
+    CHECK(water(2).changes);
+    CHECK(bed(0).factor(0.25) == 0.25);
+    CHECK_FALSE(bed(1).acts());
+    CHECK_FALSE(bed(1).has_friction());
+    CHECK(bed(1).friction_stiffness == 1.0);  // its memory has the same places in all stages
+    CHECK(bed(2).factor(0.25) == 0.25);
+    CHECK(bed(2).has_friction());
+    // Without the keys they are there from the start, also in a static stage in which loads grow.
+    const Problem plain = read(staged_tube_deck() + water_deck + "[seabed]\nz = -5\nstiffness = 1\n");
+    CHECK(plain.model.surroundings.water->factor.is_constant());
+    CHECK(plain.model.surroundings.water->factor(0.3) == 1.0);
+    CHECK(plain.model.surroundings.seabed->factor(0.3) == 1.0);
+    CHECK_FALSE(plain.model.surroundings.water->changes);
+}
+
+TEST_CASE("What is wrong with factors and stages of water and ground is said where it stands", "[deck]") {
+    const std::string bed = "[seabed]\nz = -5\nstiffness = 1\n";
+    CHECK_THAT(faults(water_deck + "stages = \"storm\"\n"),
+               Contains("fluid.stages") && Contains("no stage \"storm\""));
+    CHECK_THAT(faults(bed + "factor = { calm = 1 }\n"),
+               Contains("seabed.factor.calm") && Contains("no stage \"calm\""));
+    CHECK_THAT(faults(bed + "factor = \"1 - 2*t\"\n"),
+               Contains("seabed.factor: is -0.2 at t = 0.6; expected at least 0"));
+    CHECK_THAT(faults(water_deck + "factor = -1\n"), Contains("fluid.factor: is -1 at t = 0"));
+    CHECK_THAT(faults(bed + "factor = \"1/(t - t)\"\n"), Contains("seabed.factor"));
+    CHECK_THAT(faults(water_deck + "factor = \"t\"\n"),
+               Contains("x.toml:17") && Contains("fluid.factor: changes with t in a dynamic analysis") &&
+                   Contains("its mass cannot come and go"));
+    CHECK_THAT(faults_of(staged_tube_deck() + water_deck + "factor = { hang = \"t\", storm = \"t/2\" }\n"),
+               Contains("in the dynamic stage \"storm\"") && Contains("or added_mass = 0"));
+    // Without added mass, without inertia and without time it may change.
+    CHECK(faults_of(tube_deck("fluid = { added_mass = 0 }") + water_deck + "factor = \"t\"\n").empty());
+    CHECK(faults_of(staged_tube_deck() + water_deck +
+                    "factor = { hang = \"t\", storm = 1, calm = \"1 - t/3\" }\n")
+              .empty());
+    CHECK(faults_of(staged_tube_deck() + water_deck + "factor = { hang = \"t\" }\n").empty());
+}
+
 TEST_CASE("Waves act in stages with time and go on from one to the next", "[deck]") {
     const Problem problem = read(staged_tube_deck() + water_deck + "depth = 40\nramp = 3\n" + airy);
     CHECK(around(problem, 0).water->waves.empty());

@@ -34,6 +34,29 @@ Vec3 flow_at(const Flow& flow, double time, const Vec3& place) {
     return flow.field ? flow.field(time, place) : Vec3(Vec3::Zero());
 }
 
+// The factor of water or ground at a time of a stage.
+template <class Part>
+double factor_in(const Problem& p, std::size_t stage, double time, std::optional<Part> Surroundings::*part) {
+    const Surroundings& around = stage == 0 ? p.model.surroundings : p.stages.at(stage).actions.surroundings;
+    return (around.*part)->factor(time);
+}
+
+template <class Part>
+std::vector<RoundTrip> presence_trips(const std::string& key,
+                                      const std::string& table,
+                                      std::optional<Part> Surroundings::*part) {
+    return {trip(key + ".factor",
+                 staged_tube_deck() + table + "factor = { hang = \"0.5*t\", calm = 2 }\n",
+                 [=](const Problem& p) {
+                     return p.stages.size() == 3 && factor_in(p, 0, 0.5, part) == 0.25 &&
+                            factor_in(p, 2, 0.5, part) == 2.0;
+                 }),
+            trip(key + ".stages", staged_tube_deck() + table + "stages = \"storm\"\n", [=](const Problem& p) {
+                return p.stages.size() == 3 && factor_in(p, 0, 1.0, part) == 0.0 &&
+                       factor_in(p, 1, 1.0, part) == 1.0 && factor_in(p, 2, 1.0, part) == 0.0;
+            })};
+}
+
 std::vector<RoundTrip> flow_trips(const std::string& key,
                                   const std::string& begin,
                                   const std::function<Flow(const Problem&)>& flow) {
@@ -87,6 +110,8 @@ std::vector<RoundTrip> water_trips() {
         trip("fluid.ramp", with("ramp = 7\n" + airy), [](const Problem& p) {
             return water_of(p).ramp == 7.0;
         })};
+    for (RoundTrip& one : presence_trips("fluid", water_deck, &Surroundings::water))
+        trips.push_back(std::move(one));
     for (RoundTrip& one : flow_trips(
              "fluid.current", water_deck + "current", [](const Problem& p) { return water_of(p).current; }))
         trips.push_back(std::move(one));
@@ -179,7 +204,7 @@ std::vector<RoundTrip> bed_trips() {
     };
     const std::string all = "{ axial = 0.3, lateral = 0.6, stiffness = 7 }";
     const std::string plane = "plane = { point = [1, 2, 3], normal = [3, 0, 4] }\n";
-    return {
+    std::vector<RoundTrip> trips{
         trip("seabed.z", with("z = -5\n"), [](const Problem& p) { return bed_of(p).point.z() == -5.0; }),
         trip("seabed.plane.point", with(plane), [](const Problem& p) { return bed_of(p).point.y() == 2.0; }),
         trip("seabed.plane.normal",
@@ -220,6 +245,10 @@ std::vector<RoundTrip> bed_trips() {
                  };
                  return of(1) == 0.0 && of(2) == 0.3;
              })};
+    for (RoundTrip& one :
+         presence_trips("seabed", "[seabed]\nz = -5\nstiffness = 5e4\n", &Surroundings::seabed))
+        trips.push_back(std::move(one));
+    return trips;
 }
 
 std::vector<RoundTrip> coefficient_trips(const std::string& key,
