@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/body_moments.hpp"
+#include "model/settings/analysis_traits.hpp"
 #include "model/ties/joint_card.hpp"
 #include "model/ties/ties.hpp"
 #include "report/model/wet_rods_json.hpp"
@@ -104,6 +105,23 @@ Json describe_water(const Water& water) {
             {"waves", waves}};
 }
 
+// The names of the stages in which water or ground is there; null if it is in all of them.
+template <class Acts>
+Json list_stages(const Problem& problem, const Acts& acts) {
+    Json names = Json::array();
+    bool is_always = true;
+    for (std::size_t i = 0; i < problem.stages.size(); ++i) {
+        const StagePlan& stage = problem.stages[i];
+        if (!has_steps(stage.analysis)) continue;
+        if (acts(i == 0 ? problem.model.surroundings : stage.actions.surroundings)) {
+            names.push_back(stage.name);
+        } else {
+            is_always = false;
+        }
+    }
+    return is_always ? Json() : names;
+}
+
 Json describe_ground(const Seabed& seabed) {
     if (seabed.grid)
         return {
@@ -116,10 +134,16 @@ Json describe_ground(const Seabed& seabed) {
 Json describe_surroundings(const Problem& problem) {
     const Surroundings& around = problem.model.surroundings;
     Json json = Json::object();
-    if (around.water && around.water->surface) json["water"] = describe_water(find_sea(problem));
+    if (around.water && around.water->surface) {
+        json["water"] = describe_water(find_sea(problem));
+        json["water"]["stages"] =
+            list_stages(problem, [](const Surroundings& one) { return one.water->acts(); });
+    }
     if (around.water || around.air) json["wet"] = describe_wet_rods(problem);
     if (!around.seabed) return json;
     json["ground"] = describe_ground(*around.seabed);
+    json["ground"]["stages"] =
+        list_stages(problem, [](const Surroundings& one) { return one.seabed->acts(); });
     Json radii = Json::array();
     for (const Rod& rod : problem.model.rods) {
         const std::optional<SectionInFluid>& fluid =

@@ -28,17 +28,20 @@ Json describe_sections(const Model& model, const Rod& rod) {
     return rows;
 }
 
-// [time of the results, size of gravity].
+// [time of the results, size of gravity, density of the water that presses].
 Json list_gravity(const Problem& problem) {
     Json rows = Json::array();
     double start = find_axis_start(problem.stages);
     for (std::size_t i = 0; i < problem.stages.size(); ++i) {
         const StagePlan& stage = problem.stages[i];
         const TimeVector& gravity = i == 0 ? problem.model.gravity : stage.actions.gravity;
+        const Water& water = *(i == 0 ? problem.model.surroundings : stage.actions.surroundings).water;
         const double length = has_steps(stage.analysis) ? end_of(stage.analysis) : 0.0;
         for (int part = 0; part <= most_parts; ++part) {
             const double time = length * part / most_parts;
-            rows.push_back({start + time, gravity(time).norm()});
+            // Without a surface there is no pressure outside.
+            const double density = water.surface ? water.density_at(time) : 0.0;
+            rows.push_back({start + time, gravity(time).norm(), density});
         }
         start += length;
     }
@@ -62,8 +65,6 @@ Json describe_wet_rods(const Problem& problem) {
     if (!water || has_path(problem)) return json;
     json["gravity"] = list_gravity(problem);
     json["surface"] = water->surface.value_or(0.0);
-    json["density"] =
-        water->surface ? water->density : 0.0;  // without a surface there is no pressure outside
     return json;
 }
 

@@ -53,11 +53,30 @@ end_time = 2
 time_step = 0.05
 integrator = "generalized-alpha"
 """
+# It hangs in air, then half the water comes, then ground, without water.
+STAGES = PIPE.replace("surface = 0\n", 'surface = 0\nstages = "soak"\nfactor = 0.5\n').replace("[section.s]", """[air]
+density = 1.2
+[seabed]
+z = -40
+stiffness = 1e4
+stages = "lie"
+[section.s]""")
+STAGES = STAGES[:STAGES.index("[[support]]\nat = \"pipe.end\"")] + """[[support]]
+at = "pipe.end"
+fix = ["x", "y"]
+[[load]]
+at = "pipe.end"
+force = [0, 0, 2e4]
+[[history]]
+name = "low"
+at = "pipe@0.0625"
+quantities = ["effective_tension", "wall_tension"]
+""" + "".join(f'[[stage]]\nname = "{name}"\nkind = "static"\nsteps = 2\n' for name in ("hang", "soak", "lie"))
 CHART = "document.querySelector('.along')"
 
 
 def setUpModule():
-    report_pages.DECKS = {"pipe": PIPE, "rod": report_pages.ROD}
+    report_pages.DECKS = {"pipe": PIPE, "rod": report_pages.ROD, "stages": STAGES}
     set_up_pages()
 
 
@@ -90,6 +109,26 @@ class RangesInWater(PageTest):
             steps = np.isin(file["histories/time"][()], times[times >= 0])
             wall = file["histories/low/wall_tension"][()][steps]
         np.testing.assert_allclose([largest[0], least[0]], [wall.max(), wall.min()], rtol=1e-5)
+        self.assertEqual(self.browser.take_errors(), [])
+
+    def test_have_the_pressure_of_each_stage(self):
+        self.open("stages")
+        _, largest, least, *_ = self.plot("wall_tension")
+        with h5py.File(self.folder / "stages.vtkhdf") as file:
+            steps = np.isin(file["histories/time"][()], file["VTKHDF/Steps/Values"][()])
+            wall = file["histories/low/wall_tension"][()][steps]
+        np.testing.assert_allclose([largest[0], least[0]], [wall.max(), wall.min()], rtol=1e-5)
+
+    def test_water_and_ground_are_drawn_in_their_stages(self):
+        self.open("stages")
+        with h5py.File(self.folder / "stages.vtkhdf") as file:
+            frames = len(file["VTKHDF/Steps/Values"])
+        shown = []
+        for frame in range(frames):
+            self.slide(frame)
+            shown.append(self.browser.run("return document.getElementById('canvas').picture().parts.surroundings.sheets.map(({ mesh }) => mesh.visible)"))
+        # Frames at the ends of steps: the start and two in "hang", two in "soak", two in "lie"; water, then ground.
+        self.assertEqual(shown, [[False, False]] * 3 + [[True, False]] * 2 + [[False, True]] * 2)
         self.assertEqual(self.browser.take_errors(), [])
 
     def test_are_not_there_without_water(self):

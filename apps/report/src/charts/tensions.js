@@ -36,12 +36,12 @@ function interpolate(rows, place) {
 
 // The wall carries the effective tension and p_i A_i − p_o A_o; pressures grow with the depth below the surface at rest.
 function addPressures(data, tensions) {
-  const { rods, gravity, surface, density } = data.info.surroundings.wet;
+  const { rods, gravity: rows, surface } = data.info.surroundings.wet;
   const { values } = data.quantities.displacement;
   const size = data.reference.length;
   const cells = data.middles.length;
   const walls = Float32Array.from(tensions);
-  const gravities = Array.from(data.times, (time) => interpolate(gravity, time)[0]);
+  const acting = Array.from(data.times, (time) => interpolate(rows, time)); // size of gravity, density of the water
   rods.forEach((sections, rod) => {
     if (sections.length === 0) return;
     const nodes = listPlaces(data, rod, "node");
@@ -53,8 +53,9 @@ function addPressures(data, tensions) {
       data.times.forEach((_, frame) => {
         const height = ({ row }) => data.reference[3 * row + 2] + values[size * frame + 3 * row + 2];
         const depth = surface - (1 - part) * height(nodes[next - 1]) - part * height(nodes[next]);
-        const outside = density * gravities[frame] * Math.max(depth, 0);
-        const inside = contentsPressure + contentsDensity * gravities[frame] * depth;
+        const [gravity, density] = acting[frame];
+        const outside = density * gravity * Math.max(depth, 0);
+        const inside = contentsPressure + contentsDensity * gravity * depth;
         walls[cells * frame + cell] += inside * contentsArea - outside * area;
       });
     }

@@ -3,6 +3,7 @@ import { listPlaces } from "./along.js";
 import { make } from "../elements.js";
 import { formatNumber, timeSymbol } from "../format.js";
 import { axesOptions, nameAcross, rangeAround, widen } from "./plot_axes.js";
+import { listTimedStages, partAt } from "../findings/stages.js";
 import { heightOfGround } from "../scene/surroundings.js";
 import { readTheme } from "../theme.js";
 import { addSvgKey } from "../saving/svg.js";
@@ -22,7 +23,10 @@ function findTouches(data, rod) {
     return (z - heightOfGround(ground, x, y)) * upright - ground.radii[rod];
   };
   const touches = { first: [], last: [] };
-  data.times.forEach((_, frame) => {
+  const stages = listTimedStages(data.info);
+  const isThere = (time) => !ground.stages || ground.stages.includes(partAt(stages, time)?.name);
+  data.times.forEach((time, frame) => {
+    if (!isThere(time)) return [touches.first, touches.last].forEach((list) => list.push(null));
     const gaps = places.map(({ row }) => clearance(frame, row));
     const crossing = (i, j) => places[i].s + ((places[j].s - places[i].s) * gaps[i]) / (gaps[i] - gaps[j]);
     const first = gaps.findIndex((gap) => gap < 0);

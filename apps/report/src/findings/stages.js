@@ -18,6 +18,9 @@ function splitByBranch({ stage, first, count, paths }, { times, branches }) {
   return parts;
 }
 
+// Stages of a page that take time, in their order.
+export const listTimedStages = ({ stages }) => (stages ?? []).filter(({ from, until }) => until > from);
+
 // Which of these parts a time belongs to; a boundary belongs to the part that ends there.
 export function partAt(parts, time) {
   return parts.find(({ until }) => time <= until) ?? parts.at(-1) ?? null;

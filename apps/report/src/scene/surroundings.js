@@ -1,24 +1,27 @@
+import { listTimedStages, partAt } from "../findings/stages.js";
 import { DoubleSide, Group, Mesh, MeshLambertMaterial, PlaneGeometry } from "three";
 
 const cells = 56; // along each side of what is not flat
 const nearby = 0.8; // of the model's size: a surface that is farther from it is not drawn
 
-// The surface of the water, with its waves at the time shown, and the ground.
+// The surface of the water, with its waves at the time shown, and the ground, in the stages in which they are there.
 export class Surroundings {
   constructor({ info, times }, motion, size) {
     Object.assign(this, { times, motion, size });
     this.group = new Group();
     const { water, ground } = info.surroundings ?? {};
+    this.stages = listTimedStages(info);
     this.sheets = [];
-    if (water) this.add((x, y, time) => heightOfWater(water, x, y, time), water.waves.length > 0, 0x2f7fd1, 0.28, true);
-    if (ground) this.add((x, y) => heightOfGround(ground, x, y), !!ground.z, 0x9a7b4f, 0.55, false);
+    if (water) this.add((x, y, time) => heightOfWater(water, x, y, time), { isCurved: water.waves.length > 0, isMoving: true, color: 0x2f7fd1, opacity: 0.28, stages: water.stages });
+    if (ground) this.add((x, y) => heightOfGround(ground, x, y), { isCurved: !!ground.z, isMoving: false, color: 0x9a7b4f, opacity: 0.55, stages: ground.stages });
   }
 
-  add(height, isCurved, color, opacity, isMoving) {
+  // `stages`: names of those in which it is there; null: all.
+  add(height, { isCurved, isMoving, color, opacity, stages }) {
     const material = new MeshLambertMaterial({ color, opacity, transparent: true, depthWrite: false, side: DoubleSide });
     const mesh = new Mesh(new PlaneGeometry(), material);
     mesh.renderOrder = 1;
-    this.sheets.push({ mesh, height, count: isCurved ? cells : 1, isMoving: isMoving && isCurved });
+    this.sheets.push({ mesh, height, count: isCurved ? cells : 1, isMoving: isMoving && isCurved, stages });
   }
 
   // Below and above a box of the model; returns the box that shows the sheets as well.
@@ -33,6 +36,7 @@ export class Surroundings {
       sheet.mesh.geometry.dispose();
       sheet.mesh.geometry = geometry;
       this.shape(sheet);
+      this.showInStage(sheet);
       geometry.computeBoundingBox();
       const { min, max } = geometry.boundingBox;
       if (min.z > largest[2] + nearby * this.size || max.z < least[2] - nearby * this.size) continue;
@@ -43,10 +47,18 @@ export class Surroundings {
     return box;
   }
 
-  shape({ mesh, height }) {
+  get time() {
     const { frame, part } = this.motion;
     const next = Math.min(frame + 1, this.times.length - 1);
-    const time = (1 - part) * this.times[frame] + part * this.times[next];
+    return (1 - part) * this.times[frame] + part * this.times[next];
+  }
+
+  showInStage({ mesh, stages }) {
+    mesh.visible = !stages || stages.includes(partAt(this.stages, this.time)?.name);
+  }
+
+  shape({ mesh, height }) {
+    const { time } = this;
     const places = mesh.geometry.getAttribute("position");
     for (let i = 0; i < places.count; i++) places.setZ(i, height(places.getX(i), places.getY(i), time));
     places.needsUpdate = true;
@@ -55,7 +67,10 @@ export class Surroundings {
   }
 
   move() {
-    for (const sheet of this.sheets) if (sheet.isMoving && sheet.mesh.parent) this.shape(sheet);
+    for (const sheet of this.sheets) {
+      this.showInStage(sheet);
+      if (sheet.isMoving && sheet.mesh.parent) this.shape(sheet);
+    }
   }
 }
 
