@@ -448,7 +448,32 @@ def test_shapes_and_words_of_a_sweep(runs):
     assert all("flap" in words for words in sweep.mode_words[1:, 0])
     plain = gxrod.open_results(runs("beck")).stages["onset"]
     with pytest.raises(gxrod.FileError, match="there is no such file; it holds the shapes of stage onset"):
-        plain.shapes  # noqa: B018
+        plain.shapes
+
+
+def test_a_campbell_diagram_marks_where_multiples_of_the_speed_meet_modes(runs):
+    figures = pytest.importorskip("matplotlib.figure")
+    from gxrod.plot.sweep import draw_sweep, read_sweep
+
+    stage = gxrod.open_results(runs("campbell")).stages["campbell"]
+    sweep = read_sweep(stage, "m kg s")
+    figure = figures.Figure()
+    draw_sweep(figure, sweep)
+    axes = figure.axes[0]
+    rpm, hertz = stage.speeds * 30 / np.pi, stage.angular_frequencies / (2 * np.pi)
+    assert axes.get_xlim() == (0.0, rpm[-1])
+    top = axes.get_ylim()[1]
+    rings = sorted(float(line.get_xdata()[0]) for line in axes.lines if line.get_markersize() == 3.5)
+    expected = []
+    for multiple in range(1, 9):
+        off = hertz - multiple * rpm[:, None] / 60
+        for i, mode in zip(*np.nonzero(off[:-1] * off[1:] < 0)):
+            part = off[i, mode] / (off[i, mode] - off[i + 1, mode])
+            expected.append(rpm[i] + part * (rpm[i + 1] - rpm[i]))
+            assert hertz[i, mode] < top
+    np.testing.assert_allclose(rings, sorted(expected), rtol=1e-12)
+    names = [text.get_text() for text in axes.texts]
+    assert names == [f"{multiple}P" for multiple in range(1, 9)]
 
 
 def test_buckling_factors(runs):

@@ -100,6 +100,8 @@ def draw_sweep(figure, sweep):
         above.plot(*zip(point), "o", color=RED, markersize=4)
         above.annotate(text, point, xytext=(5, 6), textcoords="offset points", fontsize=8, color=RED)
     above.set_ylim(0.0, top or 1.0)
+    if len(scales.across) > 1:
+        above.set_xlim(scales.across.min(), scales.across.max())
     above.set_ylabel(scales.up_label)
     (below or above).set_xlabel(scales.across_label)
     legend_above(above, 3)
@@ -122,7 +124,7 @@ def draw_rays(axes, scales, top):
         places, heights = np.append(across[inside], end), np.append(ray[inside], min(ray[-1], top))
         axes.plot(places, heights, color=GREY, linewidth=0.7, linestyle=(0, (4, 3)), zorder=0)
         draw_meetings(axes, across, ray, scales.frequency * sweep.omegas[order])
-        axes.annotate(f"{multiple}P", (end, heights[-1]), fontsize=7, color=GREY, ha="right", va="top" if ray[-1] > top else "bottom")
+        axes.annotate(f"{multiple}P", (end, heights[-1]), xytext=(-3, 0), textcoords="offset points", fontsize=7, color=GREY, ha="right", va="top" if ray[-1] > top else "bottom")
 
 
 def draw_meetings(axes, across, ray, frequencies):
