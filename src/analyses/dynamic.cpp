@@ -55,12 +55,20 @@ EquilibriumReport DynamicAnalysis::start() {
     fit_start_velocities(system_, 0.0, first_step, projects_start_ || takes_over_rates(), workspace_, state_);
     const EquilibriumReport report = solve_accelerations(system_, 0.0, first_step, workspace_, state_);
     if (report.converged()) accept_start();
+    find_jumps();
     return report;
 }
 
 void DynamicAnalysis::find_jumps() {
-    if (system_.model().has_inertia) return;
-    set_jumps(gxrod::find_jumps(system_.model(), times_, samples_));
+    const Model& model = system_.model();
+    std::vector<double> ends;
+    if (!model.has_inertia) ends = gxrod::find_jumps(model, times_, samples_);
+    for (const Joint& joint : model.joints) {
+        const std::optional<double>& time = joint.strength.time;
+        if (time && joint.acts && *time < times_.to) ends.push_back(*time);
+    }
+    std::ranges::sort(ends);
+    set_jumps(std::move(ends));
 }
 
 Stage DynamicAnalysis::settling_stage() const {
@@ -76,6 +84,7 @@ bool DynamicAnalysis::settles_here() const {
 
 double DynamicAnalysis::trial_time() const {
     const double end = steps_->next_time();
+    if (system_.model().has_inertia) return end;
     const std::optional<double> jump = find_jump_at(end);
     return jump ? sides_of_jump(std::min(*jump, end), times_).before : end;
 }

@@ -32,7 +32,8 @@ class DynamicAnalysis : public SteppedAnalysis {
     void recall(const RestartRecord&) override { find_jumps(); }
 
   private:
-    // Finds the times at which an action without inertia jumps.
+    // Finds the times at which steps have to end: where joints break, and, without inertia, where an action
+    // jumps.
     void find_jumps();
     std::optional<double> find_jump_at(double time) const;
 

@@ -471,18 +471,30 @@ bool SteppedAnalysis::shorten_step() {
     return steps_->reject();
 }
 
+EquilibriumReport SteppedAnalysis::begin_anew() {
+    const bool has_rates = !integrator_->is_static() && system_.model().has_inertia;
+    const bool has_broken = system_.joints().has_just_broken(state_);
+    if (settles_here() || (has_broken && !has_rates)) return settle();
+    if (!has_broken) return {};
+    undo_trial(state_);
+    const TimeSpan step{steps_->time(), steps_->time_step()};
+    if (solve_accelerations(system_, step.start, step, workspace_, state_).converged()) {
+        integrator_->start(state_);
+        state_.previous = state_.trial;
+        state_.joints_previous = state_.joints_trial;
+    }
+    undo_trial(state_);
+    return {};
+}
+
 EquilibriumReport SteppedAnalysis::advance() {
     EquilibriumReport report;
     solver_row_ = SolverRow{};
     section_values_ = std::vector<SectionValues>();  // large compared with what a step needs
     settled_.reset();
-    int iterations = 0;  // of settling
-    const bool has_rates = !integrator_->is_static() && system_.model().has_inertia;
-    if (settles_here() || (!has_rates && system_.joints().has_just_broken(state_))) {
-        report = settle();
-        if (!report.converged()) return report;
-        iterations = report.iterations;
-    }
+    report = begin_anew();
+    if (!report.converged()) return report;
+    const int iterations = report.iterations;
     while (!take_step(report)) {
         ++solver_row_.rejected_steps;
         if (report.outcome != Outcome::lost_stability) cuts_.add(report, steps_->steps_done());

@@ -144,6 +144,9 @@ class SteppedAnalysis {
     // Sets times at which an action jumps. Steps end there, with the values before the jump.
     void set_jumps(std::vector<double> jumps);
     const std::vector<double>& jumps() const { return jumps_; }
+    // Settles where a load has jumped or a joint has broken; in a motion with inertia, solves for the
+    // accelerations after a joint has broken, which the next step begins with.
+    EquilibriumReport begin_anew();
     // Finds the trial motions at the end of the next step.
     virtual EquilibriumReport solve_trial();
     // Whether what follows the steps asks for the trial again.

@@ -24,6 +24,9 @@ class MixedLaw final : public SmallMotionLaw, public KinkedLaw {
     MixedLaw(std::shared_ptr<const SectionLaw> a, std::shared_ptr<const SectionLaw> b, double t);
 
     int memory_size() const override;
+    bool has_derivatives() const override {
+        return shares_[0].law->has_derivatives() && shares_[1].law->has_derivatives();
+    }
     std::string describe() const override;
     SectionResponse respond(const Vec6& strain,
                             std::span<const double> memory,

@@ -17,6 +17,7 @@ class MovedLaw final : public SmallMotionLaw, public KinkedLaw {
     MovedLaw(const SectionFrame& frame, std::shared_ptr<const SectionLaw> law);
 
     int memory_size() const override { return law_->memory_size(); }
+    bool has_derivatives() const override { return law_->has_derivatives(); }
     std::string describe() const override { return law_->describe(); }
     SectionResponse respond(const Vec6& strain,
                             std::span<const double> memory,

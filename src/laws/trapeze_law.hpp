@@ -16,6 +16,7 @@ class TrapezeLaw final : public SmallMotionLaw, public KinkedLaw {
     TrapezeLaw(const Mat6& C, std::shared_ptr<const SectionLaw> inner = nullptr);
 
     int memory_size() const override { return inner_->memory_size(); }
+    bool has_derivatives() const override { return inner_->has_derivatives(); }
     std::string describe() const override { return inner_->describe() + "; shortens as it twists"; }
     SectionResponse respond(const Vec6& strain,
                             std::span<const double> memory,

@@ -83,13 +83,14 @@ struct JointClearance {
     bool dissipates() const { return friction > 0.0 || contact.damping > 0.0 || contact.hysteresis > 0.0; }
 };
 
-// The largest force and moment that a joint holds. It breaks at the end of a step in which it holds more, and
-// then holds nothing.
+// The largest force and moment that a joint holds, and how long it holds. It breaks at the end of a step in
+// which it holds more, or at this time, and then holds nothing.
 struct JointStrength {
-    std::optional<double> force;   // of the rows that are lengths
-    std::optional<double> moment;  // of the others
+    std::optional<double> force;      // of the rows that are lengths
+    std::optional<double> moment;     // of the others
+    std::optional<double> time = {};  // t of the stage at hand, at which a step ends
 
-    bool is_limited() const { return force || moment; }
+    bool is_limited() const { return force || moment || time; }
 };
 
 // A joint between two points A and B of rods, bodies or the ground.

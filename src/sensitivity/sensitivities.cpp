@@ -42,10 +42,23 @@ bool is_at_same_places(const State& a, const State& b) {
     return distance <= same * size && angle <= 1e-7;
 }
 
+bool have_derivatives(const Model& model) {
+    const auto has_them = [](const Section& section) {
+        return !section.law || section.law->has_derivatives();
+    };
+    return std::ranges::all_of(model.sections, has_them) &&
+           std::ranges::all_of(model.rods, [&](const Rod& rod) {
+               return std::ranges::all_of(rod.varying.at_forces, has_them);
+           });
+}
+
 void check_model(const Model& model) {
     if (has_breaking_joint(model))
         throw std::invalid_argument(
             "the time at which a joint breaks has no derivative here: take `breaks` out of the joints");
+    if (!have_derivatives(model))
+        throw std::invalid_argument(
+            "there are no derivatives of ropes by the Syrope model yet: take a difference of whole runs");
     if (rub_on_each_other(model.contact))
         throw std::invalid_argument(
             "there are no derivatives of friction between rods and bodies that touch each other yet: take "

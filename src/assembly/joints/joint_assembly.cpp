@@ -604,9 +604,11 @@ bool JointAssembly::has_just_broken(const State& state) const {
     return std::ranges::any_of(list_breaks(state), [&](const Break& one) { return one.time == state.time; });
 }
 
-bool JointAssembly::breaks(const State& state, std::size_t index) const {
+bool JointAssembly::breaks(const State& state, double time, std::size_t index) const {
+    constexpr double close = 1e-6;  // of a step, which ends at the time of a break but for rounding
     const JointStrength& strength = model_->joints[index].strength;
     if (!strength.is_limited() || !holds(state, index)) return false;
+    if (strength.time && time >= *strength.time - close * (time - state.time)) return true;
     const JointRows& rows = joints_[index];
     double forces = 0.0, moments = 0.0;
     for (int row = 0; row < rows.count(); ++row) {
@@ -641,7 +643,7 @@ void JointAssembly::commit(State& state, double time) const {
             write(forces_[i].compute_slips(motions(state.trial, i), before.turn, slips_before(state, i)),
                   memory_of(i).of(state));
         if (joints_[i].has_stops()) let_go(state, i);
-        if (!breaks(state, i)) continue;
+        if (!breaks(state, time, i)) continue;
         write(JointHold::has_broken, time, memory_of(i).of(state));
         after.multipliers.fill(0.0);
     }

@@ -196,8 +196,8 @@ class JointAssembly : public Contribution {
         JointVector by_multipliers;
     };
     HeldForce find_held_force(const State& state, std::size_t joint) const;
-    // Whether the joint breaks when the trial state is accepted.
-    bool breaks(const State& state, std::size_t joint) const;
+    // Whether the joint breaks when the trial state is accepted at `time`.
+    bool breaks(const State& state, double time, std::size_t joint) const;
     // Adds the contribution of friction that depends on this force to the joint's matrix.
     void add_held_tangent(
         std::size_t joint, const State& state, double time, const JointVector& D, Matrix& matrix) const;

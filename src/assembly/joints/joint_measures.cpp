@@ -75,7 +75,7 @@ JointAssembly::JointPlace JointAssembly::place_of(const std::vector<NodeMotion>&
 double JointAssembly::compute_strain_energy(const State& state, double time) const {
     double energy = 0.0;
     for (std::size_t i = 0; i < joints_.size() && have_forces_; ++i) {
-        if (!holds(state, i) || breaks(state, i)) continue;
+        if (!holds(state, i) || breaks(state, time, i)) continue;
         // Of the last accepted step, and also of one that has not been committed.
         const JointState& before = state.joints_previous[i];
         const JointMotions at = motions(state.trial, i);
@@ -131,7 +131,7 @@ double JointAssembly::compute_slip_dissipation(const State& state) const {
         if (is_damped_)
             dissipated += forces_[i].compute_dissipation(inputs_at(i, state, state.time), before, after);
         // What a joint stores that breaks is lost.
-        if (breaks(state, i))
+        if (breaks(state, state.trial_time, i))
             dissipated +=
                 forces_[i].compute_strain_energy(at, turn, inputs_at(i, state, state.trial_time), after);
     }

@@ -25,6 +25,8 @@ std::string describe_strength(const JointStrength& strength) {
     if (strength.force) text += fmt::format("; breaks at a force of {:.6g}", *strength.force);
     if (strength.moment)
         text += fmt::format("{} a moment of {:.6g}", text.empty() ? "; breaks at" : " or", *strength.moment);
+    if (strength.time)
+        text += fmt::format("{} t = {:.6g}", text.empty() ? "; breaks at" : " or", *strength.time);
     return text;
 }
 

@@ -41,7 +41,6 @@ void build_joint(const JointTable& given, double size, BuildContext& context) {
         }
     }
     if (given.clearance) joint.clearance = build_clearance(given, context);
-    if (given.breaks) joint.strength = {given.breaks->force, given.breaks->moment};
     check_coordinates(given, context);
     if (joint.kind == JointKind::free) check_action(given, context);
     if (!place_joint(given, size, joint, context)) return;
@@ -80,6 +79,60 @@ void check_breaks(const JointTable& given, const BuildContext& context) {
         fmt::format("a stage of kind {} cannot go on from a joint that breaks; expected static, quasi-static "
                     "or dynamic stages",
                     kind_of(analysis)));
+}
+
+// Lists the stages in time in which the joint acts.
+std::vector<std::size_t> list_timed_stages(const JointTable& given, const BuildContext& context) {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < context.stages.size(); ++i) {
+        if (is_timed(context.stages[i].analysis) && acts_in_stage(given, i, context)) found.push_back(i);
+    }
+    return found;
+}
+
+// Finds the stage in which the joint breaks at a time; nullopt, with a fault in the first stage, if the deck
+// does not say which.
+std::optional<std::size_t> find_break_stage(const JointTable& given, const BuildContext& context) {
+    const std::vector<std::size_t> timed = list_timed_stages(given, context);
+    const auto refuse = [&](const auto& field, const std::string& message) {
+        if (context.stage == 0) context.add_fault(*given.breaks, field, message);
+        return std::nullopt;
+    };
+    if (const auto& name = given.breaks->stage) {
+        const auto is_named = [&](std::size_t i) { return context.stages[i].name == name->word; };
+        const auto found = std::ranges::find_if(timed, is_named);
+        if (found != timed.end()) return *found;
+        return refuse(name,
+                      fmt::format("no dynamic or quasi-static stage in which the joint acts has the name "
+                                  "\"{}\"; in others t is no time",
+                                  name->word));
+    }
+    if (timed.size() == 1) return timed.front();
+    if (timed.empty())
+        return refuse(
+            given.breaks->time,
+            "the joint acts in no dynamic or quasi-static stage, and in others t is no time; expected "
+            "such a stage, or a limit of what the joint holds");
+    return refuse(
+        given.breaks->time,
+        "the joint acts in several stages with a time, of which each has its own t; expected `stage` "
+        "with the name of one");
+}
+
+// Returns what the joint holds in the current stage, with a note where it outlasts the stage.
+JointStrength find_strength(const JointTable& given, const BuildContext& context) {
+    if (!given.breaks) return {};
+    JointStrength strength{given.breaks->force, given.breaks->moment};
+    const std::optional<double>& time = given.breaks->time;
+    if (!time || find_break_stage(given, context) != context.stage) return strength;
+    strength.time = time;
+    const double end = end_of(context.analysis());
+    if (*time > end)
+        context.notes.push_back(fmt::format("{}: the stage ends at {:.6g}, before the joint breaks at {:.6g}",
+                                            given.breaks->path_of(&given.breaks->time),
+                                            end,
+                                            *time));
+    return strength;
 }
 
 // Stops begin to hold at the end of a step, of which an explicit scheme has no equations.
@@ -157,6 +210,7 @@ void build_joint_actions(BuildContext& context) {
         const JointTable& given = *table;
         set_coordinates(given, size, joint, context);
         joint.acts = acts_in_stage(given, context);
+        joint.strength = find_strength(given, context);
         check_breaks(given, context);
         check_stops(given, joint, context);
         if (joint.acts) check_sides(given, joint, held, context);

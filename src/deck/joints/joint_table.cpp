@@ -153,7 +153,11 @@ const TableSpec& break_table() {
         .key("force", &T::force, "The largest force that the joint holds.").unit("force").above(0)
         .key("moment", &T::moment, "The largest moment that the joint holds, with that about axes that are not free.")
             .unit("moment").above(0).also("torque")
-        .at_least_one_of({"force", "moment"});
+        .key("time", &T::time, "When it breaks, whatever it holds: t of the stage. A step ends there.")
+            .unit("time").above(0).otherwise("when it holds too much").also("t at at_time fail_time")
+        .key("stage", &T::stage, "The stage with that t, dynamic or quasi-static.")
+            .otherwise("the only one in time in which the joint acts").names_of({"stage"}).only_with("time")
+        .at_least_one_of({"force", "moment", "time"});
     // clang-format on
     return table;
 }
@@ -248,8 +252,8 @@ void add_holding_keys(Table<JointTable>& table) {
         .key("clearance", &T::clearance, clearance_table(), "Of a pin in its hole, or a ball in its socket: the points are free "
              "within a gap, across the axis of a hinge or cylinder, and touch beyond it. B carries the pin.")
             .otherwise("none").only_for(types_that(can_be_loose)).also("play gap backlash")
-        .key("breaks", &T::breaks, break_table(), "The joint breaks at the end of a step in which it holds more, and holds "
-             "nothing from then on: neither its equations nor what acts on its coordinates.")
+        .key("breaks", &T::breaks, break_table(), "The joint breaks at the end of a step in which it holds more, or at a "
+             "time, and holds nothing from then on: neither its equations nor what acts on its coordinates.")
             .only_for(types_that(holds_anything)).also("break strength breaks_at break_at fails")
         .key("stages", &T::stages, "The stages in which the joint holds. It has to be closed where it begins to hold.")
             .otherwise("all").names_of({"stage"}).only_for(types_that(is_between_nodes));

@@ -43,7 +43,8 @@ struct JointClearanceTable : TableHead {
 };
 
 struct JointBreakTable : TableHead {
-    std::optional<double> force, moment;
+    std::optional<double> force, moment, time;
+    std::optional<TableName> stage;
 };
 
 struct JointTable : ActingTable {

@@ -10,6 +10,7 @@
 #include "deck/expressions/table_function.hpp"
 #include "laws/plastic_law.hpp"
 #include "laws/strain_part.hpp"
+#include "laws/working_shape.hpp"
 #include "model/model.hpp"
 #include "model/settings/scheme_card.hpp"
 #include "model/settings/settings.hpp"
@@ -124,6 +125,11 @@ inline constexpr std::array<Choice<YieldInteraction>, 2> yield_interaction_choic
 enum class Hysteresis { none, kinematic };
 inline constexpr std::array<Choice<Hysteresis>, 2> hysteresis_choices{
     {{"none", Hysteresis::none}, {"kinematic", Hysteresis::kinematic}}};
+
+inline constexpr std::array<Choice<WorkingShape>, 3> working_shape_choices{
+    {{"linear", WorkingShape::linear},
+     {"quadratic", WorkingShape::quadratic},
+     {"exponential", WorkingShape::exponential}}};
 
 // A component of a displacement, or of a rotation.
 enum class Direction { x, y, z };

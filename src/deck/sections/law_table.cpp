@@ -14,6 +14,7 @@
 #include "laws/moved_law.hpp"
 #include "laws/plastic_law.hpp"
 #include "laws/stretch_law.hpp"
+#include "laws/syrope_law.hpp"
 #include "laws/trapeze_law.hpp"
 #include "laws/viscoelastic_law.hpp"
 
@@ -71,6 +72,34 @@ const TableSpec& tension_strain_table() {
              "any slope of the table.")
             .unit("force").above(0).otherwise("the tension follows the table back")
             .also("dynamic_stiffness unloading");
+    // clang-format on
+    return table;
+}
+
+const TableSpec& syrope_table() {
+    using T = SyropeTable;
+    // clang-format off
+    static const TableSpec table = Table<T>("section.NAME.law.syrope", "")
+        .key("original", &T::original, "The original curve: rows [strain, mean tension] of a new rope that is stretched "
+             "slowly, from [0, 0] on, both rising; linear in between and beyond. EA is not used then.")
+            .unit("1, force").at_least(0).required().also("original_curve owc original_working_curve table")
+        .key("working_curve", &T::working_curve, "Shape of the curve on which the mean tension falls and returns below the "
+             "largest one so far.")
+            .also("shape wc wc_type wctype")
+        .key("k1", &T::k1, "How much of the largest strain stays where the mean tension has gone; of a linear curve from 1 on its "
+             "slope, a force.")
+            .unit("1").at_least(0).required()
+        .key("k2", &T::k2, "How much the working curve bends: of a quadratic one up to 1. Required but for a linear one.")
+            .unit("1").above(0)
+        .key("dynamic_stiffness", &T::dynamic_stiffness, "Force per strain of fast changes, without mean tension.")
+            .unit("force").above(0).required().also("alpha")
+        .key("per_tension", &T::per_tension, "What the dynamic stiffness grows by with the mean tension.")
+            .unit("1").at_least(0).also("beta")
+        .key("damping", &T::damping, "Of the dashpot beside the slow spring: force per rate of strain. What is fast lets it no time.")
+            .unit("force·time").above(0).required().also("ba_s c1 slow_damping")
+        .key("largest_tension", &T::largest_tension, "The largest mean tension of the rope before the start. The rod's length is then "
+             "that of the rope as this has left it, without tension.")
+            .unit("force").at_least(0).also("tmax tmax0");
     // clang-format on
     return table;
 }
@@ -141,7 +170,8 @@ const TableSpec& law_table() {
         .key("viscoelastic", &T::viscoelastic, viscoelastic_table(),
              "Resultants that relax: a generalised Maxwell model.")
         .key("tension_strain", &T::tension_strain, tension_strain_table(), "The axial force by a table: ropes.")
-        .exactly_one_of({"layers", "moment_curvature", "plastic", "viscoelastic", "tension_strain"});
+        .key("syrope", &T::syrope, syrope_table(), "A fibre rope, by the Syrope model: slow and fast stretch.")
+        .exactly_one_of({"layers", "moment_curvature", "plastic", "viscoelastic", "tension_strain", "syrope"});
     // clang-format on
     return table;
 }
@@ -340,6 +370,74 @@ SharedLaw make_stretch_law(const TensionStrainTable& given, const Mat6& C, const
         C, StretchCurve{pulled, PiecewiseLine(std::move(shortening)), given.unloading_stiffness});
 }
 
+// The strain of a new rope at a mean tension.
+double find_strain(const PiecewiseLine& original, double tension) {
+    std::size_t i = 0;
+    while (i + 1 < original.piece_count() && tension > original.points()[i + 1].second) ++i;
+    return original.points()[i].first + (tension - original.points()[i].second) / original.slope(i);
+}
+
+// Adds faults of k1 and k2 beyond what the shape allows; returns whether there are none.
+bool check_working_curve(const SyropeTable& given, const BuildContext& context) {
+    const bool is_linear = given.working_curve == WorkingShape::linear;
+    const bool is_quadratic = given.working_curve == WorkingShape::quadratic;
+    if (!is_linear && given.k1 >= 1.0) {
+        context.add_fault(
+            given, given.k1, "expected a number less than 1; from 1 on it is the slope of a linear curve");
+        return false;
+    }
+    if (!is_linear && !given.k2) {
+        context.add_fault(given, given.k2, "missing; expected how much the working curve bends");
+        return false;
+    }
+    if (!is_quadratic || *given.k2 <= 1.0) return true;
+    context.add_fault(given, given.k2, "expected a number of at most 1: a quadratic curve falls otherwise");
+    return false;
+}
+
+SharedLaw make_syrope_law(const SyropeTable& given, const Mat6& C, const BuildContext& context) {
+    const KeyRows rows{given, &given.original, given.original};
+    const std::optional<PiecewiseLine> original = find_line(rows, 0.0, context);
+    if (!original || !check_working_curve(given, context)) return nullptr;
+    for (std::size_t i = 0; i < original->piece_count(); ++i) {
+        if (original->slope(i) > 0.0) continue;
+        rows.add_fault(i + 1, "expected a tension that rises from row to row", context);
+        return nullptr;
+    }
+    constexpr std::array<int, 1> axial{0};
+    if (couples(C, axial)) {
+        context.add_fault(
+            given,
+            given.original,
+            "the stiffness couples stretch with another strain, which a rope by the Syrope model "
+            "cannot; expected a stiffness without, such as stiffness = { … }");
+        return nullptr;
+    }
+    SyropeRope rope{.original = *original,
+                    .shape = given.working_curve,
+                    .k1 = given.k1,
+                    .k2 = given.k2.value_or(0.0),
+                    .stiffness = given.dynamic_stiffness,
+                    .per_tension = given.per_tension,
+                    .damping = given.damping,
+                    .largest = find_strain(*original, given.largest_tension)};
+    if (const std::optional<SteepCurve> steep = find_steep_curve(rope)) {
+        context.add_fault(
+            given,
+            given.dynamic_stiffness,
+            fmt::format(
+                "where the largest mean tension is {:.4g} a curve rises by {:.4g} per strain, not less than "
+                "the "
+                "dynamic stiffness, {:.4g}; expected a stiffer rope, a curve that bends less, or a greater "
+                "largest_tension",
+                original->at(steep->largest).value,
+                steep->slope,
+                steep->stiffness));
+        return nullptr;
+    }
+    return std::make_shared<SyropeLaw>(C, std::move(rope));
+}
+
 // A factor on limits over plastic strain; nullopt without one, or with a fault.
 std::optional<PiecewiseLine> find_isotropic(const PlasticTable& given, const BuildContext& context) {
     if (const auto* rows = std::get_if<CheckedPairs>(&given.isotropic))
@@ -418,6 +516,7 @@ SharedLaw make_law(const LawTable& law, const ShapeLawSource& source) {
     if (law.gives(law.layers)) return make_layered_law(law.layers, C, source.at, source.context);
     if (law.moment_curvature) return make_curve_law(*law.moment_curvature, C, source.context);
     if (law.plastic) return make_plastic_law(*law.plastic, source);
+    if (law.syrope) return make_syrope_law(*law.syrope, C, source.context);
     if (law.tension_strain) return make_stretch_law(*law.tension_strain, C, source.context);
     return make_viscoelastic_law(*law.viscoelastic, C, source.context);
 }

@@ -72,6 +72,17 @@ struct TensionStrainTable : TableHead {
     std::optional<double> unloading_stiffness;
 };
 
+struct SyropeTable : TableHead {
+    CheckedPairs original;
+    WorkingShape working_curve = WorkingShape::exponential;
+    double k1 = 0.0;
+    std::optional<double> k2;
+    double dynamic_stiffness = 0.0;
+    double per_tension = 0.0;
+    double damping = 0.0;
+    double largest_tension = 0.0;
+};
+
 struct YieldTable : TableHead {
     std::array<std::optional<ArcNumber>, 6> limits;
 };
@@ -94,6 +105,7 @@ struct LawTable : TableHead {
     std::optional<PlasticTable> plastic;
     std::optional<ViscoelasticTable> viscoelastic;
     std::optional<TensionStrainTable> tension_strain;
+    std::optional<SyropeTable> syrope;
 };
 
 struct CoefficientsTable : TableHead {

@@ -88,6 +88,9 @@ inline constexpr const std::array<Choice<StrainPart>, 8>& choices_of(StrainPart)
 inline constexpr const std::array<Choice<Hysteresis>, 2>& choices_of(Hysteresis) {
     return hysteresis_choices;
 }
+inline constexpr const std::array<Choice<WorkingShape>, 3>& choices_of(WorkingShape) {
+    return working_shape_choices;
+}
 inline constexpr const std::array<Choice<YieldInteraction>, 2>& choices_of(YieldInteraction) {
     return yield_interaction_choices;
 }

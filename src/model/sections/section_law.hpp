@@ -23,6 +23,8 @@ class SectionLaw {
     virtual ~SectionLaw() = default;
 
     virtual int memory_size() const = 0;
+    // Whether its memory can be differentiated: it is smooth, or smooth on pieces that it knows (KinkedLaw).
+    virtual bool has_derivatives() const { return true; }
     // Describes the law in words: "relaxes, 2 branches".
     virtual std::string describe() const = 0;
     // Computes the response to strains `strain` at the time `elapsed` since the last accepted step, when the

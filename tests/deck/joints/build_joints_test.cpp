@@ -144,6 +144,44 @@ TEST_CASE("A joint holds in some stages, or until it breaks", "[deck][joint]") {
                Contains("a stage of kind path cannot go on from a joint that breaks"));
 }
 
+TEST_CASE("A joint breaks at a time of one stage", "[deck][joint]") {
+    const auto with_stages = [](const std::string& keys, const std::string& stages) {
+        const std::string deck =
+            parts + joint("type = \"ball\"\nbetween = [\"ground\", \"b\"]\n" + keys + "\n");
+        return deck.substr(0, deck.find("[analysis]")) +
+               deck.substr(deck.find("[", deck.find("[analysis]") + 1)) + stages;
+    };
+    const auto stage = [](const std::string& name, const std::string& kind) {
+        return "[[stage]]\nname = \"" + name + "\"\nkind = \"" + kind + "\"\n" +
+               (kind == "static" ? "" : "end_time = 2\ntime_step = 0.1\n");
+    };
+    const std::string one = stage("hang", "static") + stage("swing", "dynamic");
+    const std::string two = one + stage("creep", "quasi-static");
+    const Problem built = read(with_stages("breaks = { time = 1.5 }", one));
+    CHECK_FALSE(built.model.joints.at(0).strength.time);
+    CHECK(built.stages.at(1).actions.joints.at(0).strength.time == 1.5);
+    const Problem named = read(with_stages("breaks = { time = 1.5, force = 3, stage = \"creep\" }", two));
+    CHECK_FALSE(named.stages.at(1).actions.joints.at(0).strength.time);
+    CHECK(named.stages.at(1).actions.joints.at(0).strength.force == 3.0);
+    CHECK(named.stages.at(2).actions.joints.at(0).strength.time == 1.5);
+    const std::string key = "joint.j.breaks.time: ";
+    CHECK_THAT(faults_of(with_stages("breaks = { time = 1.5 }", two)),
+               Contains(key + "the joint acts in several stages with a time, of which each has its own t; "
+                              "expected `stage` with the name of one"));
+    CHECK_THAT(faults_of(with_stages("breaks = { time = 1.5 }", stage("hang", "static"))),
+               Contains(key + "the joint acts in no dynamic or quasi-static stage, and in others t is no "
+                              "time; expected such a stage, or a limit of what the joint holds"));
+    CHECK_THAT(faults_of(with_stages("breaks = { time = 1.5, stage = \"hang\" }", two)),
+               Contains("joint.j.breaks.stage: no dynamic or quasi-static stage in which the joint acts has "
+                        "the name \"hang\"; in others t is no time"));
+    CHECK(faults_of(with_stages("breaks = { time = 1.5 }\nstages = [\"hang\", \"creep\"]", two)).empty());
+    CHECK(
+        read(with_stages("breaks = { time = 2.5 }", one)).notes ==
+        std::vector<std::string>{"joint.j.breaks.time: the stage ends at 2, before the joint breaks at 2.5"});
+    CHECK_THAT(faults_of(with_stages("breaks = { time = 1 }\nclearance = { gap = 0.1, stiffness = 5 }", one)),
+               Contains("a joint with clearance does not break; expected one of the two"));
+}
+
 TEST_CASE("A free joint does something", "[deck][joint]") {
     const std::string free = from_ground("free") + "axis = [0, 0, 1]\n";
     CHECK(faults(free) ==
