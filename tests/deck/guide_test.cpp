@@ -52,7 +52,7 @@ TEST_CASE("The materials of the guide are sections with laws", "[deck]") {
     const std::string rod =
         "[rod.r]\nsection = \"strand\"\nline = { from = [0, 0, 0], to = [1, 0, 0] }\nelements = 1\n";
     const Problem problem = read(toml_of("materials.md") + rod + analysis);
-    REQUIRE(problem.model.sections.size() == 8);
+    REQUIRE(problem.model.sections.size() == 9);
     for (const Section& section : problem.model.sections) CHECK(section.law != nullptr);
 }
 

@@ -7,6 +7,7 @@
 #include "laws/moment_curvature_law.hpp"
 #include "laws/plastic_law.hpp"
 #include "laws/stretch_law.hpp"
+#include "laws/syrope_law.hpp"
 #include "laws/trapeze_law.hpp"
 #include "laws/viscoelastic_law.hpp"
 
@@ -73,10 +74,33 @@ RoundTrip plastic_trip() {
             })};
 }
 
+std::vector<RoundTrip> fibre_rope_trips() {
+    const std::string key = "section.NAME.law.syrope.";
+    const std::string deck = with_law(
+        "syrope = { original = [[0, 0], [0.1, 60], [0.2, 80]], working_curve = \"quadratic\", k1 = 0.25, "
+        "k2 = 0.5, dynamic_stiffness = 2000, per_tension = 3, damping = 700, largest_tension = 70 }");
+    const auto trip = [&](const std::string& name, const std::function<bool(const SyropeRope&)>& is_seen) {
+        return RoundTrip{key + name, deck, sees<SyropeLaw>([is_seen](const SyropeLaw& law) {
+                             return is_seen(law.rope());
+                         })};
+    };
+    return {
+        trip("original", [](const SyropeRope& rope) { return rope.original.at(0.2).value == 80.0; }),
+        trip("working_curve", [](const SyropeRope& rope) { return rope.shape == WorkingShape::quadratic; }),
+        trip("k1", [](const SyropeRope& rope) { return rope.k1 == 0.25; }),
+        trip("k2", [](const SyropeRope& rope) { return rope.k2 == 0.5; }),
+        trip("dynamic_stiffness", [](const SyropeRope& rope) { return rope.stiffness == 2000.0; }),
+        trip("per_tension", [](const SyropeRope& rope) { return rope.per_tension == 3.0; }),
+        trip("damping", [](const SyropeRope& rope) { return rope.damping == 700.0; }),
+        trip("largest_tension",
+             [](const SyropeRope& rope) { return std::abs(rope.largest - 0.15) < 1e-15; })};
+}
+
 }  // namespace
 
 std::vector<RoundTrip> law_trips() {
     std::vector<RoundTrip> trips = curve_trips();
+    for (RoundTrip& trip : fibre_rope_trips()) trips.push_back(std::move(trip));
     trips.push_back(layer_trip());
     trips.push_back(plastic_trip());
     const std::string rows = "tension_strain = { table = [[-0.1, -50], [0, 0], [0.1, 60], [0.2, 80]]";

@@ -10,6 +10,7 @@
 #include "laws/plastic_law.hpp"
 #include "laws/shape_layers.hpp"
 #include "laws/stretch_law.hpp"
+#include "laws/syrope_law.hpp"
 #include "laws/trapeze_law.hpp"
 #include "laws/viscoelastic_law.hpp"
 #include "tools/random_values.hpp"
@@ -113,6 +114,28 @@ void add_ropes(std::vector<NamedLaw>& laws) {
                     scale});
 }
 
+void add_fibre_ropes(std::vector<NamedLaw>& laws) {
+    const PiecewiseLine original({{0.0, 0.0}, {0.1, 0.2}, {0.2, 0.6}, {0.3, 0.7}});
+    const auto add = [&](const std::string& name, WorkingShape shape, double k1, double k2, double largest) {
+        const SyropeRope rope{.original = original,
+                              .shape = shape,
+                              .k1 = k1,
+                              .k2 = k2,
+                              .stiffness = 12.0,
+                              .per_tension = 5.0,
+                              .damping = 6.0,
+                              .largest = largest};
+        laws.push_back({"fibre rope, " + name,
+                        std::make_shared<SyropeLaw>(some_stiffness({0}), rope),
+                        scale_of(0.2, 0.3)});
+    };
+    add("linear", WorkingShape::linear, 0.4, 0.0, 0.0);
+    add("linear by its slope", WorkingShape::linear, 8.0, 0.0, 0.0);
+    add("quadratic", WorkingShape::quadratic, 0.2, 0.6, 0.0);
+    add("exponential", WorkingShape::exponential, 0.2, 1.2, 0.0);
+    add("stretched before", WorkingShape::exponential, 0.2, 1.2, 0.15);
+}
+
 void add_curves(std::vector<NamedLaw>& laws) {
     const PiecewiseLine curve({{0.0, 0.0}, {0.1, 0.5}, {0.2, 0.7}, {0.4, 0.8}});
     const PiecewiseLine stiffening({{0.0, 0.0}, {0.1, 0.2}, {0.2, 0.7}, {0.3, 0.8}});
@@ -195,6 +218,7 @@ std::vector<NamedLaw> every_law() {
     add_layers(laws);
     add_curves(laws);
     add_ropes(laws);
+    add_fibre_ropes(laws);
     add_plastic(laws);
     add_viscoelastic(laws);
     add_combined(laws);
