@@ -220,6 +220,7 @@ void turn_problem(const Quat& rotation, Problem& problem) {
     for (HistoryRequest& request : problem.output.histories) {
         request.relative_axes = rotation * request.relative_axes;
         if (request.about) request.about = rotation * *request.about;
+        if (request.no_load) request.no_load = rotation * *request.no_load;
     }
 }
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "model/ties/yielding_supports.hpp"
 #include "rotation/rotation_map.hpp"
@@ -12,6 +13,13 @@ std::string lacks_support(const Watched& target, const Model& model) {
     const bool is_held = std::ranges::find(model.supports, node, &Support::node) != model.supports.end();
     return is_held || yields_at(model, node) ? ""
                                              : "only a supported point has it; no [[support]] is at this one";
+}
+
+double find_no_load_angle(const Sight& see) {
+    const SeenPoint seen = see.point();
+    const Vec3 axis = seen.axes() * Vec3::UnitX();
+    const Vec3 direction = see.of.no_load ? *see.of.no_load : Vec3(seen.start_axes * Vec3::UnitX());
+    return std::atan2(direction.cross(axis).norm(), direction.dot(axis));
 }
 
 // clang-format off
@@ -35,7 +43,9 @@ constexpr Quantity rod_turn_lines[]{
              [](const Sight& see) { return see.point().axes(); })
         .turns(Turning::attitude, "unit quaternion w x y z: section axes from the axes of {}"),
     Quantity("axis_x", "x axis of the section, which points along the rod", "1", Axes::observer,
-             [](const Sight& see) { return Vec3(see.point().axes() * Vec3::UnitX()); })};
+             [](const Sight& see) { return Vec3(see.point().axes() * Vec3::UnitX()); }),
+    Quantity("no_load_angle", "angle of the rod's axis to the direction no_load, or to its own at t = 0", "angle", Axes::none,
+             [](const Sight& see) { return find_no_load_angle(see); })};
 
 constexpr Quantity body_turn_lines[]{
     Quantity("rotation_vector",

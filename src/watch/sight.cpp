@@ -78,6 +78,11 @@ Subject::Subject(const Model& its_model, const std::vector<HistoryRequest>& requ
       relative_node(requests[index].relative_node),
       relative_axes(requests[index].relative_axes),
       about(requests[index].about) {
+    if (requests[index].no_load) {
+        const bool is_relative = relative_node >= 0;
+        const Vec3& direction = *requests[index].no_load;
+        no_load = is_relative ? Vec3(relative_axes.conjugate() * direction) : direction;
+    }
     for (std::size_t i = 0; i < index; ++i) {
         point_row += std::holds_alternative<WatchedPoint>(requests[i].target) ? 1 : 0;
         contact_row += contact_of(requests[i].target) != nullptr ? 1 : 0;

@@ -41,7 +41,8 @@ struct Subject {
     Quat relative_axes;
     Vec3 relative_start = Vec3::Zero();
     std::optional<Vec3> about;
-    Vec3 start = Vec3::Zero();  // place of a node at t = 0
+    std::optional<Vec3> no_load;  // in the axes that components are in
+    Vec3 start = Vec3::Zero();    // place of a node at t = 0
     Quat start_axes = Quat::Identity();
     std::vector<std::size_t> support_springs = {};  // in Model::bushings, by which a support there yields
     std::size_t point_row = 0;                      // index in Snapshot::points

@@ -83,7 +83,8 @@ name = "tip"
 at = "leg.end"
 quantities = ["position", "displacement", "rotation_vector", "orientation", "velocity", "angular_velocity",
   "angular_velocity_material", "acceleration", "force", "moment", "force_spatial", "moment_spatial", "strain", "curvature",
-  "shear_force", "bending_moment", "axis_x"]
+  "shear_force", "bending_moment", "axis_x", "no_load_angle"]
+no_load = [1, 0.2, 0]
 [[history]]
 name = "root"
 at = "arm.start"
@@ -96,7 +97,8 @@ quantities = ["position", "quaternion", "orientation", "rotation_vector", "centr
 name = "seen"
 at = "leg.end"
 relative_to = "arm.end"
-quantities = ["position", "displacement", "velocity", "acceleration", "rotation_vector", "quaternion", "orientation"]
+quantities = ["position", "displacement", "velocity", "acceleration", "rotation_vector", "quaternion", "orientation", "no_load_angle"]
+no_load = [0, 0.3, 1]
 )deck";
 
 // Springs, bushings, joints, gears and tendons, with every quantity that they have.

@@ -43,6 +43,9 @@ const TableSpec& history_table() {
         .key("about", &T::about, "The point, fixed in space, about which reaction_moment is: the moment of the "
              "support and that of its force.")
             .unit("length").otherwise("the point itself")
+        .key("no_load", &T::no_load, "The direction, global at t = 0, to which no_load_angle is the angle of the rod's axis "
+             "(from its start to its end): where an end fitting bends nothing. relative_to carries it.")
+            .unit("1").otherwise("the axis at t = 0").also("no_load_direction no_moment_direction fitting_axis")
         .key("point", &T::point, "Where in the section, [y, z] in its axes, stresses are recorded: at the nearest node "
              "of the cells.")
             .unit("length").otherwise("where they are worst")
@@ -61,7 +64,7 @@ const TableSpec& history_table() {
              "joint's axes on A, along its axis first), drive (moment or force of its motor, or its key drive), "
              "friction, play (of a joint with clearance) and gap. A gear has drive (moment or force on its second joint), "
              "play and gap. effective_tension, "
-             "wall_tension, water_velocity, bed_force, shear_force, bending_moment and axis_x (along the rod) are a rod's; a "
+             "wall_tension, water_velocity, bed_force, shear_force, bending_moment, axis_x (along the rod) and no_load_angle are a rod's; a "
              "rod as a whole has touch_down_start and touch_down_end, the arc lengths where it lies on the ground "
              "first and last, and their positions; stress (xx, yy, zz, yz, xz, xy in section axes), "
              "von_mises, principal_stress, exposure (1/(factor on the resultants at which the material fails)) and "
@@ -137,6 +140,16 @@ void set_about(const HistoryKeys& table, HistoryRequest& request, const BuildCon
     request.about = table.about;
     if (!asks_for(request, [](const Quantity& one) { return one.is_about; }))
         context.add_fault(table, table.about, "goes with reaction_moment, which is not among the quantities");
+}
+
+void set_no_load(const HistoryKeys& table, HistoryRequest& request, const BuildContext& context) {
+    if (!table.no_load) return;
+    request.no_load = table.no_load;
+    const bool is_asked = std::ranges::find(request.quantities, "no_load_angle") != request.quantities.end();
+    if (!is_asked)
+        context.add_fault(table, table.no_load, "goes with no_load_angle, which is not among the quantities");
+    if (table.no_load->isZero(0.0))
+        context.add_fault(table, table.no_load, "expected a direction, found a vector of zero length");
 }
 
 void set_stress_keys(const HistoryKeys& table, HistoryRequest& request, const BuildContext& context) {
@@ -283,6 +296,7 @@ HistoryRequest build_history(const HistoryKeys& table,
     set_reference(table, request, context);
     add_quantities(table, request, context);
     set_about(table, request, context);
+    set_no_load(table, request, context);
     set_contact(table, request, context);
     set_stress_keys(table, request, context);
     return request;

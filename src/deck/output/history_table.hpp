@@ -26,7 +26,7 @@ struct HistoryKeys : TableHead {
     std::optional<std::string> with;
     std::optional<PointName> relative_to;
     HistoryAxes axes = HistoryAxes::section;
-    std::optional<Vec3> about;
+    std::optional<Vec3> about, no_load;
     std::optional<std::array<double, 2>> point;
     std::optional<std::string> criterion;
     WordList quantities;

@@ -78,6 +78,9 @@ struct HistoryRequest {
     Quat relative_axes = Quat::Identity();  // of section or body there at t = 0
     // Where moments of reactions are about a point, fixed in space, and not about the support's.
     std::optional<Vec3> about = {};
+    // The direction with which a rod's axis makes `no_load_angle`: global at t = 0, carried along where the
+    // history is relative to a point. nullopt: that of the axis at t = 0.
+    std::optional<Vec3> no_load = {};
     std::string with = {};  // what the contacts are with, as the deck has it
     // Where in the section stresses are recorded, (y, z) in its axes; nullopt: where they are worst.
     std::optional<Eigen::Vector2d> section_point = {};

@@ -121,6 +121,11 @@ void add_line_end(const Hdf5Reader& file,
     const std::vector<double> axes = file.numbers(group + "/axis_x");
     add("declination", "deg", find_declinations(axes));
     add("azimuth", "deg", find_azimuths(axes));
+    const std::string no_load = group + "/no_load_angle";
+    if (!file.has(no_load)) return;
+    std::vector<double> angles = file.numbers(no_load);
+    for (double& angle : angles) angle *= degrees_of_radian;
+    add("no_load_angle", "deg", angles);
 }
 
 std::string print_number(double number) { return std::isnan(number) ? "-" : fmt::format("{:.6g}", number); }

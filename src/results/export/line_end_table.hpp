@@ -11,8 +11,8 @@ namespace gxrod {
 
 // A quantity at an end of a line, or the arc length at which it touches the ground: its value when time
 // begins, in a run without time its last one, and its range over a window. Angles are in degrees: the
-// declination of the axis from start to end from the global z axis, and its azimuth from x towards y, within
-// half a turn of its first.
+// declination of the axis from start to end from the global z axis, its azimuth from x towards y, within
+// half a turn of its first, and where a history of that end has it the angle to the no-load direction.
 struct LineEndRow {
     std::string point;     // "riser.end"; the rod for where it touches the ground
     std::string quantity;  // "effective_tension"
