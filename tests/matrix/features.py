@@ -236,6 +236,12 @@ def stretched_rope(deck, draw):
     section(deck)["law"] = {"tension_strain": {"table": [[0, 0], [0.01, draw.uniform(5, 20)], [0.03, 60]], "unloading_stiffness": 5000}}
 
 
+@feature("law", follows_load=True, kinked=True, damped=True)
+def fibre_rope(deck, draw):
+    section(deck)["law"] = {"syrope": {"original": [[0, 0], [0.01, draw.uniform(5, 20)], [0.03, 60]], "k1": 0.2, "k2": 0.5,
+                                       "dynamic_stiffness": 8000, "per_tension": 20, "damping": 3000}}
+
+
 @feature("law", follows_load=True, kinked=True)
 def hysteresis(deck, draw):
     section(deck)["law"] = {"moment_curvature": {"table": [[0, 0], [0.2, 0.3], [0.6, 0.6]], "hysteresis": "kinematic"}}
@@ -536,6 +542,13 @@ def generic_joint(deck, draw):
 def breaking_joint(deck, draw):
     deck["joint"] = deck.get("joint", {}) | {"prop": {"type": "generic", "between": ["ground", "beam.end"], "axis": [0, 0, 1],
                                                       "holds": "x", "breaks": {"force": draw.uniform(0.1, 0.2)}}}
+    deck["history"].append({"name": "prop", "at": "prop", "quantities": ["force", "holds"]})
+
+
+@feature("root", follows_load=True, timed=True, sudden=True)
+def timed_break(deck, draw):
+    deck["joint"] = deck.get("joint", {}) | {"prop": {"type": "generic", "between": ["ground", "beam.end"], "axis": [0, 0, 1],
+                                                      "holds": "x", "breaks": {"time": draw.uniform(0.1, 0.2)}}}
     deck["history"].append({"name": "prop", "at": "prop", "quantities": ["force", "holds"]})
 
 
