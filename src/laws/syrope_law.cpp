@@ -11,8 +11,8 @@ namespace {
 const double stage_weight = 1.0 - std::sqrt(0.5);
 // From here on a step is as long as any: the dashpot has come to rest.
 constexpr double at_rest = 1e14;
-constexpr int most_iterations = 200;
-constexpr double round_off = 4e-16;
+constexpr int most_stage_iterations = 200;
+constexpr double strain_round_off = 4e-16;
 
 // The working curve over its length, from (0, 0) to (1, 1): value, slope and integral. (L37)
 struct ShapeValue {
@@ -105,7 +105,7 @@ SyropeLaw::RopeStage SyropeLaw::solve_stage(
     while (residual(high, point, slope) < 0.0) high += width, width *= 2.0;
     RopeStage stage;
     stage.at = std::clamp(from, low, high);
-    for (int i = 0; i < most_iterations; ++i) {
+    for (int i = 0; i < most_stage_iterations; ++i) {
         const double error = residual(stage.at, point, slope);
         if (error == 0.0) break;
         (error > 0.0 ? high : low) = stage.at;
@@ -113,7 +113,7 @@ SyropeLaw::RopeStage SyropeLaw::solve_stage(
         if (!(next > low && next < high)) next = 0.5 * (low + high);
         const double change = std::abs(next - stage.at);
         stage.at = next;
-        if (std::min(change, high - low) <= round_off * std::abs(next)) break;
+        if (std::min(change, high - low) <= strain_round_off * std::abs(next)) break;
     }
     residual(stage.at, point, slope);
     const double K = fast_stiffness(point.tension), gap = strain - stage.at;

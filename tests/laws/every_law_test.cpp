@@ -5,6 +5,7 @@
 
 #include "laws/law_path.hpp"
 #include "laws/layered_law.hpp"
+#include "laws/syrope_law.hpp"
 #include "laws/trapeze_law.hpp"
 #include "laws/viscoelastic_law.hpp"
 #include "model/sections/kinked_law.hpp"
@@ -203,8 +204,9 @@ TEST_CASE("The elastic tangent of every law is that of a small step back, after 
 
 TEST_CASE("Quick changes of strain meet what relaxes in addition", "[laws]") {
     for (const NamedLaw& named : every_law()) {
-        // A layer whose limit is only by tension has none yet.
-        if (!named.is_symmetric) continue;
+        // A layer whose limit is only by tension has none yet. What relaxes in a fibre rope depends on its
+        // mean tension, and small motions of it are slow ones.
+        if (!named.is_symmetric || dynamic_cast<const SyropeLaw*>(named.law.get()) != nullptr) continue;
         INFO(named.name);
         const LawPath path(*named.law);
         Mat6 sum = find_elastic_tangent(*named.law, Vec6::Zero(), path.memory());

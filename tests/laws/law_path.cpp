@@ -115,25 +115,27 @@ void add_ropes(std::vector<NamedLaw>& laws) {
 }
 
 void add_fibre_ropes(std::vector<NamedLaw>& laws) {
-    const PiecewiseLine original({{0.0, 0.0}, {0.1, 0.2}, {0.2, 0.6}, {0.3, 0.7}});
-    const auto add = [&](const std::string& name, WorkingShape shape, double k1, double k2, double largest) {
-        const SyropeRope rope{.original = original,
-                              .shape = shape,
-                              .k1 = k1,
-                              .k2 = k2,
-                              .stiffness = 12.0,
-                              .per_tension = 5.0,
-                              .damping = 6.0,
-                              .largest = largest};
+    const SyropeRope rope{.original = PiecewiseLine({{0.0, 0.0}, {0.1, 0.2}, {0.2, 0.6}, {0.3, 0.7}}),
+                          .shape = WorkingShape::exponential,
+                          .k1 = 0.2,
+                          .k2 = 1.2,
+                          .stiffness = 12.0,
+                          .per_tension = 5.0,
+                          .damping = 6.0,
+                          .largest = 0.0};
+    const auto add = [&](const std::string& name, const auto& change) {
+        SyropeRope changed = rope;
+        change(changed);
         laws.push_back({"fibre rope, " + name,
-                        std::make_shared<SyropeLaw>(some_stiffness({0}), rope),
+                        std::make_shared<SyropeLaw>(some_stiffness({0}), changed),
                         scale_of(0.2, 0.3)});
     };
-    add("linear", WorkingShape::linear, 0.4, 0.0, 0.0);
-    add("linear by its slope", WorkingShape::linear, 8.0, 0.0, 0.0);
-    add("quadratic", WorkingShape::quadratic, 0.2, 0.6, 0.0);
-    add("exponential", WorkingShape::exponential, 0.2, 1.2, 0.0);
-    add("stretched before", WorkingShape::exponential, 0.2, 1.2, 0.15);
+    add("exponential", [](SyropeRope&) {});
+    add("stretched before", [](SyropeRope& one) { one.largest = 0.15; });
+    add("quadratic", [](SyropeRope& one) { one.shape = WorkingShape::quadratic, one.k2 = 0.6; });
+    add("linear",
+        [](SyropeRope& one) { one.shape = WorkingShape::linear, one.k1 = 0.4, one.per_tension = 0.0; });
+    add("linear by its slope", [](SyropeRope& one) { one.shape = WorkingShape::linear, one.k1 = 8.0; });
 }
 
 void add_curves(std::vector<NamedLaw>& laws) {

@@ -11,7 +11,7 @@
 namespace gxrod::test {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double for_ever = std::numeric_limits<double>::infinity();
 
 // A polyester rope of 4.4 MN.
 PiecewiseLine polyester() {
@@ -30,7 +30,7 @@ PiecewiseLine polyester() {
     return PiecewiseLine(std::move(rows));
 }
 
-SyropeRope some_rope(WorkingShape shape = WorkingShape::exponential) {
+SyropeRope some_fibre_rope(WorkingShape shape = WorkingShape::exponential) {
     return {.original = polyester(),
             .shape = shape,
             .k1 = 0.2,
@@ -52,10 +52,10 @@ double strain_at(double time, double from) {
 }
 
 // The largest difference to tensions at times, of the largest tension.
-double compare(LawPath& path,
-               const std::vector<std::pair<double, double>>& reference,
-               double from,
-               int steps_in_unit) {
+double compare_tensions(LawPath& path,
+                        const std::vector<std::pair<double, double>>& reference,
+                        double from,
+                        int steps_in_unit) {
     double largest = 0.0, most = 0.0;
     auto next = reference.begin();
     for (int i = 1; next != reference.end(); ++i) {
@@ -80,31 +80,31 @@ TEST_CASE("A fibre rope that is pulled slowly follows its original curve and fal
     };
     for (const WorkingShape shape :
          {WorkingShape::linear, WorkingShape::quadratic, WorkingShape::exponential}) {
-        const SyropeLaw law(Mat6::Identity(), some_rope(shape));
+        const SyropeLaw law(Mat6::Identity(), some_fibre_rope(shape));
         LawPath path(law);
         const PiecewiseLine original = polyester();
         for (const double strain : {0.001, 0.01, 0.025, 0.03})
-            CHECK(tension_after(path, strain, infinite) == Approx(original.at(strain).value).epsilon(1e-14));
+            CHECK(tension_after(path, strain, for_ever) == Approx(original.at(strain).value).epsilon(1e-14));
         const double top = original.at(0.03).value;
         for (const double strain : {0.029, 0.02, 0.01, 0.0061, 0.015, 0.028}) {
             const double x = (strain - 0.006) / 0.024;
-            CHECK(tension_after(path, strain, infinite) == Approx(top * working(shape, x)).epsilon(1e-13));
+            CHECK(tension_after(path, strain, for_ever) == Approx(top * working(shape, x)).epsilon(1e-13));
         }
-        CHECK(tension_after(path, 0.035, infinite) == Approx(original.at(0.035).value).epsilon(1e-14));
+        CHECK(tension_after(path, 0.035, for_ever) == Approx(original.at(0.035).value).epsilon(1e-14));
     }
-    SyropeRope by_slope = some_rope(WorkingShape::linear);
+    SyropeRope by_slope = some_fibre_rope(WorkingShape::linear);
     by_slope.k1 = 1.2e8;
     const SyropeLaw law(Mat6::Identity(), by_slope);
     LawPath path(law);
-    const double top = tension_after(path, 0.03, infinite);
-    CHECK(tension_after(path, 0.025, infinite) == Approx(top - 0.005 * 1.2e8).epsilon(1e-13));
+    const double top = tension_after(path, 0.03, for_ever);
+    CHECK(tension_after(path, 0.025, for_ever) == Approx(top - 0.005 * 1.2e8).epsilon(1e-13));
 }
 
 TEST_CASE("Quick changes of a fibre rope meet a stiffness that grows with its mean tension", "[laws]") {
-    const SyropeLaw law(Mat6::Identity(), some_rope());
+    const SyropeLaw law(Mat6::Identity(), some_fibre_rope());
     for (const double strain : {0.005, 0.02, 0.05}) {
         LawPath path(law);
-        const double mean = tension_after(path, strain, infinite);
+        const double mean = tension_after(path, strain, for_ever);
         const double quick = path.look(strain_along(0, strain + 1e-4), 1e-9).resultants[0];
         CHECK((quick - mean) / 1e-4 == Approx(2e8 + 23.12 * mean).epsilon(1e-9));
     }
@@ -126,10 +126,10 @@ TEST_CASE("A fibre rope follows its differential equation", "[laws]") {
                                                            {72.5, 3046505.696953217},
                                                            {77.0, 320629.04041636316},
                                                            {80.0, 1916720.321487655}};
-    const SyropeLaw law(Mat6::Identity(), some_rope());
+    const SyropeLaw law(Mat6::Identity(), some_fibre_rope());
     const auto error = [&](int steps_in_unit) {
         LawPath path(law);
-        return compare(path, reference, 0.0, steps_in_unit);
+        return compare_tensions(path, reference, 0.0, steps_in_unit);
     };
     const double coarse = error(50), fine = error(1600);
     CHECK(coarse < 2e-6);
@@ -155,20 +155,20 @@ TEST_CASE("A fibre rope has the tensions of MoorDyn", "[laws]") {
                                                            {72.5, 3040983.0},
                                                            {77.0, 317605.0},
                                                            {80.0, 1914765.0}};
-    const SyropeLaw law(Mat6::Identity(), some_rope());
+    const SyropeLaw law(Mat6::Identity(), some_fibre_rope());
     LawPath path(law);
-    tension_after(path, 1.03448e-2, infinite);
-    CHECK(compare(path, reference, 1.03448e-2, 100) < 1.2e-4);
+    tension_after(path, 1.03448e-2, for_ever);
+    CHECK(compare_tensions(path, reference, 1.03448e-2, 100) < 1.2e-4);
 }
 
 TEST_CASE("A fibre rope that was stretched before goes on as one that is stretched now", "[laws]") {
-    SyropeRope stretched = some_rope();
+    SyropeRope stretched = some_fibre_rope();
     const SyropeLaw fresh(Mat6::Identity(), stretched);
     stretched.largest = 0.03;
     const SyropeLaw before(Mat6::Identity(), stretched);
     LawPath path(fresh), other(before);
-    tension_after(path, 0.03, infinite);
-    tension_after(path, 0.006, infinite);
+    tension_after(path, 0.03, for_ever);
+    tension_after(path, 0.006, for_ever);
     // Of lengths that are longer by 0.006.
     for (const double strain : {0.01, 0.02, 0.015, 0.04, 0.02, 0.006}) {
         const double tension = tension_after(path, strain, 1.5);
@@ -179,8 +179,8 @@ TEST_CASE("A fibre rope that was stretched before goes on as one that is stretch
 }
 
 TEST_CASE("Curves of a fibre rope that are steeper than its fast spring are found", "[laws]") {
-    CHECK_FALSE(find_steep_curve(some_rope()));
-    SyropeRope soft = some_rope();
+    CHECK_FALSE(find_steep_curve(some_fibre_rope()));
+    SyropeRope soft = some_fibre_rope();
     soft.stiffness = 1.53e8;
     soft.k2 = 1.5;
     const std::optional<SteepCurve> steep = find_steep_curve(soft);
@@ -189,10 +189,10 @@ TEST_CASE("Curves of a fibre rope that are steeper than its fast spring are foun
     CHECK(steep->stiffness == Approx(1.53e8).epsilon(1e-3));
     soft.largest = 0.012;
     CHECK_FALSE(find_steep_curve(soft));
-    SyropeRope softer = some_rope();
+    SyropeRope softer = some_fibre_rope();
     softer.stiffness = 5e7;
     CHECK(find_steep_curve(softer)->slope == Approx(1.71768e5 / 2.06897e-3).epsilon(1e-12));
-    SyropeRope slack = some_rope(WorkingShape::linear);
+    SyropeRope slack = some_fibre_rope(WorkingShape::linear);
     slack.k1 = 5e7;  // less than the tension per strain, so that it would be longer than it ever was
     CHECK(find_steep_curve(slack));
 }
