@@ -95,7 +95,7 @@ const TableSpec& syrope_table() {
             .unit("force").above(0).required().also("alpha")
         .key("per_tension", &T::per_tension, "What the dynamic stiffness grows by with the mean tension.")
             .unit("1").at_least(0).also("beta")
-        .key("damping", &T::damping, "Of the dashpot beside the slow spring: force per rate of strain. What is fast lets it no time.")
+        .key("damping", &T::damping, "Of the dashpot beside the slow spring: force per rate of its strain.")
             .unit("force·time").above(0).required().also("ba_s c1 slow_damping")
         .key("largest_tension", &T::largest_tension, "The largest mean tension of the rope before the start. The rod's length is then "
              "that of the rope as this has left it, without tension.")
