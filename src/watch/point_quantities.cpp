@@ -45,7 +45,7 @@ constexpr Quantity rod_turn_lines[]{
     Quantity("axis_x", "x axis of the section, which points along the rod", "1", Axes::observer,
              [](const Sight& see) { return Vec3(see.point().axes() * Vec3::UnitX()); }),
     Quantity("no_load_angle", "angle of the rod's axis to the direction no_load, or to its own at t = 0", "angle", Axes::none,
-             [](const Sight& see) { return find_no_load_angle(see); })};
+             [](const Sight& see) { return find_no_load_angle(see); }).from_no_load()};
 
 constexpr Quantity body_turn_lines[]{
     Quantity("rotation_vector",

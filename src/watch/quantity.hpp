@@ -97,6 +97,7 @@ struct Quantity {
     const char* continuous = nullptr;  // the word of the same rotation without jumps
     bool has_strain_order = false;     // converges as strains do, by one order of elements
     bool is_about = false;             // a moment that can be about any point
+    bool is_from_no_load = false;      // an angle to the direction `no_load`
     bool is_searched = false;          // takes a search where nothing is near
 
     template <class Member>
@@ -139,6 +140,7 @@ struct Quantity {
     }
     constexpr Quantity with_strain_order() const { return with(&Quantity::has_strain_order, true); }
     constexpr Quantity about_a_point() const { return with(&Quantity::is_about, true); }
+    constexpr Quantity from_no_load() const { return with(&Quantity::is_from_no_load, true); }
     constexpr Quantity by_search() const { return with(&Quantity::is_searched, true); }
 
     bool is_rotation() const { return columns == 4; }

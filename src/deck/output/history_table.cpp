@@ -145,8 +145,7 @@ void set_about(const HistoryKeys& table, HistoryRequest& request, const BuildCon
 void set_no_load(const HistoryKeys& table, HistoryRequest& request, const BuildContext& context) {
     if (!table.no_load) return;
     request.no_load = table.no_load;
-    const bool is_asked = std::ranges::find(request.quantities, "no_load_angle") != request.quantities.end();
-    if (!is_asked)
+    if (!asks_for(request, [](const Quantity& one) { return one.is_from_no_load; }))
         context.add_fault(table, table.no_load, "goes with no_load_angle, which is not among the quantities");
     if (table.no_load->isZero(0.0))
         context.add_fault(table, table.no_load, "expected a direction, found a vector of zero length");
