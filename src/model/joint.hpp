@@ -1,11 +1,13 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "model/anchor.hpp"
 #include "model/time/time_function.hpp"
+#include "numerics/plane_curve.hpp"
 #include "rotation/types.hpp"
 
 namespace gxrod {
@@ -24,6 +26,7 @@ enum class JointKind {
     distance,   // all but a change of the distance of two points
     free,       // everything
     generic,    // what Joint::held does not name
+    cam,        // all but the distance of B's point from a curve that A carries, in the curve's plane
     sleeve      // a point, the slide along a rod and all turns: a Sleeve, not a Joint
 };
 
@@ -83,8 +86,17 @@ struct JointClearance {
     bool dissipates() const { return friction > 0.0 || contact.damping > 0.0 || contact.hysteresis > 0.0; }
 };
 
-// The largest force and moment that a joint holds, and how long it holds. It breaks at the end of a step in
-// which it holds more, or at this time, and then holds nothing.
+// The curve of a cam, in the plane of A's second and third axis, its origin at A's point, and the radius of
+// the roller around B's point that touches it; 0 of a knife edge.
+struct JointCam {
+    std::shared_ptr<const PlaneCurve> curve;
+    double roller = 0.0;
+    double side = 1.0;   // of the roller: 1 on the right of the curve, −1 on its left
+    bool lifts = false;  // whether the roller may leave the curve; otherwise a groove holds it
+};
+
+// The largest force and moment that a joint holds. It breaks at the end of a step in which it holds more, and
+// then holds nothing.
 struct JointStrength {
     std::optional<double> force;      // of the rows that are lengths
     std::optional<double> moment;     // of the others
@@ -106,11 +118,14 @@ struct Joint {
     // turns that are not held two are those of a universal joint.
     std::array<bool, 6> held{};
     std::optional<JointClearance> clearance = {};  // of a ball, a hinge or a cylinder
+    std::optional<JointCam> cam = {};              // of a cam
     JointStrength strength;
     bool acts = true;  // in the stage at hand; otherwise it holds nothing
 
     // Whether it has equations that hold on one side only.
-    bool has_stops() const { return pulls_only || turn.limits.are_rigid() || slide.limits.are_rigid(); }
+    bool has_stops() const {
+        return pulls_only || (cam && cam->lifts) || turn.limits.are_rigid() || slide.limits.are_rigid();
+    }
     bool has_ground() const { return a.anchor.is_ground() || b.anchor.is_ground(); }
     // Returns B's anchor, or A's if B is on the ground.
     const Anchor& moving_anchor() const { return b.anchor.is_ground() ? a.anchor : b.anchor; }

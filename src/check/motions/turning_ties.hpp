@@ -38,6 +38,7 @@ inline constexpr std::array<TurningJointCard, joint_cards.size()> turning_joint_
      {.kind = JointKind::distance},
      {.kind = JointKind::free, .has_axis = true, .holds_something = false},
      {.kind = JointKind::generic, .is_alike = false},
+     {.kind = JointKind::cam, .is_alike = false},
      {.kind = JointKind::sleeve}}};
 
 static_assert(

@@ -52,7 +52,9 @@ std::string describe_axes(const Joint& joint) {
                        fmt::arg("axis_b", in_parentheses(joint.b.axes.col(0))),
                        fmt::arg("held", list_held(joint)),
                        fmt::arg("lead", joint.lead),
-                       fmt::arg("length", joint.length));
+                       fmt::arg("length", joint.length),
+                       fmt::arg("curve", joint.cam ? joint.cam->curve->length() : 0.0),
+                       fmt::arg("roller", joint.cam ? joint.cam->roller : 0.0));
 }
 
 // A side of a joint whose place is told: "thigh.end", "shank (by an arm of 0.12)".
@@ -91,6 +93,7 @@ std::string describe_joint(const Model& model, const Joint& joint) {
     const JointCard& card = card_of(joint.kind);
     std::string text = fmt::format("joint {}: {}{}", joint.name, card.word, describe_axes(joint));
     if (joint.pulls_only) text += " at most,";
+    if (joint.cam && joint.cam->lifts) text += " which may lift off,";
     if (card.is_at_one_place) {
         text += fmt::format(" at {} between {} and {}",
                             in_parentheses(find_place(model, joint.a.anchor)),

@@ -46,6 +46,10 @@ PairMatrix JointReaction::compute_derivative(const JointFrames& frames) const {
     derivative.middleRows<3>(6) += changed;
     derivative.middleRows<3>(9) += cross_matrix(arm_b) * changed;
     derivative.block<3, 3>(3, 3) += cross_twice(frames.separation.value, carried);
+    if (curving.isZero(0.0)) return derivative;
+    // δd as A's axes see it.
+    separation.middleCols<3>(3) += cross_matrix(frames.separation.value);
+    derivative += separation.transpose() * curving * separation;
     return derivative;
 }
 

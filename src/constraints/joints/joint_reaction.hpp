@@ -12,6 +12,7 @@ struct JointReaction {
     double pull = 0.0;            // κ: f contains κ d
     Mat3 moments = Mat3::Zero();  // Σ λ u wᵀ
     Mat3 bends = Mat3::Zero();  // Σ λ (t kᵀ + k tᵀ) of turns, t and k the parts of ∇ψ and ∇lnρ on A
+    Mat3 curving = Mat3::Zero();  // C = Σ λ k t tᵀ of cams: f contains C times the displacement of B on A
 
     // Computes forces, and moments about the nodes, on (A, B).
     PairVector compute_force(const JointFrames& frames) const;

@@ -73,6 +73,8 @@ void JointRows::add_kind(const Joint& joint) {
             return add_distance(joint);
         case JointKind::generic:
             return add_held(joint);
+        case JointKind::cam:  // D − ρ = 0
+            return add_cam(joint);
         case JointKind::sleeve:
             assert(!"a sleeve has equations of its own");
             return;
@@ -118,6 +120,14 @@ void JointRows::add_distance(const Joint& joint) {
             .constant = -0.5 * joint.length};
     if (joint.pulls_only) row.upper = 0.0;
     has_stops_ = joint.pulls_only;
+    add(row);
+}
+
+void JointRows::add_cam(const Joint& joint) {
+    cam_.emplace(joint);
+    Row row{.is_length = true, .factor = 0.0, .cam_factor = 1.0, .constant = -joint.cam->roller};
+    if (joint.cam->lifts) row.lower = 0.0;
+    has_stops_ = joint.cam->lifts;
     add(row);
 }
 
@@ -179,9 +189,10 @@ double JointRows::find_bound(const Row& row, double coordinate) {
 StopPlace JointRows::find_stop(int index, const JointMotions& motions, double turn_before) const {
     const Row& row = rows_[index];
     const JointFrames frames = compute_frames(motions, ConstraintLevel::velocity);
-    const ScalarJet jet = row.turn_factor != 0.0 ? coordinates_.turn->compute_jet(frames, turn_before)
-                                                 : row.product.compute_jet(frames);
-    const double factor = row.factor + row.turn_factor;  // one of them is 0
+    const ScalarJet jet = row.turn_factor != 0.0  ? coordinates_.turn->compute_jet(frames, turn_before)
+                          : row.cam_factor != 0.0 ? cam_->compute_jet(frames)
+                                                  : row.product.compute_jet(frames);
+    const double factor = row.factor + row.turn_factor + row.cam_factor;  // one of them is not 0
     const double coordinate = factor * jet.value + row.constant;
     const double rate = factor * jet.rate;
     const double bound = find_bound(row, coordinate);
@@ -215,6 +226,7 @@ JointVector JointRows::compute_values(const JointMotions& motions,
         if (row.turn_factor != 0.0)
             values[i] +=
                 row.turn_factor * at_level(coordinates_.turn->compute_jet(frames, turn_before), level);
+        if (row.cam_factor != 0.0) values[i] += row.cam_factor * at_level(cam_->compute_jet(frames), level);
         if (level != ConstraintLevel::position) continue;
         values[i] += row.constant;
         if (is_stop(i)) values[i] -= find_bound(row, values[i]);
@@ -242,6 +254,7 @@ JointMatrix JointRows::compute_gradient(const JointFrames& frames) const {
         PairRow sum = PairRow::Zero();
         if (row.factor != 0.0) row.product.add_gradient(frames, row.factor, sum);
         if (row.turn_factor != 0.0) coordinates_.turn->add_gradient(frames, row.turn_factor, sum);
+        if (row.cam_factor != 0.0) cam_->add_gradient(frames, row.cam_factor, sum);
         gradient.row(i) = sum;
     }
     return gradient;
@@ -256,6 +269,7 @@ JointMatrix JointRows::compute_acceleration_derivative(const JointFrames& frames
         if (row.factor != 0.0) row.product.add_change(frames, linearizations, {0.0, 0.0, row.factor}, sum);
         if (row.turn_factor != 0.0)
             coordinates_.turn->add_change(frames, linearizations, {0.0, 0.0, row.turn_factor}, sum);
+        if (row.cam_factor != 0.0) cam_->add_change(frames, linearizations, {0.0, 0.0, row.cam_factor}, sum);
         derivative.row(i) = sum;
     }
     return derivative;
@@ -268,6 +282,7 @@ JointReaction JointRows::compute_reaction(const JointFrames& frames, const Joint
         if (row.factor != 0.0) row.product.add_reaction(frames, multipliers[i] * row.factor, reaction);
         if (row.turn_factor != 0.0)
             coordinates_.turn->add_reaction(frames, multipliers[i] * row.turn_factor, reaction);
+        if (row.cam_factor != 0.0) cam_->add_reaction(frames, multipliers[i] * row.cam_factor, reaction);
     }
     return reaction;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "constraints/joints/cam_distance.hpp"
 #include "constraints/joints/joint_coordinate.hpp"
 #include "model/joint.hpp"
 #include "state/constraint_level.hpp"
@@ -43,11 +44,11 @@ struct StopPlace {
     double sign = 0.0;
 };
 
-// The equations Φ = 0 of one joint, docs/theory/joints.md (J6) to (J11), each with a multiplier λ: the joint
-// exerts Gᵀλ on the nodes of A and B, G = ∂Φ/∂(δr, δφ); for a point's equations λ is the force of A on B.
-// Lengths are in the deck's unit, turns and products of unit vectors are not scaled. Turns of any number are
-// possible: `turn_before` is the turn at the last accepted step. A joint that does not act in the stage has
-// no equations. Stops are one-sided: Φ is then the coordinate less the nearer bound, (J30).
+// The equations Φ = 0 of one joint, docs/theory/joints.md (J6) to (J11) and (J37), each with a multiplier λ:
+// the joint exerts Gᵀλ on the nodes of A and B, G = ∂Φ/∂(δr, δφ); for a point's equations λ is the force of A
+// on B. Lengths are in the deck's unit, turns and products of unit vectors are not scaled. Turns of any
+// number are possible: `turn_before` is the turn at the last accepted step. A joint that does not act in the
+// stage has no equations. Stops are one-sided: Φ is then the coordinate less the nearer bound, (J30).
 class JointRows {
   public:
     explicit JointRows(const Joint& joint);
@@ -67,6 +68,8 @@ class JointRows {
     StopPlace find_stop(int row, const JointMotions& motions, double turn_before) const;
     // The coordinates that the joint leaves free, prescribed or not.
     const JointCoordinates& coordinates() const { return coordinates_; }
+    // The distance of a cam's roller from its curve; nullopt of other joints.
+    const std::optional<CamDistance>& cam() const { return cam_; }
 
     // Computes Φ, Φ̇ or Φ̈.
     JointVector compute_values(const JointMotions& motions,
@@ -105,12 +108,13 @@ class JointRows {
   private:
     enum class Motor { none, turn, slide };
 
-    // An equation Φ = factor u · w + turn_factor ψ + constant − motor's coordinate.
+    // An equation Φ = factor u · w + turn_factor ψ + cam_factor D + constant − motor's coordinate.
     struct Row {
         bool is_length = false;
         double factor = 1.0;
         LinkProduct product = {};
         double turn_factor = 0.0;
+        double cam_factor = 0.0;
         double constant = 0.0;
         Motor motor = Motor::none;
         std::optional<double> lower = {}, upper = {};  // bounds of a stop
@@ -125,6 +129,7 @@ class JointRows {
     void add_equal_axes(const Joint& joint);
     void add_across(const Joint& joint);
     void add_distance(const Joint& joint);
+    void add_cam(const Joint& joint);
     void add_held(const Joint& joint);
     void add_motors(const Joint& joint);
     void add_stops(const Joint& joint);
@@ -135,6 +140,7 @@ class JointRows {
 
     JointArms arms_;
     JointCoordinates coordinates_;
+    std::optional<CamDistance> cam_;
     std::array<Row, most_joint_rows> rows_;
     int count_ = 0;
     bool is_linear_ = false;

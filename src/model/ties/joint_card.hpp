@@ -24,7 +24,7 @@ struct JointCard {
 };
 
 // In the order of JointKind.
-inline constexpr std::array<JointCard, 12> joint_cards{
+inline constexpr std::array<JointCard, 13> joint_cards{
     {{.kind = JointKind::ball, .word = "ball", .leaves_free = "all turns"},
      {.kind = JointKind::hinge,
       .word = "hinge",
@@ -75,6 +75,11 @@ inline constexpr std::array<JointCard, 12> joint_cards{
       .word = "generic",
       .leaves_free = "what `holds` does not name",
       .summary = ", held along and about {held} of the axes with x {axis},"},
+     {.kind = JointKind::cam,
+      .word = "cam",
+      .leaves_free = "all but the distance of a roller from a curve, in the curve's plane",
+      .summary = " in the plane across {axis}, of a curve {curve:.6g} long, roller {roller:.6g},",
+      .is_at_one_place = false},
      {.kind = JointKind::sleeve,
       .word = "sleeve",
       .leaves_free = "slide along the rod, all turns unless turn = false",

@@ -279,7 +279,8 @@ TEST_CASE("sides of a closed joint can be exchanged", "[constraints][joints]") {
         const JointRows other(exchanged);
         // A universal joint's motor would turn the other axis.
         if (sample.joint.kind == JointKind::universal && sample.joint.turn.motion) return;
-        if (sample.joint.kind == JointKind::generic) return;  // A carries its axes
+        // A carries its axes, or its curve.
+        if (sample.joint.kind == JointKind::generic || sample.joint.kind == JointKind::cam) return;
         const PairMatrix forces = project_on_rows(rows.compute_gradient(sample.motions()));
         const PairMatrix back = project_on_rows(other.compute_gradient({sample.b, sample.a}));
         PairMatrix expected;
@@ -400,6 +401,7 @@ TEST_CASE("rows of joints are lengths or turns", "[constraints][joints]") {
             *length *= scale;
         scaled.joint.lead *= scale;
         scaled.joint.length *= scale;
+        if (scaled.joint.cam) scaled.joint.cam = make_cam(scale);
         scaled.motors.slide.value *= scale;
         const JointRows others(scaled.joint);
         const JointVector values =
@@ -440,4 +442,12 @@ TEST_CASE("multipliers of joints are the forces that they should be", "[constrai
     b = close(joint, a, free);
     const Vec3 push = compute_on_b(joint, a, b, 0).head<3>();
     CHECK((push - (b.r - a.r - a.Lambda * joint.a.anchor.arm) / joint.length).norm() < 1e-14);
+
+    // Of a cam, the push of the curve on the roller, across both.
+    joint = make_joint(JointKind::cam, random);
+    joint.b.anchor.arm.setZero();
+    b = close(joint, a, free);
+    const PlaneCurve::Point t = joint.cam->curve->find_place(free.turn).tangent;
+    const Vec3 normal = a.Lambda * joint.a.axes * Vec3(0.0, t.y(), -t.x());
+    CHECK((Vec3(compute_on_b(joint, a, b, 0).head<3>()) - normal).norm() < 1e-13);
 }

@@ -17,7 +17,8 @@ constexpr std::pair<JointKind, const char*> kinds[] = {{JointKind::ball, "ball"}
                                                        {JointKind::plane, "plane"},
                                                        {JointKind::weld, "weld"},
                                                        {JointKind::distance, "distance"},
-                                                       {JointKind::free, "free"}};
+                                                       {JointKind::free, "free"},
+                                                       {JointKind::cam, "cam"}};
 
 // x, y, z, rx, ry, rz.
 constexpr std::pair<std::array<bool, 6>, const char*> held_sets[] = {
@@ -117,6 +118,18 @@ const std::vector<JointSample>& joint_samples() {
     return samples;
 }
 
+// Its radius and curvature vary. It is so far from A's point that points around that are outside.
+JointCam make_cam(double size) {
+    std::vector<PlaneCurve::Point> points;
+    constexpr int count = 40;
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / count;
+        const double radius = size * (1.0 + 0.2 * std::cos(angle) + 0.05 * std::sin(2.0 * angle));
+        points.emplace_back(3.0 * size + radius * std::cos(angle), radius * std::sin(angle));
+    }
+    return {.curve = std::make_shared<PlaneCurve>(points, true), .roller = 0.4 * size};
+}
+
 Joint make_joint(JointKind kind, RandomValues& random) {
     Joint joint;
     joint.kind = kind;
@@ -131,6 +144,7 @@ Joint make_joint(JointKind kind, RandomValues& random) {
     joint.b.anchor = {1, random.vector()};
     joint.lead = 0.7;
     joint.length = 1.3;
+    if (kind == JointKind::cam) joint.cam = make_cam(1.0);
     return joint;
 }
 
@@ -167,6 +181,7 @@ Quat turn_free(const Joint& joint, const FreeCoordinates& free) {
     switch (joint.kind) {
         case JointKind::ball:
         case JointKind::distance:
+        case JointKind::cam:
             return free.ball;
         case JointKind::universal:
             return exp_quaternion(free.turn * axis) *
@@ -201,6 +216,12 @@ Vec3 slide_free(const Joint& joint, const FreeCoordinates& free) {
             return free.across;
         case JointKind::distance:
             return joint.length * free.direction;
+        case JointKind::cam: {
+            const PlaneCurve::Place place = joint.cam->curve->find_place(free.turn);
+            const Vec3 point(free.slide, place.point.x(), place.point.y());
+            return point +
+                   joint.cam->side * joint.cam->roller * Vec3(0.0, place.tangent.y(), -place.tangent.x());
+        }
         default:
             return Vec3::Zero();
     }

@@ -23,6 +23,9 @@ struct JointSample {
 // All of them.
 const std::vector<JointSample>& joint_samples();
 
+// A cam about as large as this.
+JointCam make_cam(double size);
+
 // A joint without motors.
 Joint make_joint(JointKind kind, RandomValues& random);
 
@@ -32,7 +35,7 @@ struct FreeCoordinates {
     double second_turn = 0.0;        // of a universal joint about B's axis
     double slide = 0.0;              // not of a screw, whose turn says it
     Vec3 across = Vec3::Zero();      // of a plane: slides along the second and third axis of A
-    Quat ball = Quat::Identity();    // of a ball or distance joint: B against A
+    Quat ball = Quat::Identity();    // of a ball, a distance joint or a cam: B against A
     Vec3 direction = Vec3::UnitX();  // of a distance joint: from A to B
 };
 FreeCoordinates make_free_coordinates(RandomValues& random);
