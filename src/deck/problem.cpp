@@ -152,6 +152,7 @@ Problem build_problem(const CheckedTable& deck, const DeckFiles& files, FaultLis
     const LoadFiles loads = read_load_files(deck, files.tables, faults, problem.record.meshes);
     std::map<std::string, std::shared_ptr<const TriangleMesh>> obstacle_meshes =
         read_obstacle_meshes(deck, files.meshes, faults, problem.record.meshes, problem.notes);
+    auto cam_points = read_cam_files(deck, files.tables, faults, problem.record.meshes);
     auto section_meshes = read_section_meshes(deck, files.meshes, faults, problem.record.meshes);
     check_memory(deck, nets, count_usable_bytes(), faults);
     faults.throw_if_any();
@@ -159,6 +160,7 @@ Problem build_problem(const CheckedTable& deck, const DeckFiles& files, FaultLis
     BuildContext context{deck, names, faults, problem.notes, problem.model};
     context.obstacle_meshes = std::move(obstacle_meshes);
     context.section_meshes = std::move(section_meshes);
+    context.cam_points = std::move(cam_points);
     check_names(deck, faults);
     context.stages = build_stages(context);
     check_stage_names(context);

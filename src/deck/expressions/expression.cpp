@@ -62,6 +62,7 @@ struct Values {
     PointMotion motion = {};
     double length = 0.0;
     double rate = 0.0;
+    double angle = 0.0;
 };
 
 // An input as an expression reads it.
@@ -151,6 +152,7 @@ double* CompiledExpression::find(const std::string& variable) {
     if (variable == "s") return &values_.s;
     if (variable == "length") return &values_.length;
     if (variable == "rate") return &values_.rate;
+    if (variable == "angle") return &values_.angle;
     Vec3& vector = variable.size() == 1 ? values_.motion.position
                    : variable[0] == 'v' ? values_.motion.velocity
                    : variable[0] == 'r' ? values_.motion.rotation
@@ -470,6 +472,17 @@ std::optional<SpringExpression> compile_spring_function(const std::string& expre
         return program->evaluate({.length = length, .rate = rate});
     };
     return SpringExpression{evaluate, compiled.variables.contains("rate")};
+}
+
+std::optional<AngleExpression> compile_angle_function(const std::string& expression,
+                                                      const std::string& key,
+                                                      const Symbols& symbols) {
+    const Compiled compiled = compile({expression, symbols, Variables::angle}, key);
+    if (!compiled.program) return std::nullopt;
+    const auto evaluate = [program = compiled.program](double angle) {
+        return program->evaluate({.angle = angle}, [=] { return fmt::format("angle = {}", angle); });
+    };
+    return AngleExpression{evaluate};
 }
 
 }  // namespace gxrod

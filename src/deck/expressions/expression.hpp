@@ -126,4 +126,15 @@ std::optional<SpringExpression> compile_spring_function(const std::string& expre
                                                         const std::string& key,
                                                         const Symbols& symbols);
 
+// A number that varies with an angle, in rad.
+struct AngleExpression {
+    std::function<double(double angle)> function;
+};
+
+// Makes a function of an angle. Calls throw EvaluationError with `key` and the angle where there is no finite
+// value.
+std::optional<AngleExpression> compile_angle_function(const std::string& expression,
+                                                      const std::string& key,
+                                                      const Symbols& symbols);
+
 }  // namespace gxrod

@@ -17,7 +17,7 @@ const std::vector<std::string>& names_of(Variables variables) {
         place{"x", "y", "z", "s"}, field{"t", "x", "y", "z"},
         motion{"t", "x", "y", "z", "vx", "vy", "vz", "rx", "ry", "rz", "wx", "wy", "wz"},
         motion_along{"t", "s", "x", "y", "z", "vx", "vy", "vz", "rx", "ry", "rz", "wx", "wy", "wz"},
-        spring{"length", "rate"};
+        spring{"length", "rate"}, angle{"angle"};
     switch (variables) {
         case Variables::none:
             return none;
@@ -36,9 +36,11 @@ const std::vector<std::string>& names_of(Variables variables) {
         case Variables::motion_along:
             return motion_along;
         case Variables::spring:
+            return spring;
+        case Variables::angle:
             break;
     }
-    return spring;
+    return angle;
 }
 
 // What a variable stands for, if it is not t.
@@ -46,6 +48,7 @@ const char* describe_variable(const std::string& name) {
     if (name == "s") return "the arc length";
     if (name == "length") return "the spring's length";
     if (name == "rate") return "the rate of the spring's length";
+    if (name == "angle") return "the angle about the centre";
     if (name.size() == 1) return "a coordinate";
     return name[0] == 'v'   ? "a component of the velocity"
            : name[0] == 'r' ? "a component of the rotation vector"
@@ -208,6 +211,7 @@ class ExpressionCheck {
         const char* value = variables_ == Variables::none     ? "a constant"
                             : variables_ == Variables::arc    ? "a function of s"
                             : variables_ == Variables::spring ? "a function of length and rate"
+                            : variables_ == Variables::angle  ? "a function of angle"
                                                               : "that at t = 0";
         throw ExpressionError(fmt::format("\"t\" (time) is not allowed here: this value is {}", value));
     }

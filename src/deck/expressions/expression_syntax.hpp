@@ -20,7 +20,8 @@ enum class Variables {
     motion,        // t, x, y, z of a point's position, vx, vy, vz of its velocity, rx, ry, rz of its rotation
                    // vector, wx, wy, wz of its angular velocity, and the deck's functions
     motion_along,  // also s, the arc length from a rod's start
-    spring         // length, rate of a spring's length, and the deck's functions; not t
+    spring,        // length, rate of a spring's length, and the deck's functions; not t
+    angle          // angle about a centre, and the deck's functions; not t
 };
 
 // The names that an expression uses, without the built-in ones.

@@ -146,6 +146,12 @@ void check_stops(const JointTable& given, const Joint& joint, const BuildContext
                           fmt::format("a joint cannot become taut in {}, an explicit scheme; expected an "
                                       "implicit one, or a spring that only pulls",
                                       word));
+    else if (joint.cam)
+        context.add_fault(given,
+                          given.lifts,
+                          fmt::format("a roller cannot come back to its curve in {}, an explicit scheme; "
+                                      "expected an implicit one, or lifts = false",
+                                      word));
     else
         context.add_fault(
             given,

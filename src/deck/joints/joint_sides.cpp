@@ -95,8 +95,7 @@ bool place_at_one_point(const JointTable& given, double size, Joint& joint, cons
     return true;
 }
 
-// Of a distance joint, whose points are two.
-bool place_apart(const JointTable& given, double size, Joint& joint, const BuildContext& context) {
+bool place_at_two_points(const JointTable& given, Joint& joint, const BuildContext& context) {
     const std::optional<Points> points = find_points(given, context);
     if (!points || !are_apart(given, *points, context)) return false;
     const std::optional<Anchor> a = find_anchor(given, given.between[0], given.at_a, context);
@@ -104,7 +103,14 @@ bool place_apart(const JointTable& given, double size, Joint& joint, const Build
     if (!a || !b) return false;
     joint.a.anchor = *a;
     joint.b.anchor = *b;
-    const double now = (find_place(context.model, *b) - find_place(context.model, *a)).norm();
+    return true;
+}
+
+// Of a distance joint, whose points are two.
+bool place_apart(const JointTable& given, double size, Joint& joint, const BuildContext& context) {
+    if (!place_at_two_points(given, joint, context)) return false;
+    const double now =
+        (find_place(context.model, joint.b.anchor) - find_place(context.model, joint.a.anchor)).norm();
     const double least = same_place * std::max(size, now);
     joint.length = given.length.value_or(now);
     joint.pulls_only = given.slack.value_or(false);
@@ -180,6 +186,18 @@ bool set_crossed_axes(const JointTable& given, const Vec3& a, Joint& joint, cons
     return true;
 }
 
+// A cam's curve lies across `axis`, its first coordinate along `x_axis`, which may be given.
+bool set_cam_axes(const JointTable& given, const Vec3& normal, Joint& joint, const BuildContext& context) {
+    joint.a.axes = axes_about(normal);
+    if (given.x_axis) {
+        const std::optional<Vec3> x = find_across(given, given.x_axis, normal, context);
+        if (!x) return false;
+        joint.a.axes << normal, *x, normal.cross(*x);
+    }
+    joint.b.axes = joint.a.axes;
+    return true;
+}
+
 // A generic joint's x axis is `axis`; its y axis may be given.
 bool set_three_axes(const JointTable& given, const Vec3& x, Joint& joint, const BuildContext& context) {
     joint.a.axes = axes_about(x);
@@ -198,17 +216,23 @@ bool set_axes(const JointTable& given, Joint& joint, const BuildContext& context
     if (!axis) return false;
     if (joint.kind == JointKind::universal) return set_crossed_axes(given, *axis, joint, context);
     if (joint.kind == JointKind::generic) return set_three_axes(given, *axis, joint, context);
+    if (joint.kind == JointKind::cam) return set_cam_axes(given, *axis, joint, context);
     joint.a.axes = joint.b.axes = axes_about(*axis);
     return true;
+}
+
+bool set_points(const JointTable& given, double size, Joint& joint, const BuildContext& context) {
+    if (joint.kind == JointKind::distance) return place_apart(given, size, joint, context);
+    if (joint.kind == JointKind::cam) return place_at_two_points(given, joint, context);
+    return place_at_one_point(given, size, joint, context);
 }
 
 }  // namespace
 
 bool place_joint(const JointTable& given, double size, Joint& joint, const BuildContext& context) {
-    const bool is_placed = joint.kind == JointKind::distance
-                               ? place_apart(given, size, joint, context)
-                               : place_at_one_point(given, size, joint, context);
-    return set_axes(given, joint, context) && is_placed;
+    const bool is_placed = set_points(given, size, joint, context);
+    if (!set_axes(given, joint, context) || !is_placed) return false;
+    return joint.kind != JointKind::cam || set_cam(given, size, joint, context);
 }
 
 }  // namespace gxrod

@@ -162,14 +162,36 @@ const TableSpec& break_table() {
     return table;
 }
 
+const TableSpec& cam_curve_table() {
+    using T = CamCurveTable;
+    // clang-format off
+    static const TableSpec table = Table<T>("joint.NAME.curve", "")
+        .key("points", &T::points, "Points of the curve in their order, along x_axis and the axis at right angles to it and "
+             "to `axis`, six at least. A quintic spline by arc length goes through them.")
+            .unit("length").also("rows profile xy")
+        .key("file", &T::file, "A CSV file of two columns with these points. Relative to the deck's folder.")
+            .also("csv")
+        .key("radius", &T::radius, "The distance of the curve from A's point by the angle from x_axis, right-handed about "
+             "`axis`.")
+            .unit("length").also("r polar")
+        .key("closed", &T::closed, "Whether the curve comes back to its first point. false: the point has to stay between "
+             "its ends.")
+            .otherwise("true").also("is_closed periodic")
+        .exactly_one_of({"points", "file", "radius"});
+    // clang-format on
+    return table;
+}
+
 bool is_sleeve(const JointCard& card) { return card.kind == JointKind::sleeve; }
 bool is_generic(const JointCard& card) { return card.kind == JointKind::generic; }
+bool is_cam(const JointCard& card) { return card.kind == JointKind::cam; }
+bool is_distance(const JointCard& card) { return card.kind == JointKind::distance; }
 bool is_between_nodes(const JointCard& card) { return !is_sleeve(card); }
 bool holds_anything(const JointCard& card) { return is_between_nodes(card) && card.kind != JointKind::free; }
 bool is_at_two_places(const JointCard& card) { return !card.is_at_one_place; }
 bool has_free_coordinate(const JointCard& card) { return card.has_turn || card.has_slide; }
 bool has_axis(const JointCard& card) {
-    return (has_free_coordinate(card) && is_between_nodes(card)) || is_generic(card);
+    return (has_free_coordinate(card) && is_between_nodes(card)) || is_generic(card) || is_cam(card);
 }
 bool can_be_loose(const JointCard& card) {
     return card.kind == JointKind::ball || card.kind == JointKind::hinge || card.kind == JointKind::cylinder;
@@ -210,14 +232,35 @@ void add_shape_keys(Table<JointTable>& table) {
             .unit("length").required().remark("the slide in one turn").only_for(types_that(has_lead)).also("pitch")
         .key("length", &T::length, "Of a distance: that of the points, for a check of where they are; if it can be "
              "slack, the largest one.")
-            .unit("length").above(0).otherwise("as it is at t = 0").only_for(types_that(is_at_two_places))
+            .unit("length").above(0).otherwise("as it is at t = 0").only_for(types_that(is_distance))
             .also("distance l l0")
         .key("slack", &T::slack, "Of a distance: holds only where the points would be further apart than `length`, as a rope "
              "does. When it becomes taut it does not rebound.")
-            .otherwise("false").only_for(types_that(is_at_two_places)).also("rope tension_only pulls_only cable")
+            .otherwise("false").only_for(types_that(is_distance)).also("rope tension_only pulls_only cable")
         .key("turn", &T::turn, "Of a sleeve: whether the point turns as it likes. false: it does not turn against the rod's "
              "section at the place where it is.")
             .otherwise("true").only_for(types_that(is_sleeve)).also("turns rotates rotation_free");
+    // clang-format on
+}
+
+// The keys of a cam besides its axis.
+void add_cam_keys(Table<JointTable>& table) {
+    using T = JointTable;
+    // clang-format off
+    table
+        .key("curve", &T::curve, cam_curve_table(), "Of a cam: the curve that A carries, in a plane across `axis`. Its "
+             "origin is A's point.")
+            .required().remark("its points, file or radius").only_for(types_that(is_cam)).also("profile shape contour cam_curve")
+        .key("x_axis", &T::x_axis, "Of a cam: the direction of the first coordinate of its curve, at right angles to `axis`, at "
+             "t = 0.")
+            .unit("1").otherwise("towards the global axis that is most across `axis`").only_for(types_that(is_cam))
+        .key("roller", &T::roller, "Of a cam: the radius of the roller around B's point that stays on the curve, on the side "
+             "where it is at t = 0.")
+            .unit("length").at_least(0).otherwise("0: the point is a knife edge").only_for(types_that(is_cam))
+            .also("roller_radius rho follower_radius")
+        .key("lifts", &T::lifts, "Of a cam: whether the roller can leave the curve. When it comes back it does not rebound. "
+             "false: it is held from both sides, as in a groove.")
+            .otherwise("false").only_for(types_that(is_cam)).also("one_sided unilateral lift_off can_lift");
     // clang-format on
 }
 
@@ -296,6 +339,7 @@ const TableSpec& joint_table() {
         .key("axis_b", &T::axis_b, "Of a universal joint: the axis fixed in B, at right angles to `axis`.")
             .unit("1").required().remark("the axis that B carries").only_for(types_that(&JointCard::has_axis_b))
         .with(add_shape_keys)
+        .with(add_cam_keys)
         .with(add_coordinate_keys)
         .with(add_holding_keys)
         .with(add_copies<T>)

@@ -47,10 +47,20 @@ struct JointBreakTable : TableHead {
     std::optional<TableName> stage;
 };
 
+struct CamCurveTable : TableHead {
+    std::optional<CheckedPairs> points;
+    std::optional<std::string> file;
+    std::optional<CheckedAngleFunction> radius;
+    bool closed = true;
+};
+
 struct JointTable : ActingTable {
     JointKind type = JointKind::ball;
     Ends between;
-    std::optional<Vec3> at, at_a, at_b, axis, axis_b, y_axis;
+    std::optional<Vec3> at, at_a, at_b, axis, axis_b, x_axis, y_axis;
+    std::optional<CamCurveTable> curve;
+    double roller = 0.0;
+    bool lifts = false;
     std::optional<WordList> holds;
     double lead = 0.0;
     std::optional<double> length;
@@ -93,6 +103,10 @@ JointCoordinate build_slide(const JointTable& given, double size, const BuildCon
 
 // Builds the clearance of a joint that has one, with faults of what contradicts it.
 JointClearance build_clearance(const JointTable& given, const BuildContext& context);
+
+// Sets the curve of a cam in `joint`, which has its points and axes, and moves B's point by the rounding of
+// the deck's numbers. Returns whether it could; if not, there is a fault. `size` is the size of the model.
+bool set_cam(const JointTable& given, double size, Joint& joint, const BuildContext& context);
 
 // Sets the points and axes of both sides in `joint`, which has its kind. Returns whether it could; if not,
 // there is a fault or a point without a node. `size` is the size of the model.

@@ -1,9 +1,21 @@
 #pragma once
 
+#include <map>
+#include <string>
+#include <vector>
+
 #include "deck/places/build_context.hpp"
+#include "deck/text/table_files.hpp"
 
 // Joints, gears and sleeves, which are joints of type "sleeve".
 namespace gxrod {
+
+// Reads the points of the curves of cams that are in files, by joint. If a file is wrong, adds a fault. Adds
+// the files' bytes to `records`.
+std::map<std::string, std::vector<PlaneCurve::Point>> read_cam_files(const CheckedTable& deck,
+                                                                     const TableFiles& files,
+                                                                     FaultList& faults,
+                                                                     std::vector<MeshRecord>& records);
 
 // Builds the joints of a deck without motors, springs and friction. Call it after build_bodies.
 void build_joints(BuildContext& context);

@@ -72,6 +72,8 @@ struct BuildContext {
 
     std::map<std::string, std::shared_ptr<const SurfaceMesh>> section_meshes = {};  // by section
 
+    std::map<std::string, std::vector<PlaneCurve::Point>> cam_points = {};  // of files, by joint
+
     const AnalysisSettings& analysis() const { return stages[stage].analysis; }
     // Whether any stage integrates accelerations; whether the first one does, which has the initial
     // velocities.

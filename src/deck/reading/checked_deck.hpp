@@ -80,6 +80,13 @@ struct CheckedSpringFunction {
     std::string path;
 };
 
+// A value f(angle).
+struct CheckedAngleFunction {
+    AngleExpression expression;
+    Place place;
+    std::string path;
+};
+
 // A vector of a list.
 struct CheckedVector {
     Vec3 value;

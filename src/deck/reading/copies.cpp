@@ -39,8 +39,9 @@ constexpr std::array<std::string_view, 5> listed_kinds{"connect", "load", "suppo
 // Values of these keys are turned about a point of the axis; those of the second list are directions.
 constexpr std::array<std::string_view, 9> place_keys{
     "from", "to", "through", "centre", "polyline", "spline", "at", "at_a", "at_b"};
-constexpr std::array<std::string_view, 10> direction_keys{"axis",
+constexpr std::array<std::string_view, 11> direction_keys{"axis",
                                                           "axis_b",
+                                                          "x_axis",
                                                           "y_axis",
                                                           "z_axis",
                                                           "axes",
@@ -346,6 +347,8 @@ class CopyMaker {
             if (table.find("y_axis") == nullptr && table.find("z_axis") == nullptr)
                 add_fault(table, path + ".copies", "copies need y_axis or z_axis, which is turned with them");
         }
+        if (kind == "joint" && table.find("curve") != nullptr && table.find("x_axis") == nullptr)
+            add_fault(table, path + ".copies", "copies of a cam need x_axis, which is turned with them");
         for (const char* key : {"at", "on", "points"}) {
             const DeckEntry* entry = table.find(key);
             if (entry != nullptr && has_pattern(entry->node))

@@ -17,6 +17,8 @@ Function FunctionReader::constant(double value) {
         return {.by_line = {LineFunction(value)}};
     } else if constexpr (std::is_same_v<Function, SpringExpression>) {
         return {[value](double, double) { return value; }};
+    } else if constexpr (std::is_same_v<Function, AngleExpression>) {
+        return {[value](double) { return value; }};
     } else {
         return TimeFunction(value);
     }
@@ -142,6 +144,13 @@ std::optional<CheckedSpringFunction> FunctionReader::spring_function(const DeckN
     auto expression = compiled<SpringExpression>(node, path, compile_spring_function);
     if (!expression) return std::nullopt;
     return CheckedSpringFunction{std::move(*expression), node.place, path};
+}
+
+std::optional<CheckedAngleFunction> FunctionReader::angle_function(const DeckNode& node,
+                                                                   const std::string& path) const {
+    auto expression = compiled<AngleExpression>(node, path, compile_angle_function);
+    if (!expression) return std::nullopt;
+    return CheckedAngleFunction{std::move(*expression), node.place, path};
 }
 
 }  // namespace gxrod

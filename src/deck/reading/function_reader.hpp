@@ -30,6 +30,7 @@ class FunctionReader : public NumberReader {
                                                                   const std::string& path) const;
     std::optional<CheckedMotionFunction> field_function(const DeckNode& node, const std::string& path) const;
     std::optional<CheckedSpringFunction> spring_function(const DeckNode& node, const std::string& path) const;
+    std::optional<CheckedAngleFunction> angle_function(const DeckNode& node, const std::string& path) const;
     // Reads functions with one of the members above.
     template <std::size_t Count, class Function>
     std::optional<std::array<Function, Count>> functions(

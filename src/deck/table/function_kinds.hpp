@@ -153,6 +153,13 @@ struct FunctionKind<CheckedSpringFunction> {
     static double value(const CheckedSpringFunction& of) { return of.expression.function(0.0, 0.0); }
 };
 
+template <>
+struct FunctionKind<CheckedAngleFunction> {
+    static constexpr std::array variables{"angle"};
+    static constexpr auto read = &FunctionReader::angle_function;
+    static double value(const CheckedAngleFunction& of) { return of.expression.function(0.0); }
+};
+
 template <class Function>
 concept IsFunction = requires { FunctionKind<Function>::variables; };
 
