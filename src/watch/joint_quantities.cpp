@@ -47,6 +47,10 @@ std::string lacks_clearance(const Watched& target, const Model& model) {
     return joint_of(target, model).clearance ? "" : "this joint has no clearance";
 }
 
+std::string lacks_curve(const Watched& target, const Model& model) {
+    return joint_of(target, model).cam ? "" : "this joint has no curve; a cam has one";
+}
+
 const char* dimension_of_slide(bool is_of_slide) { return is_of_slide ? "force" : "force·length"; }
 
 const char* dimension_of_drive(const Watched& target, const Model& model) {
@@ -96,6 +100,12 @@ constexpr Quantity joint_lines[]{
         .sized(Size::unknown).unless(lacks_friction).measured(dimension_of_friction),
     Quantity("play", "distance of the points of a joint with clearance, across its axis", "length", Axes::none,
              [](const Sight& see) { return see.joint().play; }).unless(lacks_clearance),
+    Quantity("normal_force", "force of a cam's curve on the roller across it, positive if it pushes", "force", Axes::none,
+             [](const Sight& see) { return see.joint().normal_force; }).unless(lacks_curve),
+    Quantity("curve_place", "arc length of a cam's curve from its first point to where the roller is", "length", Axes::none,
+             [](const Sight& see) { return see.joint().curve_place; }).unless(lacks_curve),
+    Quantity("curve_gap", "distance of the roller from a cam's curve", "length", Axes::none,
+             [](const Sight& see) { return see.joint().curve_gap; }).unless(lacks_curve),
     Quantity("gap", "how far the joint's equations are from being satisfied", "length", Axes::none,
              [](const Sight& see) { return see.joint().gap; }),
     Quantity("holds", "1 while the joint holds, 0 where it does not act or is broken", "1", Axes::none,

@@ -173,6 +173,19 @@ type = "ball"
 between = ["cart", "bob"]
 at = [3, 3, 2]
 clearance = { gap = 0.005, stiffness = 1e3, exponent = 1.5, damping = 2, friction = 0.2, radius = 0.1, slip_speed = 0.1 }
+[body.runner]
+mass = 0.4
+inertia = [0.01, 0.01, 0.01]
+at = [-2, 0.7, 0]
+velocity = [1, 0, 0.2]
+[joint.groove]
+type = "cam"
+between = ["ground", "runner"]
+at_a = [-2, 0, 0]
+axis = [0, 0, 1]
+x_axis = [0, 1, 0]
+curve = { radius = "0.5 + 0.1*cos(2*angle)" }
+roller = 0.1
 [gear.reduction]
 joints = ["pin", "driven"]
 ratio = -3
@@ -223,6 +236,10 @@ quantities = ["drive", "play", "gap"]
 name = "loose"
 at = "loose"
 quantities = ["play", "force", "moment"]
+[[history]]
+name = "groove"
+at = "groove"
+quantities = ["normal_force", "curve_place", "curve_gap", "force"]
 [[history]]
 name = "cable"
 at = "cable"

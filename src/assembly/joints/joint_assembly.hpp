@@ -146,8 +146,9 @@ class JointAssembly : public Contribution {
 
     // Measures the largest error of rows that are lengths, and of rows that are turns.
     LargestGap measure_gap(const std::vector<double>& rows, const State& state) const;
-    // Throws EvaluationError if a joint has no meaning at the trial motions, beyond the end of a rod.
-    void check_ranges(const State& state, double time) const { wide_.check_ranges(state, time); }
+    // Throws EvaluationError if a joint has no meaning at the trial motions, beyond the end of a rod or of a
+    // curve.
+    void check_ranges(const State& state, double time) const;
     // Makes turns and slips at the trial motions those of the last accepted step.
     void commit(State& state, double time) const override;
 

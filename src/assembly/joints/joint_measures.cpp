@@ -1,10 +1,19 @@
 #include <algorithm>
+#include <sstream>
 
 #include "assembly/joints/joint_assembly.hpp"
 #include "constraints/joints/joint_motors.hpp"
+#include "model/evaluation_error.hpp"
 
 // What is measured of joints, once a step.
 namespace gxrod {
+
+namespace {
+
+// By so much of its length a roller may leave an open curve.
+constexpr double end_tolerance = 1e-9;
+
+}  // namespace
 
 std::vector<Vec6> JointAssembly::compute_driving_forces(const State& state, double time) const {
     if (!are_driven_) return std::vector<Vec6>(count(), Vec6::Zero());
@@ -160,6 +169,12 @@ std::vector<JointValues> JointAssembly::compute_joint_values(const State& state,
         const Mat3 axes = at.a.Lambda.toRotationMatrix() * joint.a.axes;
         values.force_in_joint = axes.transpose() * values.force;
         values.moment_in_joint = axes.transpose() * values.moment;
+        if (const auto& cam = joints_[i].cam()) {
+            const JointFrames frames = joints_[i].compute_frames(at, ConstraintLevel::position);
+            values.curve_place = cam->find_place(frames).arc_length;
+            values.curve_gap = cam->compute_jet(frames).value - cam->cam().roller;
+            values.normal_force = cam->find_normal(frames).dot(values.force);
+        }
         values.holds = holds(state, i);
         if (!values.holds) continue;
         if (const auto& clearance = forces_[i].clearance()) values.play = clearance->compute_distance(at);
@@ -179,6 +194,24 @@ std::vector<JointValues> JointAssembly::compute_joint_values(const State& state,
     }
     wide_.add_joint_values(state, time, all);
     return all;
+}
+
+void JointAssembly::check_ranges(const State& state, double time) const {
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        const auto& cam = joints_[i].cam();
+        if (!cam || cam->cam().curve->is_closed() || !holds(state, i)) continue;
+        const JointFrames frames =
+            joints_[i].compute_frames(motions(state.trial, i), ConstraintLevel::position);
+        const double length = cam->cam().curve->length(), place = cam->find_place(frames).arc_length;
+        const double tolerance = end_tolerance * length;
+        if (place >= -tolerance && place <= length + tolerance) continue;
+        std::ostringstream at;
+        at << time;
+        throw EvaluationError(name(static_cast<int>(i)) + " runs off the " +
+                              (place > length ? "end" : "start") + " of its curve at t = " + at.str() +
+                              "; end the run before, or give a longer curve");
+    }
+    wide_.check_ranges(state, time);
 }
 
 }  // namespace gxrod

@@ -20,7 +20,10 @@ struct JointValues {
     double friction = 0.0;     // moment or force of it
     double gap = 0.0;          // how far the joint's equations are from being satisfied, a length
     double play = 0.0;  // distance of the points of a joint with clearance; ratio × first + second of a gear
-    bool holds = true;  // whether it acts in the stage, and is not broken
+    double curve_place = 0.0;   // arc length of a cam's curve from its first point to the roller
+    double curve_gap = 0.0;     // how far the roller is from it
+    double normal_force = 0.0;  // of the curve on the roller; positive if it pushes
+    bool holds = true;          // whether it acts in the stage, and is not broken
 };
 
 }  // namespace gxrod
