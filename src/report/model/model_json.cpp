@@ -48,6 +48,17 @@ Json describe_ends(const Anchor& a, const Anchor& b, const NodeNumbers& number) 
     return Json::array({describe_end(a, number), describe_end(b, number)});
 }
 
+// Points of a cam's curve, closed if it is, in the axes of A's side from its point.
+Json describe_curve(const PlaneCurve& curve) {
+    Json points = Json::array();
+    constexpr int count = 180;
+    for (int i = 0; i <= count; ++i) {
+        const PlaneCurve::Point point = curve.find_place(i * curve.length() / count).point;
+        points.push_back({point.x(), point.y()});
+    }
+    return points;
+}
+
 Json describe_joint(const Joint& joint, const NodeNumbers& number) {
     const JointCard& card = card_of(joint.kind);
     Json json{{"name", joint.name},
@@ -57,6 +68,8 @@ Json describe_joint(const Joint& joint, const NodeNumbers& number) {
               {"axes", to_json(Quat(joint.a.axes))},
               {"moved", joint.turn.motion.has_value() || joint.slide.motion.has_value()}};
     if (card.has_axis_b) json["axis_b"] = to_json(Vec3(joint.b.axes.col(0)));
+    if (joint.cam) json["curve"] = describe_curve(*joint.cam->curve);
+    if (joint.cam) json["roller"] = joint.cam->roller;
     return json;
 }
 

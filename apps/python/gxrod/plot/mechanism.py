@@ -10,9 +10,9 @@ JOINT, SPRING = "#1d8a99", "#b08418"
 # Of types of joints: the marker, whether it is filled, and which axes are drawn through it.
 MARKERS = {"ball": ("o", True, ""), "hinge": ("o", False, "a"), "cylinder": ("s", False, "a"), "slider": ("s", True, "a"),
            "universal": ("P", True, "ab"), "screw": ("d", True, "a"), "plane": ("D", False, ""), "weld": ("X", True, ""),
-           "distance": (".", True, ""), "generic": ("h", True, "a"), "sleeve": ("o", False, "")}
+           "distance": (".", True, ""), "generic": ("h", True, "a"), "cam": ("p", True, ""), "sleeve": ("o", False, "")}
 SIGNS = {"ball": "●", "hinge": "○", "cylinder": "□", "slider": "■", "universal": "✚", "screw": "⬧", "plane": "◇", "weld": "✖",
-         "distance": "•", "generic": "⬢", "sleeve": "◉"}
+         "distance": "•", "generic": "⬢", "cam": "⬟", "sleeve": "◉"}
 WINDINGS = 8  # of a spring
 MARK, BEAD = 6.0, 4.5  # widths in points, of joints and of sleeves at earlier times
 
@@ -123,6 +123,8 @@ def add_joints(mechanism, placed, size):
         slides = kind in ("cylinder", "slider", "screw", "plane")
         rider = 0 if ends.points[1][row] < 0 else 1
         place = placed.places[rider][row] if slides else placed.middle(row)
+        if kind == "cam":  # its roller
+            place = placed.places[1][row]
         if kind == "distance":
             bar = np.array([placed.places[side][row] for side in (0, 1)])
             mechanism.bars.append(bar)

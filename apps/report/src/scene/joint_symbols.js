@@ -1,5 +1,6 @@
 import { BoxGeometry, CylinderGeometry, Group, Mesh, SphereGeometry, TubeGeometry } from "three";
 import { Coil } from "./coil.js";
+import { Profile } from "./profile.js";
 
 // Shapes of joints, along x, in units of the size of a symbol.
 const cylinder = (radius, length) => new CylinderGeometry(radius, radius, length, 28).rotateZ(Math.PI / 2);
@@ -64,7 +65,7 @@ function makeThread(size, length) {
 
 // The symbol of a joint: `body` in the axes of the joint, `cross` along the axis that B of a universal joint carries. `reach`: the
 // distances behind and before the point at which the axis leaves the bodies around it. There are sleeves then, at the `spots`.
-export function makeSymbol({ type }, material, size, reach) {
+export function makeSymbol({ type, curve }, material, size, reach) {
   const body = new Group();
   const spots = listSpots(type, size, reach);
   let cross = null;
@@ -74,11 +75,19 @@ export function makeSymbol({ type }, material, size, reach) {
   if (type === "generic") body.add(makePart(shapes.weld, material, 0.7 * size));
   if (type === "plane") body.add(makePart(shapes.plate, material, size), makePart(shapes.ball, material, 0.9 * size));
   if (type === "distance") body.add(makePart(shapes.knob, material, size));
+  if (type === "cam") body.add(new Mesh(new TubeGeometry(new Profile(curve), 2 * curve.length, 0.25 * size, 8), material));
   if (type === "universal") {
     body.add(makePart(shapes.cross, material, size), makePart(shapes.knob, material, 1.2 * size));
     cross = makePart(shapes.cross, material, size);
   }
   return { body, cross, spots };
+}
+
+// The roller of a cam, along x; a knife edge is a thin one.
+export function makeRoller(material, radius, size) {
+  const roller = new Mesh(cylinder(1, 1), material);
+  roller.scale.set(1.6 * size, Math.max(radius, 0.3 * size), Math.max(radius, 0.3 * size));
+  return roller;
 }
 
 export const makeKnob = (material, size) => makePart(shapes.knob, material, size);

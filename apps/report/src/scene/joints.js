@@ -1,7 +1,7 @@
 import { Group, MeshStandardMaterial, Quaternion, Vector3 } from "three";
 import { materialOf } from "./arrows.js";
 import { Bounds, makeBar, makeEnds, setBar, toQuaternion } from "./ends.js";
-import { makeKnob, makeRail, makeSymbol, slides } from "./joint_symbols.js";
+import { makeKnob, makeRail, makeRoller, makeSymbol, slides } from "./joint_symbols.js";
 import { symbolColours } from "../theme.js";
 
 const x = new Vector3(1, 0, 0);
@@ -41,6 +41,11 @@ export class Joints {
       mark.knob = makeKnob(material, symbolSize);
       this.group.add(mark.bar, mark.knob);
     }
+    if (joint.type === "cam") {
+      mark.roller = makeRoller(material, joint.roller, symbolSize);
+      mark.span = Math.max(...joint.curve.map(([y, z]) => Math.hypot(y, z)));
+      this.group.add(mark.roller);
+    }
     mark.arms = ends.map((end) => (end.isApart(this.size) && !this.bodies.hasLooks(end.node) ? makeBar(this.links, this.barRadius) : null));
     for (const arm of mark.arms) if (arm) this.group.add(arm);
     return mark;
@@ -57,6 +62,7 @@ export class Joints {
           end.move();
           bounds.include(end.place);
         }
+        for (const side of mark.span ? [-1, 1] : []) bounds.include(mark.ends[0].place.clone().addScalar(side * mark.span));
         const way = slideOf(mark);
         mark.least = Math.min(mark.least, way);
         mark.most = Math.max(mark.most, way);
@@ -89,7 +95,7 @@ export class Joints {
     const rider = mark.ends[1 - mark.railEnd];
     if (slides.has(type)) place.copy(rider.place);
     else if (type === "plane") place.copy(b.place);
-    else if (type === "distance") place.copy(a.place);
+    else if (type === "distance" || type === "cam") place.copy(a.place);
     else place.addVectors(a.place, b.place).multiplyScalar(0.5);
     body.position.copy(place);
     body.quaternion.copy(slides.has(type) ? rider.turn : a.turn).multiply(axes);
@@ -106,8 +112,12 @@ export class Joints {
       mark.knob.position.copy(b.place);
       place.lerp(b.place, 0.5); // of its name
     }
+    if (mark.roller) {
+      mark.roller.position.copy(b.place);
+      mark.roller.quaternion.copy(body.quaternion);
+    }
     // With magnified displacements the two points are apart; arms still meet.
-    const meets = !mark.rail && !mark.bar && type !== "plane";
+    const meets = !mark.rail && !mark.bar && !mark.roller && type !== "plane";
     mark.ends.forEach((end, i) => mark.arms[i] && setBar(mark.arms[i], end.start, meets ? place : end.place));
   }
 
