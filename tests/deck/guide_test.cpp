@@ -94,7 +94,7 @@ TEST_CASE("The portal of the guide has two combinations on supports that yield",
 
 TEST_CASE("The mechanisms of the guide are decks", "[deck][joint]") {
     const std::vector<std::string> decks = decks_of("mechanisms.md");
-    REQUIRE(decks.size() == 13);
+    REQUIRE(decks.size() == 14);
     const Model crank = read(decks[0]).model;
     REQUIRE(crank.joints.size() == 4);
     CHECK(crank.joints[1].a.anchor.arm == Vec3(0.15, 0, 0));
@@ -117,7 +117,8 @@ TEST_CASE("The mechanisms of the guide are decks", "[deck][joint]") {
     const std::string actions = replaced(decks[1], "drive    =", "# drive =");
     CHECK(read(body_deck + hinge + actions).model.joints[0].turn.friction.force == 0.3);
     const ScratchFile triangle("crank.stl", one_triangle);
-    const std::string looks = replaced(decks[11], "crank.stl", triangle.path().string());
+    CHECK(read(decks[11]).model.joints.at(2).cam->roller == 0.01);
+    const std::string looks = replaced(decks[12], "crank.stl", triangle.path().string());
     const BodyOutline outline = read(looks + "mass = 1\ninertia = [1, 1, 1]\n" + analysis).outlines.at(0);
     CHECK(outline.points.back().isApprox(Vec3(0, 1e-3, 0)));
     const std::string until = replaced(decks[5], "stages =", "# stages =");

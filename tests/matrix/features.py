@@ -525,6 +525,24 @@ def rope(deck, draw):
     deck["history"].append({"name": "rope", "at": "rope", "quantities": ["force"]})
 
 
+def put_on_cam(deck, **joint):
+    """The end of the beam rides on a hump above the ground."""
+    deck["joint"] = deck.get("joint", {}) | {"cam": {
+        "type": "cam", "between": ["ground", "beam.end"], "at_a": [1, 0, -0.3], "axis": [0, 1, 0], "x_axis": [0, 0, 1],
+        "curve": {"radius": "0.2 + 0.03*sin(angle)^2 + 0.01*sin(angle)"}, "roller": 0.1, **joint}}
+    deck["history"].append({"name": "cam", "at": "cam", "quantities": ["normal_force", "curve_place"]})
+
+
+@feature("rope")
+def cam(deck, draw):
+    put_on_cam(deck)
+
+
+@feature("rope", follows_load=True, kinked=True)
+def lifting_cam(deck, draw):
+    put_on_cam(deck, lifts=True)
+
+
 @feature("root")
 def universal(deck, draw):
     put_on_joint(deck, type="universal", axis=[0, 1, 0], axis_b=[0, 0, 1])
