@@ -3,7 +3,7 @@
 
 #include "assembly/joints/joint_assembly.hpp"
 #include "constraints/joints/joint_motors.hpp"
-#include "model/evaluation_error.hpp"
+#include "constraints/joints/play/bound_push.hpp"
 
 // What is measured of joints, once a step.
 namespace gxrod {
@@ -104,16 +104,15 @@ double JointAssembly::compute_damping_power(const State& state) const {
 }
 
 double JointAssembly::compute_damping_action(const State& state) const {
+    const double step = state.trial_time - state.time;
     double action = 0.0;
     for (std::size_t i = 0; i < joints_.size() && is_damped_; ++i) {
         if (!holds(state, i)) continue;
         const Joint& joint = model_->joints[i];
         const JointPlace before = place_of(state.previous, i, state);
-        JointPlace after = place_of(state.trial, i, state);
-        after.turn.rate = after.turn.value - before.turn.value;
-        after.slide.rate = after.slide.value - before.slide.value;
-        action += compute_coordinate_damping_power(joint.turn, after.turn) +
-                  compute_coordinate_damping_power(joint.slide, after.slide) +
+        const JointPlace after = place_of(state.trial, i, state);
+        action += compute_coordinate_damping_action(joint.turn, before.turn, after.turn, step) +
+                  compute_coordinate_damping_action(joint.slide, before.slide, after.slide, step) +
                   compute_contact_action(state, i);
     }
     return action + wide_.compute_damping_action(state);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "constraints/joints/play/bound_push.hpp"
+
 namespace gxrod {
 
 namespace {
@@ -211,11 +213,12 @@ double GearRows::compute_damping_power(const WidePlace& place) const {
 
 double GearRows::compute_damping_action(const WidePlace& place) const {
     if (!is_damped()) return 0.0;
-    ScalarJet after = compute_jet(place, ConstraintLevel::position);
     const WidePlace before{
         place.state.previous, place.state, place.before, place.slips_before, place.time, place.held};
-    after.rate = after.value - compute_jet(before, ConstraintLevel::position).value;
-    return compute_coordinate_damping_power(teeth_, after);
+    return compute_coordinate_damping_action(teeth_,
+                                             compute_jet(before, ConstraintLevel::velocity),
+                                             compute_jet(place, ConstraintLevel::velocity),
+                                             place.state.trial_time - place.state.time);
 }
 
 }  // namespace gxrod

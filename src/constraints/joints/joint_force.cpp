@@ -9,26 +9,8 @@ namespace gxrod {
 
 namespace {
 
-// How far a coordinate is beyond a limit, at which rate, and what pushes it back; nothing pulls.
-struct LimitPush {
-    double depth = 0.0;
-    double rate = 0.0;
-    double direction = 0.0;  // of the push, along the coordinate
-    BoundPush push{};        // towards the inside
-};
-
-LimitPush compute_push(const CoordinateLimits& limits, const ScalarJet& coordinate) {
-    LimitPush push;
-    if (limits.upper && coordinate.value > *limits.upper)
-        push = {coordinate.value - *limits.upper, coordinate.rate, -1.0};
-    else if (limits.lower && coordinate.value < *limits.lower)
-        push = {*limits.lower - coordinate.value, -coordinate.rate, 1.0};
-    push.push = compute_bound_push(limits, push.depth, push.rate);
-    return push;
-}
-
 void add_limits(const CoordinateLimits& limits, const ScalarJet& coordinate, CoordinateForce& force) {
-    const auto [depth, rate, direction, push] = compute_push(limits, coordinate);
+    const auto [depth, rate, direction, push] = compute_limit_push(limits, coordinate);
     if (push.force == 0.0) return;
     force.value += direction * push.force;
     force.by_coordinate -= push.by_depth;
@@ -109,7 +91,7 @@ double compute_coordinate_energy(const JointCoordinate& laws,
                                  const CoordinateInputs& inputs,
                                  double slip) {
     const double stretch = coordinate - inputs.rest;
-    const double depth = compute_push(laws.limits, {coordinate, 0.0, 0.0}).depth;
+    const double depth = compute_limit_push(laws.limits, {coordinate, 0.0, 0.0}).depth;
     double energy = 0.5 * laws.stiffness * stretch * stretch + compute_bound_energy(laws.limits, depth);
     if (laws.friction.acts()) {
         const double elastic = std::min(std::abs(coordinate - slip), laws.friction.stick);
@@ -120,7 +102,7 @@ double compute_coordinate_energy(const JointCoordinate& laws,
 }
 
 double compute_coordinate_damping_power(const JointCoordinate& laws, const ScalarJet& coordinate) {
-    const auto [depth, rate, direction, push] = compute_push(laws.limits, coordinate);
+    const auto [depth, rate, direction, push] = compute_limit_push(laws.limits, coordinate);
     return laws.damping * coordinate.rate * coordinate.rate + (push.force - push.elastic) * rate;
 }
 

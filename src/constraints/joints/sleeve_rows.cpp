@@ -6,6 +6,7 @@
 
 #include "constraints/joints/joint_force.hpp"
 #include "constraints/joints/joint_motors.hpp"
+#include "constraints/joints/play/bound_push.hpp"
 #include "constraints/joints/pull_back.hpp"
 #include "model/evaluation_error.hpp"
 #include "rotation/cross_products.hpp"
@@ -374,9 +375,15 @@ double SleeveRows::compute_damping_power(const WidePlace& place) const {
 
 double SleeveRows::compute_damping_action(const WidePlace& place) const {
     if (!is_damped()) return 0.0;
-    ScalarJet slide = compute_slide(find_situation(place), ConstraintLevel::position);
-    slide.rate = slide.value - place.before.slide;
-    return compute_coordinate_damping_power(sleeve_->slide, slide);
+    const WidePlace at_start{
+        place.state.previous, place.state, place.before, place.slips_before, place.time, place.held};
+    ScalarJet before{place.before.slide, 0.0, 0.0};
+    if (sleeve_->slide.limits.act())
+        before.rate = compute_slide(find_situation(at_start), ConstraintLevel::velocity).rate;
+    return compute_coordinate_damping_action(sleeve_->slide,
+                                             before,
+                                             compute_slide(find_situation(place), ConstraintLevel::velocity),
+                                             place.state.trial_time - place.state.time);
 }
 
 double SleeveRows::compute_slip_dissipation(const WidePlace& place) const {

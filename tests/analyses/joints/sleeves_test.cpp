@@ -415,3 +415,38 @@ quantities = ["slide", "gap"]
         CHECK(motion.largest("/histories/collar/gap") < 1e-9);
     }
 }
+
+TEST_CASE("What a bound of a sleeve releases is lost where the return is too fast for a push",
+          "[analyses][joints]") {
+    // As for a slider: the bead starts 0.1 beyond its bound and leaves it at 1 m/s.
+    const std::string deck = R"deck(
+[section.s]
+stiffness = { EA = 1e3, GAy = 500, GAz = 500, GJ = 4, EIy = 5, EIz = 5 }
+inertia = { rhoA = 1, rhoIy = 0.01, rhoIz = 0.01 }
+[rod.bar]
+section = "s"
+line = { from = [0, 0, 0], to = [2, 0, 0] }
+elements = 1
+[[support]]
+at = ["bar.start", "bar.end"]
+fix = "all"
+[body.bead]
+mass = 1
+inertia = [1e-2, 1e-2, 1e-2]
+at = [1, 0, 0]
+velocity = [-1, 0, 0]
+[joint.sleeve]
+type = "sleeve"
+between = ["bar", "bead"]
+limits = { upper = -0.1, stiffness = 100, damping = 30 }
+[analysis]
+kind = "dynamic"
+end_time = 0.2
+time_step = 0.02
+integrator = "newmark-simplified"
+newton = { tolerance = 1e-13 }
+)deck";
+    const Motion motion(deck);
+    CHECK(motion.all("/ledger/dissipated_energy").back() == Approx(0.5).epsilon(1e-11));
+    CHECK(motion.largest("/ledger/energy_error") < 1e-11);
+}
