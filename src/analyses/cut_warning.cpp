@@ -23,7 +23,9 @@ std::string advise_on_motion(const Model& model, const DynamicSettings& settings
     const std::string steps = settings.adaptive ? "a smaller max_step" : "a smaller time_step";
     if (card.is_explicit) return ". Try " + steps + ".";
     std::string remedy = ". Try " + steps;
-    if (choose_tangent(model, settings).tangent == TangentKind::consistent && !model.rods.empty()) {
+    const TangentKind tangent = choose_tangent(model, settings).tangent;
+    const bool is_consistent = tangent == TangentKind::consistent || tangent == TangentKind::kept;
+    if (is_consistent && !model.rods.empty()) {
         remedy = ". Try newton.tangent = \"mixed\", which converges in longer steps, or " + steps;
     }
     if (!settings.has_inertia) return describe_ratio(model) + remedy + ".";

@@ -177,7 +177,8 @@ EquilibriumReport SteppedAnalysis::settle() {
     is_settling_ = true;
     settled_parts_ = 0;
     NewtonSettings newton = newton_;  // what comes at once is as large as a load step
-    if (newton.tangent == TangentKind::automatic) newton.tangent = TangentKind::mixed;
+    if (newton.tangent == TangentKind::automatic || newton.tangent == TangentKind::kept)
+        newton.tangent = TangentKind::mixed;
     report = gxrod::settle(
         {system_, settling_integrator(), newton},
         stage,

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <utility>
 
 #include "assembly/contact/contact_limits.hpp"
 #include "assembly/contact/contacts.hpp"
@@ -21,6 +23,13 @@ namespace {
 
 // How often an equilibrium is sought anew with more drag between rods.
 constexpr int most_drags = 8;
+
+// Whether an increment has at least halved a number, and so much that few more such ones take it to its goal.
+bool falls_fast(double before, double now, double goal) {
+    constexpr double half = 0.5;
+    constexpr double few = 4.0;  // increments cost about as much as one with a tangent of its own
+    return now <= half * before && std::log(goal / now) >= few * std::log(now / before);
+}
 
 // Newton's method on one stage; the members are what its steps share.
 class Newton {
@@ -48,6 +57,8 @@ class Newton {
           may_overshoot_(!contacts_.are_possible() && !integrator_.is_static() &&
                          !system_.model().has_inertia && pseudo_step == nullptr &&
                          (system_.model().surroundings.water || system_.model().surroundings.air)),
+          may_keep_(settings_.tangent == TangentKind::kept && !contacts_.are_possible() &&
+                    !system_.joints().have_stops() && !may_overshoot_),
           convergence_(system_, settings_, request_.level),
           guard_(system_) {
         if (pseudo_step == nullptr) return;
@@ -68,8 +79,10 @@ class Newton {
         if (!admit_prediction() || !check_rotations()) return report_;
         compute_residual();
         while (!is_done()) {
-            compute_tangent();
-            if (!factorize(system_, workspace_, report_)) break;
+            if (!keeps_tangent()) {
+                compute_tangent();
+                if (!factorize(system_, workspace_, report_)) break;
+            }
             ++report_.iterations;
             if (!solve_increment(system_, compute_right_hand_side(), workspace_, report_)) break;
             if (!(may_overshoot_ ? apply_part() : apply(workspace_.vector))) break;
@@ -203,12 +216,25 @@ class Newton {
         return true;
     }
 
+    // Whether the tangent of an earlier iteration is good enough: residual and gap of joints are at least
+    // halved by each increment, and few more reach their goals.
+    bool keeps_tangent() {
+        const double residual = std::exchange(residual_before_, report_.residual);
+        const double gap = std::exchange(gap_before_, report_.joint_gap.size);
+        if (!may_keep_ || report_.iterations == 0) return false;
+        constexpr double closed = 1e-12;
+        const double tolerance = settings_.tolerance.value_or(usual_newton_tolerance);
+        return falls_fast(residual, report_.residual, tolerance) &&
+               (report_.joint_gap.size <= closed || falls_fast(gap, report_.joint_gap.size, closed));
+    }
+
     void compute_tangent() {
         const PhaseTimer timer(workspace_.seconds.assembly);
         switch (settings_.tangent) {
             case TangentKind::mixed:  // the state holds resultants
             case TangentKind::automatic:
             case TangentKind::consistent:
+            case TangentKind::kept:
                 integrator_.linearize(state_, stage_, workspace_.linearizations, team_);
                 system_.compute_tangent(
                     state_, time_, workspace_.linearizations, workspace_.values, request_);
@@ -332,6 +358,9 @@ class Newton {
     const PseudoStep* pseudo_step_;  // nullptr outside of pseudo-time
     std::vector<double> drag_;       // of the pseudo-step, on the system's pattern
     bool may_overshoot_;
+    bool may_keep_;  // a tangent; what comes into touch within an equilibrium needs that of each iteration
+    double residual_before_ = 0.0;
+    double gap_before_ = 0.0;
     EquilibriumReport report_;
     ConvergenceTest convergence_;
     RotationGuard guard_;
@@ -349,13 +378,14 @@ EquilibriumReport solve_equilibrium(const SolverSetup& setup,
     if (level) request.level = *level;
     const EquilibriumReport first = Newton(setup, stage, request, workspace, state).solve();
     const TangentKind tangent = setup.settings.tangent;
-    const bool is_mixed = tangent == TangentKind::mixed;
-    if (first.converged() || (!is_mixed && tangent != TangentKind::automatic)) return first;
+    const bool may_be_mixed = tangent == TangentKind::automatic;
+    const bool may_be_consistent = tangent == TangentKind::mixed || tangent == TangentKind::kept;
+    if (first.converged() || (!may_be_mixed && !may_be_consistent)) return first;
     // Past a limit point the consistent tangent's wilder increments may find a way; where a rod hardly
     // stretches, the mixed one does. The prediction does not depend on where the first attempt has left the
     // trial motions.
     NewtonSettings other = setup.settings;
-    other.tangent = is_mixed ? TangentKind::consistent : TangentKind::mixed;
+    other.tangent = may_be_mixed ? TangentKind::mixed : TangentKind::consistent;
     EquilibriumReport report =
         Newton({setup.system, setup.integrator, other}, stage, request, workspace, state).solve();
     if (report.converged()) report.iterations += first.iterations;

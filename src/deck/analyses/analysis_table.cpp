@@ -40,7 +40,9 @@ const TableSpec& newton_table() {
              "automatic: mixed in statics and on paths, and in dynamics where a rod is 300 times as stiff in bending "
              "or twist about one axis as about another, else consistent; in quasi-statics mixed where consistent "
              "fails. mixed: the resultants in its geometric part are iterated along with the motion, which converges "
-             "in much larger steps. consistent: the exact derivative. paper: Rubin (2007), (5.6), for decks of bodies "
+             "in much larger steps. consistent: the exact derivative. kept: the consistent one, in motions, computed again "
+             "only where the residual falls too slowly, so that steps cost less; errors stay below the tolerance "
+             "but are no longer far below it. paper: Rubin (2007), (5.6), for decks of bodies "
              "alone with newmark-simplified. difference: central differences of the residual.")
             .also("jacobian stiffness");
     // clang-format on

@@ -123,6 +123,17 @@ void check_coupled_tangent(const NewtonTable& newton,
                     word_of(tangent_choices, TangentKind::automatic)));
 }
 
+// A step of a motion changes the tangent little. Load steps change it much, and the pivots of their last one
+// say whether equilibrium is stable.
+void check_kept_tangent(const NewtonTable& newton, const std::string& user, const BuildContext& context) {
+    context.add_fault(newton,
+                      newton.tangent,
+                      fmt::format("\"{}\" is for motions in time, not for {}; expected \"{}\"",
+                                  word_of(tangent_choices, TangentKind::kept),
+                                  user,
+                                  word_of(tangent_choices, TangentKind::automatic)));
+}
+
 // Sets what the deck gives.
 void read_newton(const AnalysisTable& analysis,
                  const std::string& user,
@@ -134,6 +145,9 @@ void read_newton(const AnalysisTable& analysis,
     newton.max_iterations = static_cast<int>(table.max_iterations);
     newton.tangent = table.tangent;
     if (newton.tangent == TangentKind::paper) check_paper_tangent(table, user, context);
+    const bool is_motion =
+        analysis.kind == AnalysisKind::dynamic || analysis.kind == AnalysisKind::quasi_static;
+    if (newton.tangent == TangentKind::kept && !is_motion) check_kept_tangent(table, user, context);
 }
 
 DynamicSettings build_quasi_static(const AnalysisTable& table, const BuildContext& context) {

@@ -93,10 +93,11 @@ inline constexpr auto joint_kind_choices = [] {
     return choices;
 }();
 
-inline constexpr std::array<Choice<TangentKind>, 5> tangent_choices{
+inline constexpr std::array<Choice<TangentKind>, 6> tangent_choices{
     {{"automatic", TangentKind::automatic},
      {"mixed", TangentKind::mixed},
      {"consistent", TangentKind::consistent},
+     {"kept", TangentKind::kept},
      {"paper", TangentKind::paper},
      {"difference", TangentKind::difference}}};
 

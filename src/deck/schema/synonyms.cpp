@@ -47,6 +47,7 @@ constexpr WordSynonyms choices[] = {
     {"follower", "following corotational nonconservative"},
     {"body", "local material section"},
     {"consistent", "full exact newton analytical"},
+    {"kept", "modified modified_newton chord frozen reuse reused quasi-newton"},
     {"difference", "numerical fd finite-difference finite_difference"},
     {"objective", "crisfield-jelenic crisfield geometrically_exact"},
     {"displacement", "u disp deflection"},

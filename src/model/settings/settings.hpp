@@ -32,7 +32,8 @@ enum class TangentKind {
     consistent,  // the exact derivative
     mixed,       // its geometric part by independent resultants (Magisano et al. 2017)
     paper,       // Rubin (2007), (5.6), with its additive update; rigid bodies under newmark_simplified
-    difference   // central differences of the residual
+    difference,  // central differences of the residual
+    kept         // the exact derivative, computed again only where the residual falls too slowly; motions
 };
 
 enum class LinearSolverKind {

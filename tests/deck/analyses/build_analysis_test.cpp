@@ -33,6 +33,25 @@ TEST_CASE("The paper's tangent is not for static analyses", "[deck]") {
 x.toml:10:22: analysis.newton.tangent: "paper" is for decks of bodies alone; this one has rods)");
 }
 
+TEST_CASE("A kept tangent is for motions", "[deck]") {
+    const auto tangent = [](const std::string& deck) {
+        return std::get<DynamicSettings>(read(deck).analysis()).newton.tangent;
+    };
+    CHECK(tangent(body_deck + "newton = { tangent = \"kept\" }") == TangentKind::kept);
+    CHECK(tangent(replaced(rod_deck, "kind = \"dynamic\"", "kind = \"quasi-static\"") +
+                  "newton.tangent = \"kept\"\n") == TangentKind::kept);
+    CHECK(
+        faults_of(replaced(static_rod_deck, "kind", "newton = { tangent = \"kept\" }\nkind")) ==
+        R"(x.toml:10:22: analysis.newton.tangent: "kept" is for motions in time, not for static analyses; expected "automatic")");
+    CHECK(
+        faults_of(replaced(
+            static_rod_deck, "kind = \"static\"", "newton = { tangent = \"kept\" }\nkind = \"path\"")) ==
+        R"(x.toml:10:22: analysis.newton.tangent: "kept" is for motions in time, not for paths; expected "automatic")");
+    CHECK(
+        faults_of(body_deck + "integrator = \"gauss-4\"\nnewton = { tangent = \"kept\" }") ==
+        R"(x.toml:9:22: analysis.newton.tangent: "gauss-4" finds the stages of a step together and has a tangent of its own; expected "automatic")");
+}
+
 TEST_CASE("A static analysis has steps of the load factor", "[deck]") {
     const auto settings = [](const std::string& lines) {
         return std::get<StaticSettings>(read(static_rod_deck + lines).analysis());
