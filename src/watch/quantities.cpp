@@ -135,7 +135,8 @@ bool can_be_relative(std::string_view word, const Watched& target) {
     const bool has_own_axes =
         is_tie(target, TieKind::bushing) || std::holds_alternative<WatchedTendon>(target) ||
         std::holds_alternative<WatchedObstacle>(target) || std::holds_alternative<WatchedContacts>(target);
-    return !has_own_axes && find_quantity(word)->axes == Axes::observer;
+    const Quantity& quantity = *find_quantity(word);
+    return !has_own_axes && (quantity.axes == Axes::observer || quantity.is_from_no_load);
 }
 
 SnapshotPart part_of(const Quantity& quantity) { return table_of(quantity).part; }

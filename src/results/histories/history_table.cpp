@@ -13,11 +13,11 @@ namespace {
 
 constexpr int most_columns = 6;
 
-// "[1, 0, 2]", or "" where moments are about the support's point.
-std::string describe_about(const HistoryRequest& request) {
-    if (!request.about) return "";
-    const Vec3& point = *request.about;
-    return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", point[0], point[1], point[2]);
+// "[1, 0, 2]", or "" without a vector: where moments are about the support's point, where angles are to the
+// axis at t = 0.
+std::string describe(const std::optional<Vec3>& vector) {
+    if (!vector) return "";
+    return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", (*vector)[0], (*vector)[1], (*vector)[2]);
 }
 
 // "[0.05, 0.1]" in the section, or "" for where stresses are worst.
@@ -49,7 +49,7 @@ std::string frame_of(Axes axes, const std::string& relative_to) {
 
 std::string describe(const Quantity& quantity, const HistoryRequest& request) {
     std::string meaning = quantity.meaning;
-    if (quantity.is_about && request.about) return meaning + ", about " + describe_about(request);
+    if (quantity.is_about && request.about) return meaning + ", about " + describe(request.about);
     if (request.relative_to.empty()) return meaning;
     return quantity.relative_meaning != nullptr
                ? fmt::format(fmt::runtime(quantity.relative_meaning), request.relative_to)
@@ -72,20 +72,22 @@ RowShape shape_of(const Hdf5Handle& group, const std::string& name) {
 // Writes which point a history is of; throws if it already belongs to another.
 void label_group(const Hdf5Handle& group, const HistoryRequest& request) {
     const bool is_new = H5Aexists(group.id(), "at") <= 0;
-    const std::string about = describe_about(request);
+    const std::string about = describe(request.about), no_load = describe(request.no_load);
     const std::string point = describe_point(request);
     if (is_new) {
         write_attribute(group.id(), "at", request.at);
         if (!request.relative_to.empty()) write_attribute(group.id(), "relative_to", request.relative_to);
         if (!about.empty()) write_attribute(group.id(), "about", about);
+        if (!no_load.empty()) write_attribute(group.id(), "no_load", no_load);
         if (!request.with.empty()) write_attribute(group.id(), "with", request.with);
         if (!point.empty()) write_attribute(group.id(), "point", point);
         if (!request.criterion.empty()) write_attribute(group.id(), "criterion", request.criterion);
         return;
     }
     if (read_label(group, "at") == request.at && read_label(group, "relative_to") == request.relative_to &&
-        read_label(group, "about") == about && read_label(group, "with") == request.with &&
-        read_label(group, "point") == point && read_label(group, "criterion") == request.criterion) {
+        read_label(group, "about") == about && read_label(group, "no_load") == no_load &&
+        read_label(group, "with") == request.with && read_label(group, "point") == point &&
+        read_label(group, "criterion") == request.criterion) {
         return;
     }
     throw std::runtime_error("its history " + request.name +
