@@ -107,9 +107,9 @@ export class SweepTab {
 
   makeCrossings(crossings, drawn, { upName, acrossName }, title) {
     if (crossings.length === 0) return [];
-    const heads = [acrossName, "line", "mode", upName, `within 10 %, ${acrossName.split(", ").at(-1)}`];
+    const heads = [acrossName, "line", upName, `within 10 %, ${acrossName.split(", ").at(-1)}`, "mode"];
     const rows = crossings.slice(0, mostCrossings).map(({ mode, multiple, place, frequency, from, until }) => {
-      const cells = [formatNumber(place, 4), `${multiple}P`, `${mode + 1} ${drawn[mode].words}`, formatNumber(frequency, 4), `${formatNumber(from, 4)} to ${formatNumber(until, 4)}`];
+      const cells = [formatNumber(place, 4), `${multiple}P`, formatNumber(frequency, 4), `${formatNumber(from, 4)} to ${formatNumber(until, 4)}`, `${mode + 1} ${drawn[mode].words}`];
       return make("tr", {}, ...cells.map((cell) => make("td", {}, cell)));
     });
     const table = make("table", {}, make("thead", {}, make("tr", {}, ...heads.map((head) => make("th", { scope: "col" }, head)))), make("tbody", {}, ...rows));
