@@ -72,9 +72,7 @@ TEST_CASE("A kept tangent is that of the first iteration while the residual fall
     CHECK(all.report.converged());
     CHECK(all.report.iterations >= 2);
     CHECK(all.tangent == first.tangent);
-    // Each increment takes about as much off the residual: it falls linearly.
     REQUIRE(all.report.iterations <= 6);
-    CHECK(all.report.residual <= tolerance);
 }
 
 TEST_CASE("A kept tangent is computed again where the residual falls slowly", "[solvers][kept]") {

@@ -44,8 +44,9 @@ TEST_CASE("A kept tangent is for motions", "[deck]") {
         faults_of(replaced(static_rod_deck, "kind", "newton = { tangent = \"kept\" }\nkind")) ==
         R"(x.toml:10:22: analysis.newton.tangent: "kept" is for motions in time, not for static analyses; expected "automatic")");
     CHECK(
-        faults_of(replaced(
-            static_rod_deck, "kind = \"static\"", "newton = { tangent = \"kept\" }\nkind = \"path\"")) ==
+        faults_of(replaced(static_rod_deck,
+                           "kind = \"static\"",
+                           "newton = { tangent = \"kept\" }\nkind = \"path\"\nuntil = { t = 1 }")) ==
         R"(x.toml:10:22: analysis.newton.tangent: "kept" is for motions in time, not for paths; expected "automatic")");
     CHECK(
         faults_of(body_deck + "integrator = \"gauss-4\"\nnewton = { tangent = \"kept\" }") ==
