@@ -32,18 +32,20 @@ double bound_bend(const ObstaclePlacement& from,
 ObstacleDistance ObstacleSurface::find_distance(const ObstaclePlacement& placement,
                                                 const Vec3& point,
                                                 double radius,
-                                                double skin) const {
+                                                double skin,
+                                                MeshMemory* memory) const {
     if (!mesh) return find_obstacle_distance(*body, placement, point);
-    if (!body->motion) return mesh->find_distance(point, radius, skin);
-    return turn_back(placement, mesh->find_distance(placement.to_start(point), radius, skin));
+    if (!body->motion) return mesh->find_distance(point, radius, skin, memory);
+    return turn_back(placement, mesh->find_distance(placement.to_start(point), radius, skin, memory));
 }
 
 bool ObstacleSurface::is_further(const ObstaclePlacement& placement,
                                  const Vec3& point,
-                                 double distance) const {
+                                 double distance,
+                                 MeshMemory* memory) const {
     if (!mesh) return find_obstacle_distance(*body, placement, point).distance > distance;
     const Vec3 x = body->motion ? placement.to_start(point) : point;
-    return mesh->find_closest(x, distance).triangle < 0;
+    return !mesh->is_nearer(x, distance, memory);
 }
 
 FreeMotion ObstacleSurface::find_free_motion(double radius,
@@ -51,23 +53,24 @@ FreeMotion ObstacleSurface::find_free_motion(double radius,
                                              const Vec3& start,
                                              const ObstaclePlacement& to,
                                              const Vec3& end,
-                                             double skin) const {
+                                             double skin,
+                                             MeshMemory* memory) const {
     if (!mesh) return gxrod::find_free_motion(*body, radius, from.to_start(start), to.to_start(end), skin);
-    if (!body->motion) return mesh->find_free_motion(radius, start, end, skin);
+    if (!body->motion) return mesh->find_free_motion(radius, start, end, skin, memory);
     const Vec3 x = from.to_start(start);
     const double bend = bound_bend(from, start, to, end);
-    if (bend == 0.0) return mesh->find_free_motion(radius, x, to.to_start(end), skin);
+    if (bend == 0.0) return mesh->find_free_motion(radius, x, to.to_start(end), skin, memory);
     // A way that bends leaves its chord by an eighth of that at most: as much of it as keeps that below a
     // quarter of the gap.
     const double reach = (end - start).norm() + (to.displacement - from.displacement).norm() + bend;
-    const double gap = mesh->find_closest(x, radius + 2.0 * reach).point.distance - radius;
+    const double gap = mesh->find_least(x, radius + 2.0 * reach, memory) - radius;
     if (gap >= 2.0 * reach) return {1.0, gap};
     if (!(gap > 0.0)) return {0.0, gap};
     const double part = std::min(1.0, std::sqrt(2.0 * gap / bend));
     const ObstaclePlacement there = between(from, to, part);
     const double aside = part * part * bend / 8.0;
     const FreeMotion free =
-        mesh->find_free_motion(radius + aside, x, there.to_start(start + part * (end - start)));
+        mesh->find_free_motion(radius + aside, x, there.to_start(start + part * (end - start)), 0.0, memory);
     return {part * free.fraction, gap};
 }
 

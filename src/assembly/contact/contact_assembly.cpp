@@ -30,6 +30,20 @@ ContactAssembly::ContactAssembly(const Model& model,
         moves_ = moves_ || obstacle.motion.has_value();
     }
     if (!model.contact.exceptions.empty()) find_exceptions();
+    make_memories();
+}
+
+void ContactAssembly::make_memories() {
+    if (std::ranges::none_of(surfaces_, [](const ObstacleSurface& one) { return one.mesh != nullptr; }))
+        return;
+    place_memories_.resize(pair_count());
+    element_memories_.resize(surfaces_.size() * places_.elements.size());
+    for (std::size_t surface = 0; surface < surfaces_.size(); ++surface) {
+        for (std::size_t p = 0; p < places_.places.size(); ++p) {
+            const ContactElement& element = places_.element_of(p);
+            place_memories_[pair(surface, p)].range = element.radius + element.law.skin;
+        }
+    }
 }
 
 void ContactAssembly::resolve() {
@@ -111,13 +125,67 @@ bool ContactAssembly::is_far(const ObstaclePlacement& placement,
         return surfaces_[obstacle].is_further(
             placement,
             0.5 * (start + end),
-            0.5 * (end - start).norm() + element.radius + element.law.skin + reach);
+            0.5 * (end - start).norm() + element.radius + element.law.skin + reach,
+            memory_of_element(obstacle, element));
     }
     const Vec3 centre = 0.5 * (position(0) + position(element.count - 1));
     double extent = 0.0;
     for (int i = 0; i < element.count; ++i) extent = std::max(extent, (position(i) - centre).norm());
     return surfaces_[obstacle].is_further(
-        placement, centre, largest_shape_sum * extent + element.radius + element.law.skin + reach);
+        placement,
+        centre,
+        largest_shape_sum * extent + element.radius + element.law.skin + reach,
+        memory_of_element(obstacle, element));
+}
+
+bool ContactAssembly::is_beyond_at(const ObstaclePlacement& placement,
+                                   std::size_t obstacle,
+                                   std::size_t place,
+                                   const Vec3& position,
+                                   double reach) const {
+    const ContactElement& element = places_.element_of(place);
+    return surfaces_[obstacle].is_further(
+        placement, position, element.radius + element.law.skin + reach, memory_of_place(obstacle, place));
+}
+
+bool ContactAssembly::is_beyond(const At& at,
+                                std::size_t obstacle,
+                                std::size_t place,
+                                const Vec3& position,
+                                const State& state,
+                                double reach) const {
+    if (!surfaces_[obstacle].mesh) return false;
+    if (!is_beyond_at(at.now[obstacle], obstacle, place, position, reach)) return false;
+    // As in is_far.
+    const bool gives_back = at.has_impacts && model_->contact.dissipation < 1.0;
+    return !gives_back || is_beyond_at(at.before[obstacle],
+                                       obstacle,
+                                       place,
+                                       places_.position(places_.places[place], state.previous),
+                                       reach);
+}
+
+bool ContactAssembly::is_idle(const At& at,
+                              std::size_t obstacle,
+                              std::size_t place,
+                              const Vec3& position,
+                              const State& state,
+                              double reach) const {
+    if (!surfaces_[obstacle].mesh) return false;
+    if (state.contact.has_parameters &&
+        state.contact.parameters[pair(obstacle, place)] < places_.element_of(place).law.skin)
+        return false;
+    return is_beyond(at, obstacle, place, position, state, reach);
+}
+
+bool ContactAssembly::has_greater_gap(const At& at,
+                                      std::size_t obstacle,
+                                      std::size_t place,
+                                      const Vec3& position,
+                                      const State& state,
+                                      double gap) const {
+    return is_beyond(
+        at, obstacle, place, position, state, std::max(gap - places_.element_of(place).law.skin, 0.0));
 }
 
 SurfaceTouch ContactAssembly::touch(const At& at,
@@ -125,8 +193,8 @@ SurfaceTouch ContactAssembly::touch(const At& at,
                                     std::size_t place,
                                     const Vec3& position) const {
     const ContactElement& element = places_.elements[static_cast<std::size_t>(places_.places[place].element)];
-    const ObstacleDistance found =
-        surfaces_[obstacle].find_distance(at.now[obstacle], position, element.radius, element.law.skin);
+    const ObstacleDistance found = surfaces_[obstacle].find_distance(
+        at.now[obstacle], position, element.radius, element.law.skin, memory_of_place(obstacle, place));
     SurfaceTouch result{
         found.distance - element.radius, found.normal, found.curvature, Vec3::Zero(), found.slope};
     if (surfaces_[obstacle].body->motion) {
@@ -142,7 +210,8 @@ ObstacleDistance ContactAssembly::distance_before(const At& at,
                                                   const State& state) const {
     const Vec3 position = places_.position(places_.places[place], state.previous);
     const ContactElement& element = places_.element_of(place);
-    return surfaces_[obstacle].find_distance(at.before[obstacle], position, element.radius, element.law.skin);
+    return surfaces_[obstacle].find_distance(
+        at.before[obstacle], position, element.radius, element.law.skin, memory_of_place(obstacle, place));
 }
 
 double ContactAssembly::gap_before(const At& at,
@@ -269,6 +338,7 @@ void ContactAssembly::add_element_force(
         for (std::size_t p = element.first_place; p < element.end_place; ++p) {
             const ContactPlace& place = places_.places[p];
             const Vec3 position = places_.position(place, state.trial);
+            if (is_idle(at, obstacle, p, position, state)) continue;
             const SurfaceTouch surface = touch(at, obstacle, p, position);
             const Touching touching = find(obstacle, p, surface);
             if (touching.normal.force == 0.0) continue;
@@ -371,6 +441,7 @@ void ContactAssembly::add_tangents(const State& state,
             for (std::size_t p = element.first_place; p < element.end_place; ++p) {
                 const ContactPlace& place = places_.places[p];
                 const Vec3 position = places_.position(place, state.trial);
+                if (is_idle(at, obstacle, p, position, state)) continue;
                 const SurfaceTouch surface = touch(at, obstacle, p, position);
                 const Touching touching = is_mixed ? touch_by_parameters(at, obstacle, p, surface, state)
                                                    : touch_by_law(at, obstacle, p, surface, state);

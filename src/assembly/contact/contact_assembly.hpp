@@ -191,6 +191,43 @@ class ContactAssembly : public Contribution {
                 const ContactElement& element,
                 const std::vector<NodeMotion>& motions,
                 double reach) const;
+    // Whether a place has no force from a mesh: it is further away than its skin, and what its parameter
+    // expects is no force. Other shapes are measured at once. `is_beyond` looks at distances alone; a reach
+    // adds to the skin.
+    bool is_idle(const At& at,
+                 std::size_t obstacle,
+                 std::size_t place,
+                 const Vec3& position,
+                 const State& state,
+                 double reach = 0.0) const;
+    bool is_beyond(const At& at,
+                   std::size_t obstacle,
+                   std::size_t place,
+                   const Vec3& position,
+                   const State& state,
+                   double reach = 0.0) const;
+    bool is_beyond_at(const ObstaclePlacement& placement,
+                      std::size_t obstacle,
+                      std::size_t place,
+                      const Vec3& position,
+                      double reach) const;
+    // Whether a place touches nothing, and its gap is no less than another one.
+    bool has_greater_gap(const At& at,
+                         std::size_t obstacle,
+                         std::size_t place,
+                         const Vec3& position,
+                         const State& state,
+                         double gap) const;
+    // What is remembered of a mesh next to a place or element; nullptr of other shapes.
+    MeshMemory* memory_of_place(std::size_t surface, std::size_t place) const {
+        return place_memories_.empty() ? nullptr : &place_memories_[pair(surface, place)];
+    }
+    MeshMemory* memory_of_element(std::size_t surface, const ContactElement& element) const {
+        return element_memories_.empty()
+                   ? nullptr
+                   : &element_memories_[surface * places_.elements.size() + places_.index_of(element)];
+    }
+    void make_memories();
     SurfaceTouch touch(const At& at, std::size_t obstacle, std::size_t place, const Vec3& position) const;
     // Returns the direction of a place's impulse in a step; in statics forces act along the normal at the
     // end.
@@ -253,10 +290,10 @@ class ContactAssembly : public Contribution {
                       const State& state,
                       const Vec3& force,
                       Mat6 derivative) const;
-    FreeMotion find_bent_free_motion(const ObstacleSurface& surface,
+    FreeMotion find_bent_free_motion(std::size_t surface,
                                      const ObstaclePlacement& from,
                                      const ObstaclePlacement& to,
-                                     const ContactPlace& place,
+                                     std::size_t place,
                                      const Vec6& increment,
                                      double skin,
                                      const State& state) const;
@@ -278,6 +315,9 @@ class ContactAssembly : public Contribution {
     std::vector<char> off_;
     std::vector<double> coefficients_;
     MemorySlice memory_;
+    // By surface and place, and by surface and element; empty without meshes. They hold nothing that changes
+    // results.
+    mutable std::vector<MeshMemory> place_memories_, element_memories_;
     bool rubs_ = false;
     bool moves_ = false;
     bool has_impacts_ = false;

@@ -8,6 +8,16 @@
 
 // What contact does in Newton's iterations: parameters, limits of increments, and what is remembered.
 namespace gxrod {
+namespace {
+
+void lower_limits(int part, const FreeMotion& free, ContactLimits& limits) {
+    double& of_part = limits.of_parts[static_cast<std::size_t>(part)];
+    of_part = std::min(of_part, free.fraction);
+    limits.least = std::min(limits.least, free.fraction);
+    limits.least_gap = std::min(limits.least_gap, free.gap);
+}
+
+}  // namespace
 
 // work(obstacle, place, position) for each place that is near; what others remember is forgotten.
 template <class Work>
@@ -43,6 +53,10 @@ void ContactAssembly::start(State& state, double time) const {
     state.contact.sliding.assign(traction_count(), Vec3::Zero());
     state.contact.has_parameters = true;
     for_each_near(at, state, 0.0, state, [&](std::size_t obstacle, std::size_t p, const Vec3& position) {
+        if (is_beyond(at, obstacle, p, position, state)) {
+            forget_place(obstacle, p, state);
+            return;
+        }
         const SurfaceTouch surface = touch(at, obstacle, p, position);
         state.contact.parameters[pair(obstacle, p)] = surface.gap;
         if (!rubs_) return;
@@ -65,6 +79,10 @@ void ContactAssembly::advance(const std::vector<Vec6>& deltas, double time, Stat
         const ContactPlace& place = places_.places[p];
         const ContactElement& element = places_.elements[static_cast<std::size_t>(place.element)];
         const Vec3 change = places_.change(place, state, deltas);
+        if (is_idle(at, obstacle, p, position, state, change.norm())) {
+            forget_place(obstacle, p, state);
+            return;
+        }
         PlaceMotion motion;
         if (rubs_) motion = places_.motion_of(place, state);
         for (int i = 0; rubs_ && i < element.count; ++i) {
@@ -100,19 +118,22 @@ void ContactAssembly::keep_slip(const CoulombFriction& friction,
 
 // A place of a body moves on a bent line, which leaves its chord by an eighth of its second derivative at
 // most: as much of it is taken as keeps that below a quarter of the gap.
-FreeMotion ContactAssembly::find_bent_free_motion(const ObstacleSurface& surface,
+FreeMotion ContactAssembly::find_bent_free_motion(std::size_t obstacle,
                                                   const ObstaclePlacement& from,
                                                   const ObstaclePlacement& to,
-                                                  const ContactPlace& place,
+                                                  std::size_t index,
                                                   const Vec6& increment,
                                                   double skin,
                                                   const State& state) const {
-    const double radius = places_.elements[static_cast<std::size_t>(place.element)].radius;
+    const ObstacleSurface& surface = surfaces_[obstacle];
+    const ContactPlace& place = places_.places[index];
+    MeshMemory* const memory = memory_of_place(obstacle, index);
+    const double radius = places_.element_of(index).radius;
     const Vec3 position = places_.position(place, state.trial);
     const Vec3 arm = places_.arm(place, state.trial);
     const Vec3 turn = increment.tail<3>();
     const double bend = turn.norm() * turn.cross(arm).norm();
-    const double gap = surface.find_free_motion(radius, from, position, from, position).gap;
+    const double gap = surface.find_free_motion(radius, from, position, from, position, 0.0, memory).gap;
     const double part = bend > 2.0 * gap ? std::sqrt(std::max(2.0 * gap, 0.0) / bend) : 1.0;
     const Vec3 change = part * increment.head<3>() + exp_quaternion(part * turn) * arm - arm;
     const FreeMotion free = surface.find_free_motion(radius + part * part * bend / 8.0,
@@ -120,7 +141,8 @@ FreeMotion ContactAssembly::find_bent_free_motion(const ObstacleSurface& surface
                                                      position,
                                                      part < 1.0 ? between(from, to, part) : to,
                                                      position + change,
-                                                     skin);
+                                                     skin,
+                                                     memory);
     return {part * free.fraction, gap};
 }
 
@@ -157,20 +179,23 @@ ContactLimits ContactAssembly::limit(const std::vector<Vec6>& increments,
                 const bool is_bent = element.is_body && !place.arm.isZero(0.0);
                 const double skin = is_careful ? element.law.skin : 0.0;
                 for (const std::size_t obstacle : near) {
-                    const ObstacleSurface& surface = surfaces_[obstacle];
-                    const ObstaclePlacement& start = from.now[obstacle];
-                    const ObstaclePlacement& end = to.now[obstacle];
+                    const ObstaclePlacement &start = from.now[obstacle], &end = to.now[obstacle];
                     const FreeMotion free =
                         is_bent
-                            ? find_bent_free_motion(surface,
+                            ? find_bent_free_motion(obstacle,
                                                     start,
                                                     end,
-                                                    place,
+                                                    p,
                                                     increments[static_cast<std::size_t>(element.nodes[0])],
                                                     skin,
                                                     state)
-                            : surface.find_free_motion(
-                                  element.radius, start, position, end, position + change, skin);
+                            : surfaces_[obstacle].find_free_motion(element.radius,
+                                                                   start,
+                                                                   position,
+                                                                   end,
+                                                                   position + change,
+                                                                   skin,
+                                                                   memory_of_place(obstacle, p));
                     of_elements[e] = std::min(of_elements[e],
                                               keep_from_rounding(free.fraction, element.law.skin, free.gap));
                     gaps[e] = std::min(gaps[e], free.gap);
@@ -178,12 +203,8 @@ ContactLimits ContactAssembly::limit(const std::vector<Vec6>& increments,
             }
         }
     });
-    for (std::size_t e = 0; e < of_elements.size(); ++e) {
-        double& part = limits.of_parts[static_cast<std::size_t>(places_.elements[e].part)];
-        part = std::min(part, of_elements[e]);
-        limits.least = std::min(limits.least, of_elements[e]);
-        limits.least_gap = std::min(limits.least_gap, gaps[e]);
-    }
+    for (std::size_t e = 0; e < of_elements.size(); ++e)
+        lower_limits(places_.elements[e].part, {of_elements[e], gaps[e]}, limits);
     if (!pairs_.empty()) pairs_.limit(increments, state, approach, limits);
     // Obstacles that still have to move go as far as all.
     if (moves_ && state.contact.progress < 1.0) std::ranges::fill(limits.of_parts, limits.least);
@@ -201,12 +222,16 @@ void ContactAssembly::commit(State& state, double time) const {
             const Vec3 position = places_.position(place, state.trial);
             for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
                 if (is_off(obstacle, p)) continue;
+                Eigen::Map<Vec3> traction(memory_.piece(pair(obstacle, p), 3).of(state).data());
+                if (is_beyond(at, obstacle, p, position, state)) {
+                    traction.setZero();
+                    continue;
+                }
                 const SurfaceTouch surface = touch(at, obstacle, p, position);
                 const Touching touching = touch_by_law(at, obstacle, p, surface, state);
-                Eigen::Map<Vec3>(memory_.piece(pair(obstacle, p), 3).of(state).data()) =
-                    compute_place_force(
-                        surface, places_.motion_of(place, state), touching.normal, touching.friction)
-                        .traction;
+                traction = compute_place_force(
+                               surface, places_.motion_of(place, state), touching.normal, touching.friction)
+                               .traction;
             }
         }
     });

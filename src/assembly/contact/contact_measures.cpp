@@ -14,7 +14,7 @@ double ContactAssembly::compute_energy(const State& state, double time) const {
         const ContactLaw& law = places_.elements[static_cast<std::size_t>(place.element)].law;
         const Vec3 position = places_.position(place, state.trial);
         for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
-            if (is_off(obstacle, p)) continue;
+            if (is_off(obstacle, p) || is_beyond(at, obstacle, p, position, state)) continue;
             const SurfaceTouch surface = touch(at, obstacle, p, position);
             const CoulombFriction rubbing = friction(obstacle, p, state);
             if (const std::optional<double>& stiffness = surfaces_[obstacle].body->stiffness) {
@@ -48,6 +48,9 @@ ContactWork ContactAssembly::compute_work(const State& state, double time, doubl
         const bool is_body = places_.elements[static_cast<std::size_t>(place.element)].is_body;
         for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
             if (is_off(obstacle, p)) continue;
+            if (is_beyond(at, obstacle, p, position, state) &&
+                is_beyond_at(at.before[obstacle], obstacle, p, position - motion.displacement, 0.0))
+                continue;
             const SurfaceTouch surface = touch(at, obstacle, p, position);
             const Touching touching = touch_by_law(at, obstacle, p, surface, state);
             PlaceForce after = compute_place_force(surface, motion, touching.normal, touching.friction);
@@ -57,8 +60,12 @@ ContactWork ContactAssembly::compute_work(const State& state, double time, doubl
             if (!at.has_impacts) {
                 const double gap = gap_before(at, obstacle, p, state);
                 const ContactLaw& law = places_.elements[static_cast<std::size_t>(place.element)].law;
-                const ObstacleDistance found = surfaces_[obstacle].find_distance(
-                    at.before[obstacle], position - motion.displacement, motion.radius, law.skin);
+                const ObstacleDistance found =
+                    surfaces_[obstacle].find_distance(at.before[obstacle],
+                                                      position - motion.displacement,
+                                                      motion.radius,
+                                                      law.skin,
+                                                      memory_of_place(obstacle, p));
                 const Vec3 before =
                     law_force(at, obstacle, p, gap, state).force * found.slope * found.normal +
                     touching.friction.traction;
@@ -100,6 +107,7 @@ std::vector<ObstacleValues> ContactAssembly::compute_obstacle_values(const State
         for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
             if (is_off(obstacle, p)) continue;
             ObstacleValues& own = values[surfaces_[obstacle].obstacle];
+            if (has_greater_gap(at, obstacle, p, position, state, own.least_gap)) continue;
             const SurfaceTouch surface = touch(at, obstacle, p, position);
             own.least_gap = std::min(own.least_gap, surface.gap);
             // A start that is refused is written too.
@@ -123,7 +131,8 @@ ContactCount ContactAssembly::count(const State& state, double time) const {
         const ContactLaw& law = places_.elements[static_cast<std::size_t>(places_.places[p].element)].law;
         const Vec3 position = places_.position(places_.places[p], state.trial);
         for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
-            if (is_off(obstacle, p)) continue;
+            if (is_off(obstacle, p) || has_greater_gap(at, obstacle, p, position, state, result.least_gap))
+                continue;
             const double gap = touch(at, obstacle, p, position).gap;
             const double range = surfaces_[obstacle].body->stiffness ? 0.0 : law.skin;
             if (gap < range) ++result.touching;

@@ -122,7 +122,7 @@ ContactPower ContactAssembly::compute_power(const State& state, double time) con
         const ContactPlace& place = places_.places[p];
         const Vec3 position = places_.position(place, state.trial);
         for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
-            if (is_off(obstacle, p)) continue;
+            if (is_off(obstacle, p) || is_beyond(at, obstacle, p, position, state)) continue;
             const SurfaceTouch surface = touch(at, obstacle, p, position);
             const NormalForce undamped = law_force(at, obstacle, p, surface.gap, state);
             if (undamped.force == 0.0) continue;

@@ -38,6 +38,7 @@ void ContactAssembly::list_element_touches(std::size_t index,
         for (std::size_t p = element.first_place; p < element.end_place; ++p) {
             const ContactPlace& place = places_.places[p];
             const Vec3 position = places_.position(place, state.trial);
+            if (is_beyond(at, obstacle, p, position, state)) continue;
             const SurfaceTouch surface = touch(at, obstacle, p, position);
             const Touching touching = touch_by_law(at, obstacle, p, surface, state);
             if (touching.normal.force == 0.0) continue;
@@ -94,6 +95,7 @@ double ContactAssembly::find_least_gap(const ContactWatch& watch, const State& s
             if (element.rod != watch.rod || is_element_off(obstacle, element)) continue;
             for (std::size_t p = element.first_place; p < element.end_place; ++p) {
                 const Vec3 position = places_.position(places_.places[p], state.trial);
+                if (has_greater_gap(at, obstacle, p, position, state, least)) continue;
                 least = std::min(least, touch(at, obstacle, p, position).gap);
             }
         }
@@ -123,6 +125,7 @@ std::vector<double> ContactAssembly::compute_gaps(const State& state, double tim
                 const ContactPlace& place = places_.places[p];
                 const Vec3 position = places_.position(place, state.trial);
                 double& gap = gaps[static_cast<std::size_t>(places_.nearest_node(place, place, 0.0))];
+                if (has_greater_gap(at, obstacle, p, position, state, gap)) continue;
                 gap = std::min(gap, touch(at, obstacle, p, position).gap);
             }
         }

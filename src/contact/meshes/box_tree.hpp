@@ -27,6 +27,9 @@ struct Box {
     double squared_distance(const Vec3& point) const {
         return (low - point).cwiseMax(point - high).cwiseMax(0.0).squaredNorm();
     }
+    bool contains(const Box& other) const {
+        return (low.array() <= other.low.array()).all() && (other.high.array() <= high.array()).all();
+    }
     bool meets(const Box& other) const {
         return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
     }
@@ -43,11 +46,11 @@ class BoxTree {
         walk([&](const Box& of_node) { return of_node.meets(box); }, visit);
     }
 
-    // Finds the nearest thing, the first of equal ones that is found; −1 if none is nearer than `within`,
+    // Finds the nearest thing, of equal ones that with the least index; −1 if none is nearer than `within`,
     // which becomes its distance. measure(thing) is the distance of the point from a thing, no less than from
-    // its box.
+    // its box but for `rounding`: so it is the least of all things to the last bit.
     template <class Measure>
-    int find_nearest(const Vec3& point, double& within, const Measure& measure) const {
+    int find_nearest(const Vec3& point, double rounding, double& within, const Measure& measure) const {
         int nearest = -1;
         struct Entry {
             int node;
@@ -55,14 +58,17 @@ class BoxTree {
         };
         std::array<Entry, most_depth> stack;
         std::size_t size = 0;
+        const auto can_hold = [&](double squared) {
+            return squared <= (within + rounding) * (within + rounding);
+        };
         const auto push = [&](int node) {
             const double squared = nodes_[static_cast<std::size_t>(node)].box.squared_distance(point);
-            if (squared < within * within) stack[size++] = {node, squared};
+            if (can_hold(squared)) stack[size++] = {node, squared};
         };
         if (!nodes_.empty()) push(0);
         while (size > 0) {
             const Entry entry = stack[--size];
-            if (entry.squared_distance >= within * within) continue;
+            if (!can_hold(entry.squared_distance)) continue;
             const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
             if (node.count == 0) {
                 push(node.first);
@@ -71,15 +77,19 @@ class BoxTree {
                     std::swap(stack[size - 2], stack[size - 1]);
                 continue;
             }
-            for (int i = node.first; i < node.first + node.count; ++i) {
-                const int thing = things_[static_cast<std::size_t>(i)];
-                const double distance = measure(thing);
-                if (distance >= within) continue;
-                within = distance;
-                nearest = thing;
-            }
+            for (int i = node.first; i < node.first + node.count; ++i)
+                take_if_nearer(things_[static_cast<std::size_t>(i)], measure, nearest, within);
         }
         return nearest;
+    }
+
+    // Takes a thing as the nearest one if it is.
+    template <class Measure>
+    static void take_if_nearer(int thing, const Measure& measure, int& nearest, double& within) {
+        const double distance = measure(thing);
+        if (!(distance < within || (distance == within && thing < nearest))) return;
+        within = distance;
+        nearest = thing;
     }
 
   private:

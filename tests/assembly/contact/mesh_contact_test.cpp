@@ -1,5 +1,9 @@
 // Meshes around whole models.
 
+#include <cmath>
+#include <cstring>
+#include <utility>
+
 #include "assembly/contact/contact_assembly.hpp"
 #include "assembly/contact/tractions.hpp"
 #include "assembly/sample_model.hpp"
@@ -207,4 +211,64 @@ TEST_CASE("What starts in a mesh, or through it, is named", "[assembly][touch]")
     for (NodeMotion& motion : scene.state.trial) motion.r.z() -= 1.2 * ball;
     CHECK_THAT(contact_assembly_of(system)->describe_overlap(scene.state, mesh_now),
                Catch::Contains("crosses triangle ") && Catch::Contains("of obstacle \"mesh\""));
+}
+
+TEST_CASE("What contact remembers of meshes changes no bit of forces, tangents and limits",
+          "[assembly][touch]") {
+    for (const bool is_moved : {false, true}) {
+        for (const double dissipation : {1.0, 0.3}) {
+            MeshScene scene = make_mesh_scene(2, 6, 0.1, 0.1, is_moved);
+            scene.model.contact.dissipation = dissipation;
+            const System warm(scene.model);
+            RandomValues random(12);
+            int touching = 0;
+            State state = scene.state;
+            for (int sample = 0; sample < 30; ++sample) {
+                INFO("sample " << sample << ", moved " << is_moved << ", dissipation " << dissipation);
+                const System cold(scene.model);
+                std::vector<Vec6> increments;
+                const double size = std::pow(10.0, random.number(-5.0, 0.0));
+                for (std::size_t i = 0; i < state.trial.size(); ++i)
+                    increments.emplace_back() << random.vector(size), Vec3::Zero();
+                const auto found = [&](const System& system) {
+                    const ContactAssembly& contact = *contact_assembly_of(system);
+                    State own = state;
+                    contact.start(own, mesh_now);
+                    std::vector<double> numbers;
+                    for (const Vec6& force : contact.compute_forces(own, mesh_now))
+                        numbers.insert(numbers.end(), force.begin(), force.end());
+                    const ContactLimits limits = contact.limit(increments, own, mesh_now);
+                    numbers.push_back(limits.least);
+                    numbers.push_back(limits.least_gap);
+                    contact.advance(increments, mesh_now, own);
+                    for (std::size_t i = 0; i < own.trial.size(); ++i)
+                        own.trial[i].r += limits.least * increments[i].head<3>();
+                    Residual residual;
+                    residual.nodal.assign(own.trial.size(), Vec6::Zero());
+                    contact.replace_by_tangent_forces(own, mesh_now, 1.0, residual);
+                    for (const Vec6& force : residual.nodal)
+                        numbers.insert(numbers.end(), force.begin(), force.end());
+                    const std::vector<NodeLinearization> linearizations(own.trial.size());
+                    std::vector<double> values;
+                    system.compute_tangent(own, mesh_now, linearizations, values);
+                    numbers.insert(numbers.end(), values.begin(), values.end());
+                    numbers.push_back(contact.count(own, mesh_now).least_gap);
+                    touching += static_cast<int>(contact.count(own, mesh_now).touching);
+                    numbers.push_back(contact.compute_energy(own, mesh_now));
+                    numbers.push_back(contact.compute_work(own, mesh_now, 0.0).loss);
+                    numbers.push_back(contact.compute_obstacle_values(own, mesh_now)[0].least_gap);
+                    for (const double gap : contact.compute_gaps(own, mesh_now)) numbers.push_back(gap);
+                    contact.commit(own, mesh_now);
+                    numbers.insert(numbers.end(), own.memory.begin(), own.memory.end());
+                    return std::pair(numbers, own.trial);
+                };
+                const auto [expected, moved] = found(cold);
+                const std::vector<double> numbers = found(warm).first;
+                REQUIRE(numbers.size() == expected.size());
+                REQUIRE(std::memcmp(numbers.data(), expected.data(), numbers.size() * sizeof(double)) == 0);
+                state.trial = moved;
+            }
+            CHECK(touching > 30);
+        }
+    }
 }
