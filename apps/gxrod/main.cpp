@@ -91,6 +91,7 @@ int run_program(int argc, char** argv) {
     gxrod::add_batch_verb(program, exit_code, take_sbatch_options(argc, argv));
     gxrod::add_check_verb(program, exit_code);
     gxrod::add_section_verb(program, exit_code);
+    gxrod::add_obstacle_verb(program, exit_code);
     gxrod::add_export_verb(program, exit_code);
     gxrod::add_line_ends_verb(program, exit_code);
     gxrod::add_report_verb(program, exit_code);

@@ -17,6 +17,7 @@ void add_batch_verb(CLI::App& program,
                     std::optional<std::vector<std::string>> sbatch_options);
 void add_check_verb(CLI::App& program, int& exit_code);
 void add_section_verb(CLI::App& program, int& exit_code);
+void add_obstacle_verb(CLI::App& program, int& exit_code);
 void add_verify_verb(CLI::App& program, int& exit_code);
 void add_schema_verb(CLI::App& program, int& exit_code);
 void add_export_verb(CLI::App& program, int& exit_code);

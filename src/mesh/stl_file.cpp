@@ -121,4 +121,16 @@ std::vector<Corners> read_stl(std::string_view bytes) {
         "is not STL: it neither starts with \"solid\" nor is as long as its number of triangles makes it");
 }
 
+bool lacks_end_of_stl(std::string_view bytes) {
+    if (count_in_bytes(bytes)) return false;
+    Words words(bytes);
+    int open = 0;
+    for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+        const bool begins = is_word(word, "solid"), ends = is_word(word, "endsolid");
+        if (begins || ends) words.skip_line();
+        open += begins ? 1 : ends ? -1 : 0;
+    }
+    return open > 0;
+}
+
 }  // namespace gxrod

@@ -7,6 +7,7 @@
 #include "deck/table/table.hpp"
 #include "deck/text/table_files.hpp"
 #include "mesh/line_mesh.hpp"
+#include "mesh/stl_file.hpp"
 #include "mesh/triangle_file.hpp"
 
 namespace gxrod {
@@ -41,8 +42,11 @@ std::map<std::string, std::shared_ptr<const TriangleMesh>> read_obstacle_meshes(
             TriangleMesh mesh = read_triangle_mesh(path, table.scale);
             mesh.file = file;
             mesh.feature_angle = table.feature_angle;
-            keep_file(file, read_mesh_file(path), records);
+            const std::string bytes = read_mesh_file(path);
+            keep_file(file, bytes, records);
             notes.push_back(describe(mesh));
+            if (is_stl(path) && lacks_end_of_stl(bytes))
+                notes.push_back(file + " has a solid without endsolid: the rest of the file may be lost");
             meshes.emplace(obstacle.name, std::make_shared<const TriangleMesh>(std::move(mesh)));
         } catch (const MeshError& error) {
             faults.add(table.place_of(&table.file),
