@@ -34,7 +34,9 @@ const std::string layer = "layers = [{ on = \"bending\", stiffness = 100, limit 
 TEST_CASE("What is wrong with a fibre rope is reported with its place", "[deck]") {
     const std::string curve = "original = [[0, 0], [0.1, 60], [0.2, 80]], ";
     const std::string rest = "dynamic_stiffness = 2000, per_tension = 3, damping = 700";
-    const auto faults = [](const std::string& rope) { return faults_of(with_law("syrope = { " + rope + " }")); };
+    const auto faults = [](const std::string& rope) {
+        return faults_of(with_law("syrope = { " + rope + " }"));
+    };
     const std::string key = "section.s.law.syrope.";
     CHECK(faults(curve + "k1 = 0.25, k2 = 1.5, " + rest).empty());
     CHECK(faults(curve + "working_curve = \"linear\", k1 = 700, " + rest).empty());
@@ -42,23 +44,27 @@ TEST_CASE("What is wrong with a fibre rope is reported with its place", "[deck]"
                Contains(key + "original[0]: expected [0, 0] first, found [0, 1]"));
     CHECK_THAT(faults("original = [[0, 0], [0.1, 60], [0.2, 60]], k1 = 0.2, k2 = 1, " + rest),
                Contains(key + "original[2]: expected a tension that rises from row to row"));
-    CHECK_THAT(faults(curve + "k1 = 1, k2 = 1, " + rest),
-               Contains(key + "k1: expected a number less than 1; from 1 on it is the slope of a linear curve"));
+    CHECK_THAT(
+        faults(curve + "k1 = 1, k2 = 1, " + rest),
+        Contains(key + "k1: expected a number less than 1; from 1 on it is the slope of a linear curve"));
     CHECK_THAT(faults(curve + "k1 = 0.2, " + rest),
                Contains(key + "k2: missing; expected how much the working curve bends"));
     CHECK_THAT(faults(curve + "working_curve = \"quadratic\", k1 = 0.2, k2 = 1.1, " + rest),
                Contains(key + "k2: expected a number of at most 1: a quadratic curve falls otherwise"));
-    CHECK_THAT(faults(curve + "k1 = 0.2, k2 = 1, dynamic_stiffness = 500, damping = 1"),
-               Contains(key + "dynamic_stiffness: where the largest mean tension is 0 a curve rises by 600 per "
-                              "strain, not less than the dynamic stiffness, 500; expected a stiffer rope, a "
-                              "curve that bends less, or a greater largest_tension"));
-    const std::string coupled = replaced(with_law("syrope = { " + curve + "k1 = 0.25, k2 = 1.5, " + rest + " }"),
-                                         "stiffness = { EA = 1e4, GAy = 2e4, GAz = 3e4, GJ = 500, EIy = 600, EIz = 700 }",
-                                         "stiffness = [[10000, 0, 0, 0, 50, 0], [0, 10000, 0, 0, 0, 0], [0, 0, 10000, 0, 0, 0], "
-                                         "[0, 0, 0, 500, 0, 0], [50, 0, 0, 0, 600, 0], [0, 0, 0, 0, 0, 700]]");
-    CHECK_THAT(faults_of(coupled),
-               Contains(key + "original: the stiffness couples stretch with another strain, which a rope by "
-                              "the Syrope model cannot; expected a stiffness without, such as stiffness = { … }"));
+    CHECK_THAT(
+        faults(curve + "k1 = 0.2, k2 = 1, dynamic_stiffness = 500, damping = 1"),
+        Contains(key + "dynamic_stiffness: where the largest mean tension is 0 a curve rises by 600 per "
+                       "strain, not less than the dynamic stiffness, 500; expected a stiffer rope, a "
+                       "curve that bends less, or a greater largest_tension"));
+    const std::string coupled =
+        replaced(with_law("syrope = { " + curve + "k1 = 0.25, k2 = 1.5, " + rest + " }"),
+                 "stiffness = { EA = 1e4, GAy = 2e4, GAz = 3e4, GJ = 500, EIy = 600, EIz = 700 }",
+                 "stiffness = [[10000, 0, 0, 0, 50, 0], [0, 10000, 0, 0, 0, 0], [0, 0, 10000, 0, 0, 0], "
+                 "[0, 0, 0, 500, 0, 0], [50, 0, 0, 0, 600, 0], [0, 0, 0, 0, 0, 700]]");
+    CHECK_THAT(
+        faults_of(coupled),
+        Contains(key + "original: the stiffness couples stretch with another strain, which a rope by "
+                       "the Syrope model cannot; expected a stiffness without, such as stiffness = { … }"));
 }
 
 TEST_CASE("What is wrong with a law is reported with its place", "[deck]") {
