@@ -73,6 +73,11 @@ std::string disc_deck(const std::string& scheme, const std::string& shaft = "mov
     return replaced(replaced(replaced(deck, "SHAFT", shaft), "GUIDE", spring_on_guide), "LIFTS", "");
 }
 
+// An explicit scheme has no Newton's method.
+std::string without_newton(const std::string& deck, const std::string& scheme) {
+    return scheme == "runge-kutta-4" ? replaced(deck, "newton = { tolerance = 1e-12 }\n", "") : deck;
+}
+
 // The height of its tappet at the angle a of the shaft, and its derivatives.
 struct Lift {
     double value, slope, bend;
@@ -116,7 +121,7 @@ TEST_CASE("A disc off its shaft moves a tappet as its closed form says", "[analy
                                      "radau-5",
                                      "gauss-4"}) {
         INFO(scheme);
-        const Motion motion(disc_deck(scheme));
+        const Motion motion(without_newton(disc_deck(scheme), scheme));
         for (const double t : {0.1, 0.3, 0.5}) {
             const double angle = 20.0 * t * t, rate = 40.0 * t;
             const Lift lift = lift_of_disc(angle);
@@ -170,7 +175,7 @@ TEST_CASE("A cam that a moment drives keeps Lagrange's equation", "[analyses][jo
 
 TEST_CASE("Schemes have their orders with a cam", "[analyses][joints][cams]") {
     const auto error = [](const std::string& scheme, const std::string& step) {
-        const Motion motion(driven_deck(scheme), {"analysis.time_step=" + step});
+        const Motion motion(without_newton(driven_deck(scheme), scheme), {"analysis.time_step=" + step});
         return std::abs(motion.at(0.35, "shaft/angle")[0] - driven[1].angle);
     };
     for (const auto& [scheme, order] : {std::pair<std::string, double>{"newmark-simplified", 2.0},
