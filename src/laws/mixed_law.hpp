@@ -16,7 +16,7 @@ struct LawShare {
     std::shared_ptr<const SectionLaw> law;
 };
 
-// Two laws side by side, at the same strains: S = (1 − t) S_a + t S_b; docs/theory/laws.md, (L30). It
+// Two laws side by side, at the same strains: S = (1 − t) S_a + t S_b; docs/theory/laws.md, (L40). It
 // remembers what each of them remembers.
 class MixedLaw final : public SmallMotionLaw, public KinkedLaw {
   public:
