@@ -24,7 +24,7 @@ constexpr int most_searches = 60;
 constexpr double search_round_off = 5e-16;  // of the length
 constexpr int arc_points = 12;              // of the quadrature of arc lengths
 
-double cross(const CurvePoint& a, const CurvePoint& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross_in_plane(const CurvePoint& a, const CurvePoint& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // The equations of a spline: its unknowns at each knot are c′ and c″, by the mean length of a piece.
 class SplineEquations {
@@ -87,9 +87,9 @@ class SplineEquations {
 
 PlaneCurve::Place make_place(double arc_length, const std::array<CurvePoint, 4>& c) {
     const double speed = c[1].norm();
-    const double turn = cross(c[1], c[2]) / (speed * speed * speed);
+    const double turn = cross_in_plane(c[1], c[2]) / (speed * speed * speed);
     const double turn_rate =
-        cross(c[1], c[3]) / (speed * speed * speed) - 3.0 * turn * c[1].dot(c[2]) / (speed * speed);
+        cross_in_plane(c[1], c[3]) / (speed * speed * speed) - 3.0 * turn * c[1].dot(c[2]) / (speed * speed);
     return {arc_length, c[0], c[1] / speed, turn, turn_rate / speed};
 }
 
@@ -173,7 +173,7 @@ std::array<CurvePoint, 4> PlaneCurve::compute(std::size_t piece, double fraction
 
 bool PlaneCurve::is_counter_clockwise() const {
     double area = 0.0;
-    for (std::size_t i = 0; i + 1 < points_.size(); ++i) area += cross(points_[i], points_[i + 1]);
+    for (std::size_t i = 0; i + 1 < points_.size(); ++i) area += cross_in_plane(points_[i], points_[i + 1]);
     return area > 0.0;
 }
 
@@ -226,7 +226,7 @@ PlaneCurve::Place PlaneCurve::find_nearest(const Point& point) const {
     for (int i = 0; i < most_searches; ++i) {
         const double off = miss_of(place);
         (off < 0.0 ? low : high) = s;
-        const double slope = 1.0 + place.curvature * cross(place.tangent, place.point - point);
+        const double slope = 1.0 + place.curvature * cross_in_plane(place.tangent, place.point - point);
         const double step = slope > 0.0 ? -off / slope : high - low;
         const double next = s + step;
         const double before = s;
@@ -242,7 +242,7 @@ std::optional<PlaneCurve::Place> PlaneCurve::find_crossing() const {
     for (const Place& place : samples_) line.push_back(place.point);
     if (is_closed_) line.push_back(samples_.front().point);
     const auto are_parted = [](const Point& from, const Point& to, const Point& a, const Point& b) {
-        return (cross(to - from, a - from) > 0.0) != (cross(to - from, b - from) > 0.0);
+        return (cross_in_plane(to - from, a - from) > 0.0) != (cross_in_plane(to - from, b - from) > 0.0);
     };
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
         for (std::size_t k = i + 2; k + 1 < line.size(); ++k) {

@@ -12,13 +12,13 @@ using namespace gxrod;
 
 namespace {
 
-using Point = PlaneCurve::Point;
+using CurvePoint = PlaneCurve::Point;
 
 // x = a cos u, y = b sin u.
-Point ellipse_at(double a, double b, double u) { return {a * std::cos(u), b * std::sin(u)}; }
+CurvePoint ellipse_at(double a, double b, double u) { return {a * std::cos(u), b * std::sin(u)}; }
 
 PlaneCurve make_ellipse(double a, double b, int count, double sense = 1.0) {
-    std::vector<Point> points;
+    std::vector<CurvePoint> points;
     for (int i = 0; i < count; ++i)
         points.push_back(ellipse_at(a, b, sense * 2.0 * std::numbers::pi * i / count));
     return {points, true};
@@ -51,7 +51,7 @@ std::array<double, 3> measure_errors(int count) {
 }
 
 // The nearest of very many places.
-double search_distance(const PlaneCurve& curve, const Point& point) {
+double search_distance(const PlaneCurve& curve, const CurvePoint& point) {
     double least = 1e300;
     for (const PlaneCurve::Place& place : curve.list_places(200))
         least = std::min(least, (place.point - point).norm());
@@ -90,13 +90,13 @@ TEST_CASE("places of a line are arc lengths", "[numerics][curves]") {
     CHECK(curve.length() == Approx(4.0 * 2.0 * std::comp_ellint_2(std::sqrt(0.75))).epsilon(1e-9));
     const double h = 1e-4;
     for (double s = 0.05; s < curve.length(); s += 0.37) {
-        const Point moved = curve.find_place(s + h).point - curve.find_place(s - h).point;
+        const CurvePoint moved = curve.find_place(s + h).point - curve.find_place(s - h).point;
         CHECK(moved.norm() / (2.0 * h) == Approx(1.0).epsilon(1e-7));
         const double turned = curve.find_place(s + h).curvature - curve.find_place(s - h).curvature;
         CHECK(turned / (2.0 * h) == Approx(curve.find_place(s).curvature_rate).margin(1e-6));
     }
     // Once around.
-    const Point there = curve.find_place(1.1).point;
+    const CurvePoint there = curve.find_place(1.1).point;
     CHECK((curve.find_place(1.1 - 2.0 * curve.length()).point - there).norm() < 1e-13);
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("the nearest place of a line is found from anywhere", "[numerics][curv
     std::mt19937 random(31);
     std::uniform_real_distribution<double> number(-3.0, 3.0);
     for (int i = 0; i < 200; ++i) {
-        const Point point(number(random), number(random));
+        const CurvePoint point(number(random), number(random));
         const PlaneCurve::Place place = curve.find_nearest(point);
         const double distance = (place.point - point).norm();
         CHECK(distance <= search_distance(curve, point) + 1e-13);
@@ -133,20 +133,21 @@ TEST_CASE("the nearest place of a line is found from anywhere", "[numerics][curv
 
 TEST_CASE("a polynomial of degree five is its own line", "[numerics][curves]") {
     // By arc length a straight line is one.
-    std::vector<Point> points;
+    std::vector<CurvePoint> points;
     for (const double s : {0.0, 0.2, 0.5, 0.9, 1.0, 1.7, 2.0}) points.emplace_back(1.0 + 0.6 * s, 0.8 * s);
     const PlaneCurve line(points, false);
     CHECK_FALSE(line.is_closed());
     CHECK(line.length() == Approx(2.0).epsilon(1e-14));
     for (const PlaneCurve::Place& place : line.list_places(4)) {
-        CHECK((place.point - Point(1.0 + 0.6 * place.arc_length, 0.8 * place.arc_length)).norm() < 1e-13);
+        CHECK((place.point - CurvePoint(1.0 + 0.6 * place.arc_length, 0.8 * place.arc_length)).norm() <
+              1e-13);
         CHECK(std::abs(place.curvature) < 1e-10);
     }
 }
 
 TEST_CASE("an open line has its curvature up to the ends, and goes straight beyond them",
           "[numerics][curves]") {
-    std::vector<Point> points;
+    std::vector<CurvePoint> points;
     for (int i = 0; i <= 40; ++i) points.push_back(ellipse_at(1.0, 1.0, 0.04 * i));
     const PlaneCurve arc(points, false);
     CHECK(arc.length() == Approx(1.6).epsilon(1e-10));
@@ -157,8 +158,8 @@ TEST_CASE("an open line has its curvature up to the ends, and goes straight beyo
     const PlaneCurve::Place before = arc.find_nearest({1.1, -0.3});
     CHECK(before.arc_length == Approx(-0.3).epsilon(1e-6));
     CHECK(before.curvature == 0.0);
-    CHECK((before.point - Point(1.0, -0.3)).norm() < 1e-8);
+    CHECK((before.point - CurvePoint(1.0, -0.3)).norm() < 1e-8);
     const PlaneCurve::Place after =
-        arc.find_nearest(points.back() + 0.2 * Point(-std::sin(1.6), std::cos(1.6)));
+        arc.find_nearest(points.back() + 0.2 * CurvePoint(-std::sin(1.6), std::cos(1.6)));
     CHECK(after.arc_length == Approx(1.8).epsilon(1e-9));
 }
