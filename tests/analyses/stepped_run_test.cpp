@@ -89,7 +89,7 @@ std::vector<double> bits_of(const SteppedRun& simulation) {
 
 }  // namespace
 
-TEST_CASE("results are whole if what is made of a run at its end fails", "[analyses][run]") {
+TEST_CASE("results are whole if what is made of a run at its end fails", "[analyses][simulation]") {
     const sample::ScratchFolder folder;
     const auto file = folder / "swing.vtkhdf";
     const Problem problem = read(with_push("1"));
