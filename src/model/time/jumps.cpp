@@ -96,6 +96,8 @@ std::vector<double> find_jumps(const Model& model, const Interval& times, int sa
         search.look(tendon.winch->share);
         if (tendon.winch->gas) search.look(tendon.winch->gas->pressure);
     }
+    if (model.surroundings.water) search.look(model.surroundings.water->factor);
+    if (model.surroundings.seabed) search.look(model.surroundings.seabed->factor);
     for (const Support& support : model.supports) search.look(support.motion);
     for_each_coordinates(
         model, [&](std::size_t, const std::string&, const auto& turn, const JointCoordinate& slide) {

@@ -9,6 +9,7 @@
 using namespace gxrod;
 using namespace gxrod::tools;
 using test::read;
+using test::replaced;
 
 namespace {
 
@@ -116,4 +117,19 @@ TEST_CASE("Energy balances where water comes and goes", "[analyses][surroundings
     INFO(coarse << ", " << fine);
     CHECK(std::log2(coarse / fine) > 1.7);
     CHECK(fine < 1e-3);
+}
+
+TEST_CASE("A step of a slow motion ends where a factor of water or ground jumps",
+          "[analyses][surroundings]") {
+    // Buoyancy without drag is a force per length, which jumps between two steps.
+    const std::string creeping = replaced(
+        replaced(hung, "drag = 1", "drag = 0"), "fluid = {", "damping = { kelvin_voigt = 0.3 }\nfluid = {");
+    const std::string slow = stage("slow", "quasi-static", "end_time = 1\ntime_step = 0.1\n");
+    const std::vector<StageEnd> wet =
+        run_stages(creeping + "[fluid]\ndensity = 100\nfactor = \"t < 0.47 ? 0 : 1\"\n" + slow);
+    const std::vector<StageEnd> loaded = run_stages(
+        creeping + "[[load]]\non = \"r\"\nforce_per_length = [0, 0, \"t < 0.47 ? 0 : 20\"]\n" + slow);
+    CHECK(distance(wet[0], loaded[0]) < 1e-9);
+    const std::vector<StageEnd> dry = run_stages(creeping + slow);
+    CHECK(distance(wet[0], dry[0]) > 1e-3);
 }
