@@ -10,7 +10,7 @@ namespace gxrod {
 
 namespace {
 
-// By so much of its length a roller may leave an open curve.
+// By so much of its length a roller may pass the end of an open curve, or be lifted without a gap.
 constexpr double end_tolerance = 1e-9;
 
 }  // namespace
@@ -201,6 +201,8 @@ void JointAssembly::check_ranges(const State& state, double time) const {
         if (!cam || cam->cam().curve->is_closed() || !holds(state, i)) continue;
         const JointFrames frames =
             joints_[i].compute_frames(motions(state.trial, i), ConstraintLevel::position);
+        const double gap = cam->compute_jet(frames).value - cam->cam().roller;
+        if (cam->cam().lifts && gap > end_tolerance * cam->cam().curve->length()) continue;
         const double length = cam->cam().curve->length(), place = cam->find_place(frames).arc_length;
         const double tolerance = end_tolerance * length;
         if (place >= -tolerance && place <= length + tolerance) continue;
