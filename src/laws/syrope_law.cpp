@@ -206,7 +206,7 @@ std::optional<SteepCurve> find_steep_curve(const SyropeRope& rope) {
     }
     constexpr double least = 1e-3;  // of the first piece
     const double from = std::max(rope.largest, least * points[1].first);
-    const double to = std::max(points.back().first, from);
+    const double to = std::max(2.0 * points.back().first, from);  // beyond it ropes are broken
     for (int i = 0; i <= parts; ++i) {
         const double largest = from + (to - from) * i / parts;
         const double tension = rope.original.at(largest).value;

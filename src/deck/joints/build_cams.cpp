@@ -23,6 +23,8 @@ constexpr double off_curve = 1e-6;
 constexpr double open_turn = 1e-9;
 // Angles at which the radius of a curve is evaluated.
 constexpr int angle_count = 720;
+// More points than any curve needs, whose crossings are looked for pair by pair.
+constexpr std::size_t most_points = 10'000;
 constexpr double whole_angle = 2.0 * std::numbers::pi;
 
 CamPoints read_cam_points(std::string_view bytes, const std::string& file) {
@@ -105,11 +107,13 @@ std::shared_ptr<const PlaneCurve> make_cam_curve(const JointTable& given, const 
     std::optional<CamPoints> points = list_cam_points(given, context);
     if (!points) return nullptr;
     if (table.closed && points->size() > 1 && points->front() == points->back()) points->pop_back();
-    if (points->size() < PlaneCurve::fewest_points) {
-        add_curve_fault(
-            table,
-            context,
-            fmt::format("expected {} points or more, found {}", PlaneCurve::fewest_points, points->size()));
+    if (points->size() < PlaneCurve::fewest_points || points->size() > most_points) {
+        add_curve_fault(table,
+                        context,
+                        fmt::format("expected {} to {} points, found {}",
+                                    PlaneCurve::fewest_points,
+                                    most_points,
+                                    points->size()));
         return nullptr;
     }
     const auto same = std::adjacent_find(points->begin(), points->end());
