@@ -74,8 +74,8 @@ class SyropeLaw final : public SmallMotionLaw {
     double scale_ = 1.0;  // length as it is over length of a new rope
 };
 
-// Finds the first place, over all largest strains up to twice that of the table's end, at which the curves are
-// too steep; nullopt if there is none.
+// Finds the first place, over all largest strains up to twice that of the table's end, at which the curves
+// are too steep; nullopt if there is none.
 std::optional<SteepCurve> find_steep_curve(const SyropeRope& rope);
 
 }  // namespace gxrod
