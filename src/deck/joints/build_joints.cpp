@@ -115,8 +115,8 @@ std::optional<std::size_t> find_break_stage(const JointTable& given, const Build
             "such a stage, or a limit of what the joint holds");
     return refuse(
         given.breaks->time,
-        "the joint acts in several stages with a time, of which each has its own t; expected `stage` "
-        "with the name of one");
+        "the joint acts in several stages with a time, each with its own t; expected `stage` with the name "
+        "of one");
 }
 
 // Returns what the joint holds in the current stage, with a note where it outlasts the stage.

@@ -181,7 +181,6 @@ TEST_CASE("Schemes have their orders with a cam", "[analyses][joints][cams]") {
     for (const auto& [scheme, order] : {std::pair<std::string, double>{"newmark-simplified", 2.0},
                                         {"newmark-ibrahimbegovic", 2.0},
                                         {"generalized-alpha", 2.0},
-                                        {2.0},
                                         {"runge-kutta-4", 4.0},
                                         {"sdirk-4", 4.0},
                                         {"gauss-4", 4.0}}) {
