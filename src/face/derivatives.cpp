@@ -96,8 +96,14 @@ std::vector<double> compute_history(const Problem& problem,
 
 Derivatives::Derivatives(const SteppedRun& run, std::vector<VariedNumber> variations)
     : run_(run), variations_(std::move(variations)) {
-    for (const StagePlan& stage : run.problem().stages) {
-        if (has_steps(stage.analysis)) Sensitivities::check_settings(stage.analysis);
+    const std::vector<StagePlan>& stages = run.problem().stages;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        if (!has_steps(stages[i].analysis)) continue;
+        Sensitivities::check_settings(stages[i].analysis);
+        if (i == 0) continue;
+        Model model = run.problem().model;
+        set_actions(stages[i].actions, model);
+        Sensitivities::check_model(model);
     }
     for (const VariedNumber& variation : variations_) {
         for (const Problem& problem : variation.problems) {

@@ -52,7 +52,9 @@ bool have_derivatives(const Model& model) {
            });
 }
 
-void check_model(const Model& model) {
+}  // namespace
+
+void Sensitivities::check_model(const Model& model) {
     if (has_breaking_joint(model))
         throw std::invalid_argument(
             "the time at which a joint breaks has no derivative here: take `breaks` out of the joints");
@@ -64,8 +66,6 @@ void check_model(const Model& model) {
             "there are no derivatives of friction between rods and bodies that touch each other yet: take "
             "friction = 0 there, or a difference of whole runs");
 }
-
-}  // namespace
 
 void Sensitivities::check_settings(const AnalysisSettings& settings) {
     const std::unique_ptr<Integrator> integrator = make_step_integrator(settings);

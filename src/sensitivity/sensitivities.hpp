@@ -52,6 +52,8 @@ class Sensitivities {
 
     // Throws std::invalid_argument, as the constructor, if steps by these settings cannot be differentiated.
     static void check_settings(const AnalysisSettings& settings);
+    // Throws std::invalid_argument, as the constructor, if steps of this model cannot be differentiated.
+    static void check_model(const Model& model);
 
   private:
     // Whether there is no derivative by any number anymore.

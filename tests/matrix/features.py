@@ -529,7 +529,7 @@ def put_on_cam(deck, **joint):
     """The end of the beam rides on a hump above the ground."""
     deck["joint"] = deck.get("joint", {}) | {"cam": {
         "type": "cam", "between": ["ground", "beam.end"], "at_a": [1, 0, -0.3], "axis": [0, 1, 0], "x_axis": [0, 0, 1],
-        "curve": {"radius": "0.2 + 0.03*sin(angle)^2 + 0.01*sin(angle)"}, "roller": 0.1, **joint}}
+        "curve": {"radius": "0.2 + 0.03*sin(angle)^2 + 0.01*sin(angle)^3"}, "roller": 0.1, **joint}}
     deck["history"].append({"name": "cam", "at": "cam", "quantities": ["normal_force", "curve_place"]})
 
 
@@ -670,10 +670,10 @@ def vessel(deck, draw):
 
 
 @feature("fluid", damped=True)
-def rising_water(deck, draw):
+def partial_water(deck, draw):
     """Without added mass, as water that comes and goes must be where things move."""
     wet(deck, added_mass=0)
-    deck["fluid"] = {"density": 50.0, "factor": f"{draw.uniform(0.2, 1.5)}*P"}
+    deck["fluid"] = {"density": 50.0, "factor": draw.uniform(0.2, 1.5)}
 
 
 @feature("contents", sudden=True)
