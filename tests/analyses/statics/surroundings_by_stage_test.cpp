@@ -101,22 +101,24 @@ TEST_CASE("A pipe that is lowered to ground of a later stage lies as one that al
 
 TEST_CASE("Energy balances where water comes and goes", "[analyses][surroundings]") {
     const auto errors = [](int steps) {
-        const std::string time = "end_time = 0.4\nsteps = " + std::to_string(steps) +
-                                 "\nintegrator = { name = \"newmark\", beta = 0.25, gamma = 0.5 }\n";
+        const std::string time =
+            "end_time = 0.4\nsteps = " + std::to_string(steps) + "\nintegrator = \"sdirk-4\"\n";
         const std::vector<StageEnd> ends =
             run_stages(hung + "[fluid]\ndensity = 100\ncurrent = { velocity = [0, 2, 0] }\n" +
                        "stages = [\"wet\", \"thin\"]\nfactor = { wet = 1, thin = 0.3 }\n" +
                        stage("hang", "static", "steps = 4\n") + stage("wet", "dynamic", time) +
                        stage("thin", "dynamic", time) + stage("dry", "dynamic", time));
-        CHECK(ends[1].ledger.kinetic_energy > 1e-2);
+        CHECK(ends[3].ledger.kinetic_energy > 10.0);
+        // Beyond that of the static stage, whose work is that of its steps.
         double largest = 0.0;
-        for (const StageEnd& end : ends) largest = std::max(largest, std::abs(end.ledger.energy_error));
+        for (const StageEnd& end : ends)
+            largest = std::max(largest, std::abs(end.ledger.energy_error - ends[0].ledger.energy_error));
         return largest;
     };
-    const double coarse = errors(200), fine = errors(400);
+    const double coarse = errors(100), fine = errors(200);
     INFO(coarse << ", " << fine);
-    CHECK(std::log2(coarse / fine) > 1.7);
-    CHECK(fine < 1e-3);
+    CHECK(std::log2(coarse / fine) > 3.0);
+    CHECK(fine < 2e-5);
 }
 
 TEST_CASE("A step of a slow motion ends where a factor of water or ground jumps",
@@ -128,8 +130,10 @@ TEST_CASE("A step of a slow motion ends where a factor of water or ground jumps"
     const std::vector<StageEnd> wet =
         run_stages(creeping + "[fluid]\ndensity = 100\nfactor = \"t < 0.47 ? 0 : 1\"\n" + slow);
     const std::vector<StageEnd> loaded = run_stages(
-        creeping + "[[load]]\non = \"r\"\nforce_per_length = [0, 0, \"t < 0.47 ? 0 : 20\"]\n" + slow);
+        creeping +
+        "[air]\ndensity = 1\n[[load]]\non = \"r\"\nforce_per_length = [0, 0, \"t < 0.47 ? 0 : 20\"]\n" +
+        slow);
     CHECK(distance(wet[0], loaded[0]) < 1e-9);
-    const std::vector<StageEnd> dry = run_stages(creeping + slow);
+    const std::vector<StageEnd> dry = run_stages(creeping + "[air]\ndensity = 1\n" + slow);
     CHECK(distance(wet[0], dry[0]) > 1e-3);
 }
