@@ -435,12 +435,12 @@ def test_shapes_and_words_of_a_sweep(runs):
     assert len(shapes) == values
     assert shapes.position.shape == (values, nodes, 3)
     assert shapes.displacement.shape == shapes.rotation_vector.shape == (values, modes, nodes, 3)
-    # The blade stretches as it turns faster, and its shapes are a tenth of it.
+    # The blade stretches as it turns faster, and its shapes are a tenth of it; torsion moves the axis hardly or not.
     reach = shapes.position[:, -1, 0]
     assert reach[0] == pytest.approx(1.2, abs=1e-12)
     assert (np.diff(reach) > 0.0).all()
     largest = np.linalg.norm(shapes.displacement.real, axis=-1).max(axis=-1)
-    np.testing.assert_allclose(largest, 0.1, atol=0.02)
+    np.testing.assert_allclose(largest[:, :5], 0.1, rtol=1e-6)
     # The first mode leaves the plane of rotation at all speeds, the second one stays in it.
     moves = np.abs(shapes.displacement[:, :, -1])
     assert (moves[:, 0, 2] > 100.0 * moves[:, 0, 1]).all()
@@ -461,7 +461,7 @@ def test_a_campbell_diagram_marks_where_multiples_of_the_speed_meet_modes(runs):
     draw_sweep(figure, sweep)
     axes = figure.axes[0]
     rpm, hertz = stage.speeds * 30 / np.pi, stage.angular_frequencies / (2 * np.pi)
-    assert axes.get_xlim() == (0.0, rpm[-1])
+    np.testing.assert_allclose(axes.get_xlim(), (0.0, rpm[-1]), rtol=1e-12)
     top = axes.get_ylim()[1]
     rings = sorted(float(line.get_xdata()[0]) for line in axes.lines if line.get_markersize() == 3.5)
     expected = []
