@@ -258,9 +258,11 @@ std::optional<PlaneCurve::Place> PlaneCurve::find_crossing() const {
 std::optional<PlaneCurve::Place> PlaneCurve::find_tight_place(double radius, double side) const {
     if (radius == 0.0) return std::nullopt;
     for (const Place& place : samples_) {
+        if (1.0 + side * place.curvature * radius <= 0.0) return place;
+    }
+    for (const Place& place : samples_) {
         const Point centre = place.point + side * radius * Point(place.tangent.y(), -place.tangent.x());
-        const bool is_tight = 1.0 + side * place.curvature * radius <= 0.0;
-        if (is_tight || (find_nearest(centre).point - centre).norm() < (1.0 - overlap) * radius) return place;
+        if ((find_nearest(centre).point - centre).norm() < (1.0 - overlap) * radius) return place;
     }
     return std::nullopt;
 }

@@ -20,9 +20,9 @@ const TableSpec& sweep_table() {
                 "only the modes at each value.")
             .key("shapes",
                  &T::shapes,
-                 "Keep the shapes of the modes at each value, in NAME.STAGE.vtkhdf: six numbers or, if they "
-                 "are "
-                 "complex, twelve for each node, mode and value.");
+                 "Keep the shapes of the modes at each value, in NAME.STAGE.vtkhdf: six numbers or, if "
+                 "they are complex, twelve for each node, mode and value.")
+            .otherwise("false");
     }();
     return table;
 }

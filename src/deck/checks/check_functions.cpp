@@ -161,7 +161,7 @@ void check_presence(const ActingTable& table, const std::vector<double>& times, 
         }
         if (value >= round_off) continue;
         return context.add_fault(
-            table, table.factor, fmt::format("is {} at t = {}; expected at least 0", value, time));
+            table, table.factor, fmt::format("is {:.6g} at t = {:.6g}; expected at least 0", value, time));
     }
 }
 

@@ -85,7 +85,7 @@ const TableSpec& syrope_table() {
             .unit("1, force").at_least(0).required().also("original_curve owc original_working_curve table")
         .key("working_curve", &T::working_curve, "Shape of the curve on which the mean tension falls and returns below the "
              "largest one so far.")
-            .also("shape wc wc_type wctype")
+            .otherwise("exponential").also("shape wc wc_type wctype")
         .key("k1", &T::k1, "How much of the largest strain stays where the mean tension has gone; of a linear curve from 1 on its "
              "slope, a force.")
             .unit("1").at_least(0).required()

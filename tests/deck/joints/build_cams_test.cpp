@@ -70,19 +70,19 @@ TEST_CASE("The radius of a cam is a function of the angle from its x axis", "[de
               Approx(3.0 + 0.5 * sine * sine + 0.2 * sine * sine * sine).epsilon(1e-12));
     }
     CHECK(cam_faults(along_x + "curve = { radius = \"3 + 0.1*angle\" }\nroller = 1\n") ==
-          "x.toml:26:22: joint.j.curve.radius: is 3 at angle = 0 and 3.62831853 at 2*pi; expected a curve "
+          "x.toml:26:20: joint.j.curve.radius: is 3 at angle = 0 and 3.62831853 at 2*pi; expected a curve "
           "that closes");
     CHECK_THAT(
         cam_faults(along_x + "curve = { radius = \"1 - angle\" }\n"),
-        Contains("x.toml:26:22: joint.j.curve.radius: is ") && Contains("expected a radius greater than 0"));
+        Contains("x.toml:26:20: joint.j.curve.radius: is ") && Contains("expected a radius greater than 0"));
     CHECK_THAT(cam_faults(along_x + "curve = { radius = \"1/angle\" }\n"),
-               Contains("joint.j.curve.radius: is inf at angle = 0"));
+               Contains("joint.j.curve.radius: \"1/angle\" is inf at angle = 0"));
     CHECK_THAT(cam_faults(along_x + "curve = { radius = \"3*t\" }\n"),
                Contains("\"t\" (time) is not allowed here: this value is a function of angle"));
     CHECK_THAT(faults_of("parameters = { angle = 2 }\n" + cam_deck(circle)),
                Contains("\"angle\" is the angle about the centre here and also a parameter"));
     CHECK(cam_faults(along_x + "curve = { radius = 3, closed = false }\nroller = 1\n") ==
-          "x.toml:26:34: joint.j.curve.closed: a curve by radius is closed; expected points of an open one");
+          "x.toml:26:32: joint.j.curve.closed: a curve by radius is closed; expected points of an open one");
 }
 
 TEST_CASE("The curve of a cam goes through points", "[deck][joint][cam]") {

@@ -24,7 +24,7 @@ TEST_CASE("Words are among the choices", "[deck]") {
               R"(, found the text "euler")");
     CHECK(
         faults_of(body_deck + R"(newton = { tangent = "precise" })") ==
-        R"(x.toml:8:22: analysis.newton.tangent: expected one of "automatic", "mixed", "consistent", "paper", "difference", found the text "precise")");
+        R"(x.toml:8:22: analysis.newton.tangent: expected one of "automatic", "mixed", "consistent", "kept", "paper", "difference", found the text "precise")");
     CHECK(
         faults_of(body_deck + R"(linear_solver = "mumps")") ==
         R"(x.toml:8:17: analysis.linear_solver: expected one of "auto", "chains", "klu", "umfpack", found the text "mumps")");

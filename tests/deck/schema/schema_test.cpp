@@ -94,7 +94,7 @@ TEST_CASE("A condition on a key or group names words of another key of the table
             CHECK((group.only_with.empty() || table->find(group.only_with) != nullptr));
         }
     }
-    CHECK(conditions == 99);
+    CHECK(conditions == 103);
 }
 
 TEST_CASE("Ranges know and describe their bounds", "[deck]") {

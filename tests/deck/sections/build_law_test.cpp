@@ -56,11 +56,11 @@ TEST_CASE("What is wrong with a fibre rope is reported with its place", "[deck]"
         Contains(key + "dynamic_stiffness: where the largest mean tension is 0 a curve rises by 600 per "
                        "strain, not less than the dynamic stiffness, 500; expected a stiffer rope, a "
                        "curve that bends less, or a greater largest_tension"));
-    const std::string coupled =
-        replaced(with_law("syrope = { " + curve + "k1 = 0.25, k2 = 1.5, " + rest + " }"),
-                 "stiffness = { EA = 1e4, GAy = 2e4, GAz = 3e4, GJ = 500, EIy = 600, EIz = 700 }",
-                 "stiffness = [[10000, 0, 0, 0, 50, 0], [0, 10000, 0, 0, 0, 0], [0, 0, 10000, 0, 0, 0], "
-                 "[0, 0, 0, 500, 0, 0], [50, 0, 0, 0, 600, 0], [0, 0, 0, 0, 0, 700]]");
+    const std::string coupled = replaced(
+        with_law("syrope = { " + curve + "k1 = 0.25, k2 = 1.5, " + rest + " }"),
+        "stiffness = { EA = 1e4, GAy = 2e4, GAz = 3e4, GJ = 500, EIy = 600, EIz = 700 }",
+        "stiffness_matrix = [[10000, 0, 0, 0, 50, 0], [0, 10000, 0, 0, 0, 0], [0, 0, 10000, 0, 0, 0], "
+        "[0, 0, 0, 500, 0, 0], [50, 0, 0, 0, 600, 0], [0, 0, 0, 0, 0, 700]]");
     CHECK_THAT(
         faults_of(coupled),
         Contains(key + "original: the stiffness couples stretch with another strain, which a rope by "
