@@ -29,6 +29,8 @@ std::set<const TableSpec*> bound_tables() {
 std::vector<std::string> samples_of(const KeySpec& key) {
     std::vector<std::string> samples;
     if (key.default_text == "false") return {"true"};
+    if (!key.choices.empty() && key.default_text == key.choices.back())
+        return {"\"" + key.choices.front() + "\""};
     if (key.binding->kind != nullptr) samples.push_back(key.binding->kind->sample(key));
     if (key.table == nullptr) return samples;
     const KeySpec& first = key.table->keys.front();
