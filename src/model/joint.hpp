@@ -95,8 +95,8 @@ struct JointCam {
     bool lifts = false;  // whether the roller may leave the curve; otherwise a groove holds it
 };
 
-// The largest force and moment that a joint holds. It breaks at the end of a step in which it holds more, and
-// then holds nothing.
+// The largest force and moment that a joint holds, and how long it holds. It breaks at the end of a step in
+// which it holds more, or at this time, and then holds nothing.
 struct JointStrength {
     std::optional<double> force;      // of the rows that are lengths
     std::optional<double> moment;     // of the others

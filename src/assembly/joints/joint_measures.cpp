@@ -4,6 +4,7 @@
 #include "assembly/joints/joint_assembly.hpp"
 #include "constraints/joints/joint_motors.hpp"
 #include "constraints/joints/play/bound_push.hpp"
+#include "model/evaluation_error.hpp"
 
 // What is measured of joints, once a step.
 namespace gxrod {
