@@ -374,7 +374,7 @@ TEST_CASE("a turned model has the turned motion", "[study]") {
         REQUIRE(turned.runs.size() == 2);
         REQUIRE(turned.runs[1].is_whole());
         // Of a rotation's two forms one is followed.
-        CHECK(turned.series.size() == 17 + 2 + 5 + 6);
+        CHECK(turned.series.size() == 18 + 2 + 6 + 6);
         for (const SeriesReport& report : turned.series) {
             INFO(report.series.title());
             CHECK(report.scale > 0.0);

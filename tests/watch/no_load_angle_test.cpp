@@ -20,11 +20,11 @@ line = { from = [0, 0, 1], to = [0, 1, 1] }
 elements = 1
 [[support]]
 at = "riser.start"
-fix = "all"
+fix = ["position", "rx", "ry"]
 move = { rz = "0.5*t" }
 [[support]]
 at = "fitting.start"
-fix = "all"
+fix = ["position", "rx", "ry"]
 move = { rz = "0.2*t" }
 [analysis]
 kind = "quasi-static"
