@@ -118,7 +118,7 @@ class SurroundingsAssembly : public Contribution {
                                const State& state,
                                const std::vector<NodeLinearization>& linearizations) const;
     Around around_body(const WetBody& body, const State& state) const;
-    // `factor` is that of the ground; 0: there is none.
+    // `factor` is that of the ground, 0 without ground.
     BedForce compute_contact(std::size_t contact, const State& state, double factor) const;
     double bed_factor(double time) const;
     BedPoint bed_point(const Contact& contact, const NodeMotion& motion) const;

@@ -75,7 +75,7 @@ class SyropeLaw final : public SmallMotionLaw {
 };
 
 // Finds the first place, over all largest strains up to twice that of the table's end, at which the curves
-// are too steep; nullopt if there is none.
+// are too steep; nullopt if they are nowhere.
 std::optional<SteepCurve> find_steep_curve(const SyropeRope& rope);
 
 }  // namespace gxrod

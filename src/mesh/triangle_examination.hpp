@@ -16,7 +16,7 @@ struct MeshHole {
     std::size_t edges = 0;
 };
 
-// What a mesh of triangles is like, and what may be wrong with it.
+// Describes a mesh of triangles, and what may be wrong with it.
 struct TriangleExamination {
     Vec3 low = Vec3::Zero(), high = Vec3::Zero();
     double area = 0.0;

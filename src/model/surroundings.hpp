@@ -71,7 +71,7 @@ enum class Stretching {
 
 struct Water {
     double density = 0.0;
-    // By which the forces of the water are multiplied, as if its density were; 0 where it is not there.
+    // Multiplies the forces of the water, as if its density were multiplied; 0 in stages without water.
     TimeFunction factor{1.0};
     bool changes = false;             // whether the factor is another one in some stage or at some time
     std::optional<double> surface{};  // z of still water; without one water is everywhere
@@ -111,7 +111,7 @@ struct Seabed {
     double axial_friction = 0.0;       // Coulomb's coefficient along a rod
     double lateral_friction = 0.0;     // Coulomb's coefficient across a rod
     double friction_stiffness = 0.0;   // force per area and displacement, while it sticks
-    // By which the force of the ground is multiplied; 0 where it is not there.
+    // Multiplies the force of the ground; 0 in stages without ground.
     TimeFunction factor{1.0};
 
     // Whether there is ground in this stage.

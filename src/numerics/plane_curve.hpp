@@ -23,7 +23,7 @@ class PlaneCurve {
         double curvature_rate = 0.0;    // by arc length
     };
 
-    // Returns the least number of points.
+    // States how many points it takes at least.
     static constexpr std::size_t fewest_points = 6;
 
     // Takes the points in their order; neighbours differ. A closed line does not repeat the first one.

@@ -218,7 +218,7 @@ class ContactAssembly : public Contribution {
                          const Vec3& position,
                          const State& state,
                          double gap) const;
-    // What is remembered of a mesh next to a place or element; nullptr of other shapes.
+    // Returns what is remembered of a mesh next to a place or element; nullptr of other shapes.
     MeshMemory* memory_of_place(std::size_t surface, std::size_t place) const {
         return place_memories_.empty() ? nullptr : &place_memories_[pair(surface, place)];
     }
@@ -315,8 +315,8 @@ class ContactAssembly : public Contribution {
     std::vector<char> off_;
     std::vector<double> coefficients_;
     MemorySlice memory_;
-    // By surface and place, and by surface and element; empty without meshes. They hold nothing that changes
-    // results.
+    // Memories of meshes by surface and place, and by surface and element; empty without meshes. They do not
+    // change results.
     mutable std::vector<MeshMemory> place_memories_, element_memories_;
     bool rubs_ = false;
     bool moves_ = false;

@@ -60,7 +60,7 @@ class MeshSurface {
     template <class Visit>
     void visit_meeting(const Box& box, const MeshMemory* memory, const Visit& visit) const;
 
-    // Of distances, relative to coordinates: more than their rounding.
+    // Bounds the rounding of distances, relative to coordinates.
     static constexpr double rounding_ = 1e-13;
 
     std::vector<int> indices_;

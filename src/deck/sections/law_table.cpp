@@ -95,7 +95,7 @@ const TableSpec& syrope_table() {
             .unit("force").above(0).required().also("alpha")
         .key("per_tension", &T::per_tension, "What the dynamic stiffness grows by with the mean tension.")
             .unit("1").at_least(0).also("beta")
-        .key("damping", &T::damping, "Of the dashpot beside the slow spring: force per rate of its strain.")
+        .key("damping", &T::damping, "Of the dashpot in parallel with the slow spring: force per rate of its strain.")
             .unit("force·time").above(0).required().also("ba_s c1 slow_damping")
         .key("largest_tension", &T::largest_tension, "The largest mean tension of the rope before the start. The rod's length is then "
              "that of the rope as this has left it, without tension.")
@@ -377,7 +377,7 @@ double find_strain(const PiecewiseLine& original, double tension) {
     return original.points()[i].first + (tension - original.points()[i].second) / original.slope(i);
 }
 
-// Adds faults of k1 and k2 beyond what the shape allows; returns whether there are none.
+// Adds faults of k1 and k2 beyond what the shape allows; returns whether both are allowed.
 bool check_working_curve(const SyropeTable& given, const BuildContext& context) {
     const bool is_linear = given.working_curve == WorkingShape::linear;
     const bool is_quadratic = given.working_curve == WorkingShape::quadratic;
