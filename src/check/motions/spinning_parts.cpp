@@ -187,7 +187,8 @@ const char* find_flaw(const Joint& joint, bool do_both_spin, const TurningFrame&
     const TurningJointCard& card = turning_card_of(joint.kind);
     if (card_of(joint.kind).has_axis_b)
         return "turns once a revolution between what spins. Take a ball or a weld";
-    if (!card.is_alike) return "holds directions one by one. Take a hinge along the axis, a ball or a weld";
+    if (!card.is_alike)
+        return "does not hold all directions alike. Take a hinge along the axis, a ball or a weld";
     if (card.holds_turn && !do_both_spin) return "holds the spin. Take a hinge or a cylinder along the axis";
     if (!card.has_axis) return "";
     if (!is_along_axis(joint.a.axes.col(0), frame))

@@ -103,7 +103,7 @@ Cause find_cause(const Joint& joint, const TurningFrame& frame) {
     const TurningJointCard& card = turning_card_of(joint.kind);
     if (!card.holds_something && is_idle(joint.turn) && is_idle(joint.slide)) return {};
     if (!card.is_alike)
-        return {"holds directions one by one against the ground",
+        return {"does not hold all directions alike against the ground",
                 "Take a hinge or a cylinder along the axis, or a ball"};
     if (card.holds_turn)
         return {"holds the turn about the axis against the ground",
