@@ -123,7 +123,8 @@ std::string explain_missing(std::string_view word, const Watched& target, const 
     if (&other == &quantities_of_obstacles && !std::holds_alternative<WatchedTendon>(target))
         return "only obstacles have it, and rods as a whole, and bodies that touch";
     if (const char* own = kind.tables.front()->own; *own != '\0') return own;
-    const bool is_of_rods = &other == &quantities_of_sections || &other == &quantities_of_rods_around;
+    const bool is_of_rods = &other == &quantities_of_sections || &other == &quantities_of_rods_around ||
+                            &other == &quantities_of_rod_turns;
     if (is_of_rods && std::holds_alternative<WatchedBody>(target))
         return "only points of rods have it; this one is a body";
     if (&other == &quantities_of_bodies && std::holds_alternative<WatchedPoint>(target))

@@ -21,6 +21,8 @@ using CamPoints = std::vector<PlaneCurve::Point>;
 constexpr double off_curve = 1e-6;
 // By so much of its radius a curve by angle may be open after a whole turn.
 constexpr double open_turn = 1e-9;
+// By so much of that tolerance numbers of messages are zero.
+constexpr double round_off = 1e-6;
 // Angles at which the radius of a curve is evaluated.
 constexpr int angle_count = 720;
 // More points than any curve needs, whose crossings are looked for pair by pair.
@@ -203,7 +205,8 @@ bool set_cam(const JointTable& given, double size, Joint& joint, const BuildCont
                 std::abs(to_right),
                 cam.roller,
                 cam.lifts ? ", or more" : "",
-                in_brackets(find_place(context.model, joint.b.anchor) + correction, 9)));
+                in_brackets(
+                    find_place(context.model, joint.b.anchor) + correction, 9, round_off * tolerance)));
         return false;
     }
     joint.b.anchor.arm += correction;

@@ -7,6 +7,7 @@
 
 #include "deck/joints/ends.hpp"
 #include "deck/joints/joint_table.hpp"
+#include "deck/schema/suggestion.hpp"
 #include "deck/schema/top_level.hpp"
 #include "deck/supports/components.hpp"
 #include "model/settings/analysis_traits.hpp"
@@ -102,10 +103,15 @@ std::optional<std::size_t> find_break_stage(const JointTable& given, const Build
         const auto is_named = [&](std::size_t i) { return context.stages[i].name == name->word; };
         const auto found = std::ranges::find_if(timed, is_named);
         if (found != timed.end()) return *found;
-        return refuse(name,
-                      fmt::format("no dynamic or quasi-static stage in which the joint acts has the name "
-                                  "\"{}\"; in others t is no time",
-                                  name->word));
+        std::vector<std::string> names;
+        for (const std::size_t i : timed) names.push_back(context.stages[i].name);
+        const std::string nearest = did_you_mean(name->word, names);
+        return refuse(
+            name,
+            fmt::format("no dynamic or quasi-static stage in which the joint acts has the name "
+                        "\"{}\"; in others t is no time{}",
+                        name->word,
+                        nearest.empty() && !names.empty() ? "; expected " + plain_list(names) : nearest));
     }
     if (timed.size() == 1) return timed.front();
     if (timed.empty())

@@ -173,7 +173,7 @@ TEST_CASE("A joint breaks at a time of one stage", "[deck][joint]") {
                               "time; expected such a stage, or a limit of what the joint holds"));
     CHECK_THAT(faults_of(with_stages("breaks = { time = 1.5, stage = \"hang\" }", two)),
                Contains("joint.j.breaks.stage: no dynamic or quasi-static stage in which the joint acts has "
-                        "the name \"hang\"; in others t is no time"));
+                        "the name \"hang\"; in others t is no time; expected"));
     CHECK(faults_of(with_stages("breaks = { time = 1.5 }\nstages = [\"hang\", \"creep\"]", two)).empty());
     CHECK(read(with_stages("breaks = { time = 2.5 }", one)).notes.back() ==
           "joint.j.breaks.time: the stage ends at 2, before the joint breaks at 2.5");
