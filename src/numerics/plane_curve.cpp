@@ -228,10 +228,9 @@ PlaneCurve::Place PlaneCurve::find_nearest(const Point& point) const {
         (off < 0.0 ? low : high) = s;
         const double slope = 1.0 + place.curvature * cross_in_plane(place.tangent, place.point - point);
         const double step = slope > 0.0 ? -off / slope : high - low;
+        if (std::abs(step) <= search_round_off * length()) break;
         const double next = s + step;
-        const double before = s;
         s = next > low && next < high ? next : 0.5 * (low + high);
-        if (std::abs(s - before) <= search_round_off * length()) break;
         place = find_place(s);
     }
     return place;

@@ -43,7 +43,7 @@ std::string decode(const std::string& page, const std::string& name) {
 }
 
 template <class Number>
-std::vector<Number> numbers_of(const std::string& page, const std::string& name) {
+std::vector<Number> numbers_in_page(const std::string& page, const std::string& name) {
     const std::string bytes = decode(page, name);
     std::vector<Number> numbers(bytes.size() / sizeof(Number));
     std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(Number));
@@ -61,10 +61,13 @@ TEST_CASE("Sections that fit are whole in a page", "[report]") {
     CHECK(page.size() <= blocks.count_bytes());
     CHECK(page.size() > blocks.count_bytes() - 10 * 80);
     CHECK(blocks.left_out().empty());
-    CHECK(numbers_of<std::int32_t>(page, "section-cells-1") == std::vector<std::int32_t>{0, 2, 3, 0, 3, 4});
-    CHECK(numbers_of<std::int32_t>(page, "section-singular-0") == std::vector<std::int32_t>{0, 0, 0, 0, 1});
-    CHECK(numbers_of<float>(page, "section-points-0") == std::vector<float>{0, 0, 0.5, 0, 1, 0, 1, 1, 0, 1});
-    const std::vector<float> operators = numbers_of<float>(page, "section-operators-1");
+    CHECK(numbers_in_page<std::int32_t>(page, "section-cells-1") ==
+          std::vector<std::int32_t>{0, 2, 3, 0, 3, 4});
+    CHECK(numbers_in_page<std::int32_t>(page, "section-singular-0") ==
+          std::vector<std::int32_t>{0, 0, 0, 0, 1});
+    CHECK(numbers_in_page<float>(page, "section-points-0") ==
+          std::vector<float>{0, 0, 0.5, 0, 1, 0, 1, 1, 0, 1});
+    const std::vector<float> operators = numbers_in_page<float>(page, "section-operators-1");
     REQUIRE(operators.size() == 5 * 36);
     CHECK(operators[3 * 36 + 9] == 3.25F);
     nlohmann::ordered_json json;
@@ -84,8 +87,9 @@ TEST_CASE("Sections that do not fit keep the corners of cells, then the first se
     const SectionBlocks corners(file, whole - 1);
     const std::string page = text_of(corners);
     CHECK(page.size() <= corners.count_bytes());
-    CHECK(numbers_of<std::int32_t>(page, "section-cells-1") == std::vector<std::int32_t>{0, 1, 2, 0, 2, 3});
-    const std::vector<float> operators = numbers_of<float>(page, "section-operators-1");
+    CHECK(numbers_in_page<std::int32_t>(page, "section-cells-1") ==
+          std::vector<std::int32_t>{0, 1, 2, 0, 2, 3});
+    const std::vector<float> operators = numbers_in_page<float>(page, "section-operators-1");
     REQUIRE(operators.size() == 4 * 36);
     CHECK(operators[36] == 2.0F);
     CHECK(corners.left_out().size() == 1);
@@ -115,7 +119,7 @@ TEST_CASE("Envelopes in a page keep their largest values, however thinned", "[re
     const std::string page = text_of(whole);
     CHECK(page.size() <= whole.count_bytes());
     CHECK(whole.left_out().empty());
-    const std::vector<float> rows = numbers_of<float>(page, "envelope-von_mises");
+    const std::vector<float> rows = numbers_in_page<float>(page, "envelope-von_mises");
     REQUIRE(rows.size() == 11 * 2 * places);
     // Value, time, y, z, layer and resultants of place 101, the second one of the second rod.
     CHECK(std::vector<float>(rows.begin() + 11 * 101, rows.begin() + 11 * 102) ==
@@ -125,9 +129,9 @@ TEST_CASE("Envelopes in a page keep their largest values, however thinned", "[re
     CHECK(thinned.count_bytes() <= whole.count_bytes() / 10);
     CHECK(thinned.left_out().size() == 1);
     const std::string small = text_of(thinned);
-    const std::vector<std::int32_t> rods = numbers_of<std::int32_t>(small, "envelope-rods");
-    const std::vector<float> mises = numbers_of<float>(small, "envelope-von_mises");
-    const std::vector<float> exposure = numbers_of<float>(small, "envelope-exposure");
+    const std::vector<std::int32_t> rods = numbers_in_page<std::int32_t>(small, "envelope-rods");
+    const std::vector<float> mises = numbers_in_page<float>(small, "envelope-von_mises");
+    const std::vector<float> exposure = numbers_in_page<float>(small, "envelope-exposure");
     std::array<float, 2> largest{}, most{};
     for (std::size_t i = 0; i < rods.size(); ++i) {
         float& of_rod = largest.at(static_cast<std::size_t>(rods[i]));
