@@ -479,13 +479,14 @@ EquilibriumReport SteppedAnalysis::begin_anew() {
     if (!has_broken) return {};
     undo_trial(state_);
     const TimeSpan step{steps_->time(), steps_->time_step()};
-    if (solve_accelerations(system_, step.start, step, workspace_, state_).converged()) {
+    const EquilibriumReport found = solve_accelerations(system_, step.start, step, workspace_, state_);
+    if (found.converged()) {
         integrator_->start(state_);
         state_.previous = state_.trial;
         state_.joints_previous = state_.joints_trial;
     }
     undo_trial(state_);
-    return {};
+    return found.converged() ? EquilibriumReport{} : found;
 }
 
 EquilibriumReport SteppedAnalysis::advance() {
