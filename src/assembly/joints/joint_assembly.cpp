@@ -39,6 +39,10 @@ std::vector<int> list_nodes(const Joint& joint) {
     return nodes;
 }
 
+JointScales larger_of(const JointScales& a, const JointScales& b) {
+    return {std::max(a.length, b.length), std::max(a.turn, b.turn)};
+}
+
 Vec6 increment_at(const std::vector<Vec6>& increments, int node) {
     return node < 0 ? Vec6::Zero() : increments[node];
 }
@@ -354,7 +358,8 @@ void JointAssembly::subtract_ground_forces(const State& state, double time, std:
 }
 
 // The mean of the diagonal's entries at the joint's nodes, of displacements and of rotations, at least a part
-// of the largest.
+// of the largest. Nodes that joints alone hold have none in statics: they resist by how the joint's own
+// forces change, and where nothing else resists at all, every joint takes the stiffest of these.
 std::vector<JointScales> JointAssembly::compute_scales(const State& state,
                                                        double time,
                                                        const std::vector<double>& values) const {
@@ -368,6 +373,30 @@ std::vector<JointScales> JointAssembly::compute_scales(const State& state,
         scales.push_back(mean.mean());
     }
     wide_.add_means(state, time, values, scales);
+    const bool nothing_resists = std::ranges::none_of(
+        scales, [](const JointScales& scale) { return scale.length > 0.0 || scale.turn > 0.0; });
+    const NodeLinearization displaced{.placement = 1.0};
+    JointScales stiffest;
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        JointScales& scale = scales[i];
+        if ((scale.length > 0.0 && scale.turn > 0.0) || !holds(state, i)) continue;
+        const JointMotions motion = motions(state.trial, i);
+        PairMatrix own = joints_[i].compute_force_derivative(motion, multipliers(state, i));
+        if (!forces_[i].is_empty()) {
+            own += forces_[i].compute_tangent(motion,
+                                              {displaced, displaced},
+                                              state.joints_previous[i].turn,
+                                              inputs_at(i, state, time),
+                                              slips_before(state, i));
+        }
+        DiagonalMean mean;
+        for (int k = 0; k < 12; ++k) {
+            if (places_[i].diagonals[k] >= 0) mean.add(k, own(k, k));
+        }
+        scale = larger_of(scale, mean.mean());
+        stiffest = larger_of(stiffest, scale);
+    }
+    if (nothing_resists) std::ranges::fill(scales, stiffest);
     bound_scales(length_, scales);
     return scales;
 }

@@ -27,12 +27,15 @@ void bound_scales(double length, std::vector<JointScales>& scales) {
     for (const JointScales& scale : scales)
         largest = {std::max(largest.length, scale.length), std::max(largest.turn, scale.turn)};
     const double square = length * length;
+    // Where all of one kind are 0, each has what the other kind makes of it.
+    const double length_part = largest.length == 0.0 ? 1.0 : least_scale;
+    const double turn_part = largest.turn == 0.0 ? 1.0 : least_scale;
     if (largest.length == 0.0) largest.length = largest.turn / square;
     if (largest.turn == 0.0) largest.turn = largest.length * square;
     if (largest.length == 0.0) largest = {1.0, square};
     for (JointScales& scale : scales) {
-        scale.length = std::max(scale.length, least_scale * largest.length);
-        scale.turn = std::max(scale.turn, least_scale * largest.turn);
+        scale.length = std::max(scale.length, length_part * largest.length);
+        scale.turn = std::max(scale.turn, turn_part * largest.turn);
     }
 }
 
