@@ -5,6 +5,7 @@ import { formatNumber, inWords } from "../format.js";
 import { addSvgKey } from "../saving/svg.js";
 import { unitOf } from "../units.js";
 import { PathFigure, describePoint, marks } from "./path_figure.js";
+import { nearestRow } from "./stages.js";
 
 const roundOff = 1e-6; // of the largest change: components that change by less are not offered
 const colours = 6; // of branches, in the style sheet
@@ -108,16 +109,6 @@ export class PathTab {
   recolour() {
     this.plot.redraw();
   }
-}
-
-export function nearestRow({ first, count }, { times }, time) {
-  let [low, high] = [first, first + count - 1];
-  while (high - low > 1) {
-    const middle = (low + high) >> 1;
-    if (times[middle] <= time) low = middle;
-    else high = middle;
-  }
-  return Math.abs(times[low] - time) <= Math.abs(times[high] - time) ? low : high;
 }
 
 // The load factor, components of the histories that change, and what counts along the path.

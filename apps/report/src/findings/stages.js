@@ -1,5 +1,3 @@
-import { nearestRow } from "./path_tab.js";
-
 // Parts of a run with names, in their order: stages that take time and, of a path with branches, the path and each branch.
 export function listParts({ stages, paths, rows }) {
   const branched = paths.filter(({ paths: branches }) => branches.length > 1);
@@ -24,6 +22,17 @@ export const listTimedStages = ({ stages }) => (stages ?? []).filter(({ from, un
 // Which of these parts a time belongs to; a boundary belongs to the part that ends there.
 export function partAt(parts, time) {
   return parts.find(({ until }) => time <= until) ?? parts.at(-1) ?? null;
+}
+
+// The row of a path that is nearest in time.
+export function nearestRow({ first, count }, { times }, time) {
+  let [low, high] = [first, first + count - 1];
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (times[middle] <= time) low = middle;
+    else high = middle;
+  }
+  return Math.abs(times[low] - time) <= Math.abs(times[high] - time) ? low : high;
 }
 
 const pathAt = ({ paths, rows }, time) => paths.find(({ first, count }) => time >= rows.times[first] && time <= rows.times[first + count - 1]);
