@@ -60,7 +60,10 @@ void ContactAssembly::start(State& state, double time) const {
         const SurfaceTouch surface = touch(at, obstacle, p, position);
         state.contact.parameters[pair(obstacle, p)] = surface.gap;
         if (!rubs_) return;
-        const Touching touching = touch_by_law(at, obstacle, p, surface, state);
+        Touching touching = touch_by_law(at, obstacle, p, surface, state);
+        // What slid at the end of the last step has a traction on the cone, but for rounding.
+        constexpr double on_cone = 1.0 - 1e-6;
+        touching.friction.coefficient *= on_cone;
         const PlaceMotion motion = places_.motion_of(places_.places[p], state);
         keep_slip(advance_slip(surface, motion, touching.normal, touching.friction), obstacle, p, state);
     });
