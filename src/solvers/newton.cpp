@@ -49,6 +49,7 @@ class Newton {
           request_(request),
           moves_supports_(integrator_.is_static() && system_.supports().move()),
           contacts_(system_),
+          is_static_contact_(integrator_.is_static() && contacts_.are_possible()),
           limiter_(system_),
           limits_rotation_(!integrator_.is_static() || system_.traits().uses_step_rotations),
           workspace_(workspace),
@@ -211,9 +212,32 @@ class Newton {
             ++drags_;
             compute_residual();
         }
-        if (report_.iterations < settings_.max_iterations) return false;
+        if (report_.iterations < settings_.max_iterations && !goes_round()) return false;
         report_.outcome = Outcome::out_of_iterations;
         return true;
+    }
+
+    // Whether what touches in statics changes from iteration to iteration and comes back, again and again:
+    // the worst node, its residual and the increment are those of a number of iterations before, all the way
+    // back. Increments that were shortened make progress.
+    bool goes_round() {
+        constexpr std::size_t longest = 24;
+        constexpr std::size_t least = 8;  // iterations that have to agree
+        constexpr double same = 0.05;
+        if (!is_static_contact_ || report_.iterations == 0) return false;
+        course_.push_back({report_.worst_node, report_.residual, convergence_.last_increment()});
+        const auto agree = [&](const Passed& a, const Passed& b) {
+            return a.node == b.node && std::abs(a.residual - b.residual) <= same * b.residual &&
+                   std::abs(a.increment - b.increment) <= same * b.increment;
+        };
+        for (std::size_t period = 2; period <= longest; ++period) {
+            const std::size_t count = std::max(period, least);
+            if (count + period > course_.size()) break;
+            const auto last = course_.end() - static_cast<std::ptrdiff_t>(count);
+            if (std::equal(last, course_.end(), last - static_cast<std::ptrdiff_t>(period), agree))
+                return true;
+        }
+        return false;
     }
 
     // Whether the tangent of an earlier iteration is good enough: residual and gap of joints are at least
@@ -287,12 +311,14 @@ class Newton {
         if (places_supports) {
             std::vector<Vec6> with_supports = deltas;
             add_support_motion(system_, time_, state_, with_supports);
-            if (!limit_increment(with_supports)) {
+            const bool is_moderate = moderate(with_supports);
+            if (!limit_increment(with_supports) || !is_moderate) {
                 deltas = with_supports;
                 places_supports = false;
             }
             if (!admit(with_supports)) return false;
         } else {
+            moderate(deltas);
             limit_increment(deltas);
             if (!admit(deltas)) return false;
         }
@@ -305,11 +331,29 @@ class Newton {
         return check_rotations();
     }
 
+    // Shortens an increment of statics after the first one that turns nodes by much, where contact has
+    // stopped an earlier one: its tangent saw few of the forces that hold what it moves. False if so.
+    bool moderate(std::vector<Vec6>& deltas) {
+        constexpr double enough = 0.025;  // in rad
+        if (!is_static_contact_) return true;
+        double turn = 0.0;
+        for (const Vec6& delta : deltas) turn = std::max(turn, delta.tail<3>().norm());
+        if (report_.iterations == 1) first_turn_ = turn;
+        const double most = std::max(enough, first_turn_);
+        if (report_.shortened == 0 || !(turn > most)) return true;
+        for (Vec6& delta : deltas) delta *= most / turn;
+        course_.clear();
+        return false;
+    }
+
     // Shortens the increments of parts of the model in which a gap would close; false if any.
     bool limit_increment(std::vector<Vec6>& deltas) {
         const ContactLimits limits = limiter_.limit_increment(deltas, state_, time_);
         report_.least_gap = std::min(report_.least_gap, limits.least_gap);
-        if (limits.shorten()) ++report_.shortened;
+        if (limits.shorten()) {
+            ++report_.shortened;
+            course_.clear();
+        }
         return !limits.shorten();
     }
 
@@ -351,6 +395,7 @@ class Newton {
     ConstraintRequest request_;
     bool moves_supports_;  // until they are there; within the first iteration, unless contact stops them
     Contacts contacts_;
+    bool is_static_contact_;
     StepLimiter limiter_;
     bool limits_rotation_;
     SolverWorkspace& workspace_;
@@ -365,6 +410,12 @@ class Newton {
     ConvergenceTest convergence_;
     RotationGuard guard_;
     int drags_ = 0;
+    double first_turn_ = 0.0;  // the largest one of the first increment
+    struct Passed {
+        int node;
+        double residual, increment;
+    };
+    std::vector<Passed> course_;  // of statics with contact, since an increment was shortened
 };
 
 }  // namespace
