@@ -49,7 +49,7 @@ class Newton {
           request_(request),
           moves_supports_(integrator_.is_static() && system_.supports().move()),
           contacts_(system_),
-          is_static_contact_(integrator_.is_static() && contacts_.are_possible()),
+          is_static_contact_(integrator_.is_static() && contacts_.are_possible() && !contacts_.couple_rods()),
           limiter_(system_),
           limits_rotation_(!integrator_.is_static() || system_.traits().uses_step_rotations),
           workspace_(workspace),
@@ -395,7 +395,7 @@ class Newton {
     ConstraintRequest request_;
     bool moves_supports_;  // until they are there; within the first iteration, unless contact stops them
     Contacts contacts_;
-    bool is_static_contact_;
+    bool is_static_contact_;  // with obstacles alone
     StepLimiter limiter_;
     bool limits_rotation_;
     SolverWorkspace& workspace_;
