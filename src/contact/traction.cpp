@@ -6,6 +6,10 @@ namespace gxrod {
 
 namespace {
 
+// A traction of the last step that is on the cone but for rounding turns with its slip, too: otherwise
+// nothing would hold what slides across its direction.
+constexpr double nearly_on_cone = 1.0 - 1e-5;
+
 Mat3 tangential(const Vec3& normal) { return Mat3::Identity() - normal * normal.transpose(); }
 
 // The traction before the cone bounds it, and how it does.
@@ -24,9 +28,9 @@ Bounded bound(const Vec3& pull, const Vec3& normal, double normal_force, const C
     result.size = result.traction.norm();
     result.slides =
         friction.slip == Slip::slides || (friction.slip == Slip::by_law && result.size > result.most);
+    const double least = std::max(nearly_on_cone * result.most, 0.5 * result.size);
     result.turns =
-        result.slides && (friction.slip == Slip::by_law ||
-                          result.traction.dot(friction.direction) > std::max(result.most, 0.5 * result.size));
+        result.slides && (friction.slip == Slip::by_law || result.traction.dot(friction.direction) > least);
     return result;
 }
 
