@@ -176,7 +176,7 @@ ObstacleDistance MeshSurface::find_distance(const Vec3& x,
             if (found.at == x) return found.distance;
     const Closest closest = find_closest(x, std::numeric_limits<double>::infinity(), memory);
     if (closest.own < 0) return {};
-    const ObstacleDistance result = find_distance_from(closest, x, radius, skin, memory);
+    ObstacleDistance result = find_distance_from(closest, x, radius, skin, memory);
     if (memory != nullptr && memory->nearby) {
         MeshMemory::Nearby& nearby = *memory->nearby;
         nearby.found[nearby.oldest] = {x, result};
