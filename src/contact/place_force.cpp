@@ -66,7 +66,19 @@ PlaceForceDerivative compute_place_force_derivative(const SurfaceTouch& touch,
     result.force_by_rotation = by_rotation;
     result.moment_by_position = r * (spin(t) * N - spin(n) * by_position);
     result.moment_by_rotation = -r * spin(n) * by_rotation;
+    result.force_by_axis = there.by_axes[0];
+    result.moment_by_axis = -r * spin(n) * there.by_axes[0];
     return result;
+}
+
+Vec3 compute_traction_by_force(const SurfaceTouch& touch,
+                               const PlaceMotion& place,
+                               const NormalForce& normal,
+                               const CoulombFriction& friction) {
+    return touch.slope *
+           compute_traction_derivative(
+               compute_pull(touch, place, friction), touch.normal, normal.force * touch.slope, friction)
+               .by_force;
 }
 
 }  // namespace gxrod

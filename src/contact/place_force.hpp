@@ -52,10 +52,18 @@ struct PlaceForceDerivative {
     Mat3 force_by_rotation = Mat3::Zero();
     Mat3 moment_by_position = Mat3::Zero();
     Mat3 moment_by_rotation = Mat3::Zero();
+    Mat3 force_by_axis = Mat3::Zero();  // by the unit vector along the rod, CoulombFriction::axes
+    Mat3 moment_by_axis = Mat3::Zero();
 };
 PlaceForceDerivative compute_place_force_derivative(const SurfaceTouch& touch,
                                                     const PlaceMotion& place,
                                                     const NormalForce& normal,
                                                     const CoulombFriction& friction);
+
+// Computes the derivative of the traction by the normal force.
+Vec3 compute_traction_by_force(const SurfaceTouch& touch,
+                               const PlaceMotion& place,
+                               const NormalForce& normal,
+                               const CoulombFriction& friction);
 
 }  // namespace gxrod

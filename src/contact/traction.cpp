@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "contact/shaped_traction.hpp"
+
 namespace gxrod {
 
 namespace {
@@ -41,6 +43,7 @@ Traction compute_traction(const Vec3& pull,
                           double normal_force,
                           const CoulombFriction& friction) {
     if (!friction.acts(normal_force)) return {};
+    if (friction.shape != nullptr) return compute_shaped_traction(pull, normal, normal_force, friction);
     const Bounded bounded = bound(pull, normal, normal_force, friction);
     if (!bounded.slides) return {bounded.traction, false};
     if (bounded.turns) return {bounded.traction * (bounded.most / bounded.size), true};
@@ -53,6 +56,8 @@ TractionDerivative compute_traction_derivative(const Vec3& pull,
                                                const CoulombFriction& friction) {
     TractionDerivative result;
     if (!friction.acts(normal_force)) return result;
+    if (friction.shape != nullptr)
+        return compute_shaped_traction_derivative(pull, normal, normal_force, friction);
     const Bounded bounded = bound(pull, normal, normal_force, friction);
     if (!bounded.slides || bounded.turns) {
         // P q of P = I − n nᵀ
@@ -85,6 +90,12 @@ CoulombFriction decide_slip(const Vec3& pull,
         return friction;
     }
     const bool goes_on = friction.slip != Slip::slides || traction.dot(friction.direction) > 0.0;
+    if (friction.shape != nullptr) {
+        const std::optional<Vec3> slides = find_shaped_slip(pull, normal, normal_force, friction);
+        friction.slip = slides && goes_on ? Slip::slides : Slip::sticks;
+        if (friction.slip == Slip::slides) friction.direction = *slides;
+        return friction;
+    }
     friction.slip = size > friction.coefficient * normal_force && goes_on ? Slip::slides : Slip::sticks;
     if (friction.slip == Slip::slides) friction.direction = traction / size;
     return friction;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+
+#include "model/contact_friction.hpp"
 #include "rotation/types.hpp"
 
 // Coulomb friction between two touching surfaces: it sticks elastically, up to the cone
@@ -16,7 +19,12 @@ struct CoulombFriction {
     double stiffness = 0.0;  // elastic stiffness while it sticks
     Vec3 traction = Vec3::Zero();
     Slip slip = Slip::by_law;
-    Vec3 direction = Vec3::Zero();  // unit vector of the traction, if it is assumed to slide
+    Vec3 direction = Vec3::Zero();  // unit vector against the slip, if it is assumed to slide
+    // How the coefficient depends on direction and speed; nullptr if it does not.
+    const FrictionShape* shape = nullptr;
+    // Unit vectors along the first line, and along the second one reversed; zero for bodies and surfaces.
+    std::array<Vec3, 2> axes{Vec3::Zero(), Vec3::Zero()};
+    double elapsed = 0.0;  // time since the last accepted step; 0 where nothing has a speed
 
     bool acts(double normal_force) const { return coefficient > 0.0 && normal_force > 0.0; }
 };
@@ -36,6 +44,9 @@ struct TractionDerivative {
     Mat3 by_pull = Mat3::Zero();
     Mat3 by_normal = Mat3::Zero();
     Vec3 by_force = Vec3::Zero();
+    // Other than zero only where the coefficient depends on direction or speed.
+    std::array<Mat3, 2> by_axes{Mat3::Zero(), Mat3::Zero()};
+    Mat3 by_traction = Mat3::Zero();  // by the traction of the last accepted step, for the same pull
 };
 TractionDerivative compute_traction_derivative(const Vec3& pull,
                                                const Vec3& normal,

@@ -13,7 +13,7 @@
 #include "deck/text/overrides.hpp"
 #include "face/deck.hpp"
 #include "face/unknown_name_error.hpp"
-#include "model/contact_friction.hpp"
+#include "model/contact.hpp"
 #include "model/settings/analysis_traits.hpp"
 
 namespace gxrod {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -7,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "model/contact_friction.hpp"
 #include "model/obstacle_shape.hpp"
 #include "model/time/time_function.hpp"
 #include "rotation/types.hpp"
@@ -25,9 +27,10 @@ struct ObstacleMotion {
 struct Obstacle {
     std::string name;
     ObstacleShape shape{};
-    double friction = 0.0;              // Coulomb's coefficient
+    double friction = 0.0;              // Coulomb's coefficient, the largest if they differ
     std::optional<double> stiffness{};  // force per length and depth, for a bed that yields
     std::optional<ObstacleMotion> motion{};
+    FrictionShape friction_shape{};
 
     // Returns the shape as one of these; nullptr if it is another one.
     const PlaneShape* plane() const { return std::get_if<PlaneShape>(&shape); }
@@ -51,7 +54,8 @@ struct Obstacle {
     bool is_hollow() const { return round() != nullptr && round()->is_hollow; }
 };
 
-// The shape of a rigid body for contact: all points within a radius of a segment that turns with it.
+// A shape of a rigid body for contact: all points within a radius of a segment that turns with it. A body can
+// have several, which follow each other.
 struct ContactBody {
     int body = 0;
     std::array<Vec3, 2> ends{Vec3::Zero(), Vec3::Zero()};  // from the node, body axes; equal for a sphere
@@ -77,7 +81,9 @@ struct ContactPart {
 struct ContactException {
     std::array<std::vector<ContactPart>, 2> between;
     bool is_off = false;               // they do not touch each other
-    std::optional<double> friction{};  // without it, the usual coefficient
+    std::optional<double> friction{};  // without it, the usual coefficient and shape
+    FrictionShape friction_shape{};
+    std::optional<double> restitution{};  // coefficient of impacts; of bodies and at obstacles
 };
 
 struct Contact {
@@ -90,10 +96,31 @@ struct Contact {
     bool between_rods = false;
     bool within_rods = false;  // whether a rod touches itself
     std::vector<Obstacle> obstacles;
-    std::vector<ContactBody> bodies;           // bodies that touch
+    std::vector<ContactBody> bodies;           // the shapes of bodies that touch
     std::vector<ContactException> exceptions;  // the last one that matches applies
+    FrictionShape friction_shape{};            // of `friction`
 
     bool is_empty() const { return obstacles.empty() && !between_rods && !within_rods; }
+    bool has_restitution() const {
+        return std::ranges::any_of(exceptions,
+                                   [](const ContactException& one) { return one.restitution.has_value(); });
+    }
+    // Returns the numbers of the bodies that touch, each once.
+    std::vector<int> touching_bodies() const {
+        std::vector<int> numbers;
+        for (const ContactBody& one : bodies) {
+            if (numbers.empty() || numbers.back() != one.body) numbers.push_back(one.body);
+        }
+        return numbers;
+    }
 };
+
+// Whether any contact has friction.
+inline bool rubs(const Contact& contact) {
+    const bool has_rods = contact.between_rods || contact.within_rods;
+    const auto rubs_there = [](const ContactException& one) { return one.friction.value_or(0.0) > 0.0; };
+    return (has_rods && contact.friction > 0.0) || std::ranges::any_of(contact.exceptions, rubs_there) ||
+           std::ranges::any_of(contact.obstacles, [](const Obstacle& one) { return one.friction > 0.0; });
+}
 
 }  // namespace gxrod

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "model/contact_friction.hpp"
+#include "model/contact.hpp"
 #include "model/sections/kinked_law.hpp"
 #include "model/ties/ties.hpp"
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "model/contact_friction.hpp"
+#include "model/contact.hpp"
 #include "model/energy_round_off.hpp"
 #include "model/ties/ties.hpp"
 #include "report/blocks/contact_blocks.hpp"

@@ -31,6 +31,15 @@ bool rub_on_each_other(const Contact& contact) {
            (contact.friction > 0.0 || std::ranges::any_of(contact.exceptions, rubs_there));
 }
 
+// Speeds are of motions alone.
+bool rubs_by_speed(const Model& model) {
+    const Contact& contact = model.contact;
+    const auto weakens = [](const auto& one) { return one.friction_shape.weakens(); };
+    return model.has_inertia && model.has_time &&
+           (weakens(contact) || std::ranges::any_of(contact.obstacles, weakens) ||
+            std::ranges::any_of(contact.exceptions, weakens));
+}
+
 bool is_at_same_places(const State& a, const State& b) {
     constexpr double same = 1e-12;
     double size = 0.0, distance = 0.0, angle = 0.0;
@@ -65,6 +74,10 @@ void Sensitivities::check_model(const Model& model) {
         throw std::invalid_argument(
             "there are no derivatives of friction between rods and bodies that touch each other yet: take "
             "friction = 0 there, or a difference of whole runs");
+    if (rubs_by_speed(model))
+        throw std::invalid_argument(
+            "there are no derivatives of friction that falls with the speed yet: take `kinetic` out of it, "
+            "or a difference of whole runs");
 }
 
 void Sensitivities::check_settings(const AnalysisSettings& settings) {

@@ -5,7 +5,7 @@
 
 #include "assembly/scatter.hpp"
 #include "linear/eigen/pencil.hpp"
-#include "model/contact_friction.hpp"
+#include "model/contact.hpp"
 #include "rotation/rotation_map.hpp"
 #include "sensitivity/sensitivity_error.hpp"
 #include "solvers/coupled/coupled_step.hpp"

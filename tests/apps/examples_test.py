@@ -167,6 +167,29 @@ class Examples(Pages):
         with self.open("hall") as file:
             np.testing.assert_allclose(file["histories/ridge/displacement"][-1], [0.02058, 0.00021, -0.02616], atol=5e-6)
 
+    def test_stick_slip(self):
+        """Against the exact motion, by DOP853: it sticks until 0.5 m g, slides, and sticks again."""
+        self.run_page("stick_slip")
+        exact = {0.25: 0.0235046373, 0.5: 0.0485046373, 0.75: 0.0334346100, 1.0: 0.0084406820, 1.25: 0.0334406820, 1.5: 0.0565453576,
+                 1.75: 0.0090652738, 2.0: 0.0183767267, 2.25: 0.0433767267, 2.5: 0.0461215279, 2.75: 0.0033243481, 3.0: 0.0283127714}
+        with self.open("stick_slip") as file:
+            time, place = file["histories/time"][:], file["histories/block/displacement"][:, 0]
+            np.testing.assert_allclose(np.interp(list(exact), time, place), list(exact.values()), atol=2e-5)
+            friction = -file["histories/belt/contact_friction"][:, 0]
+            self.assertAlmostEqual(friction[time > 0.1].max(), 4.905, delta=0.01)
+            self.assertAlmostEqual(np.median(friction[(time > 0.7) & (time < 0.85)]), 2.943, delta=0.003)
+
+    def test_snake(self):
+        """Against planar_snake.py: head and tail after each wave."""
+        self.run_page("snake")
+        with self.open("snake") as file:
+            time = file["histories/time"][:]
+            for name, exact in (("head", [[0.93913, -0.16609], [1.17053, -0.17554], [1.42653, -0.18144], [1.68401, -0.18712]]),
+                                ("tail", [[0.21661, -0.15552], [0.45768, -0.16263], [0.71371, -0.16741], [0.97119, -0.17283]])):
+                place = file[f"histories/{name}/position"][:]
+                found = [[np.interp(t, time, place[:, k]) for k in (0, 1)] for t in (1, 2, 3, 4)]
+                np.testing.assert_allclose(found, exact, atol=6e-3)
+
     def test_guidewire(self):
         """Its first 20 mm."""
         deck = "docs/examples/guidewire/guidewire.toml"

@@ -71,7 +71,51 @@ TEST_CASE("a place that touches: its tangent is the derivative of its force", "[
         scene.friction.stiffness = 200.0;
         CHECK(scene.force().slides);
     }
+    SECTION("sliding, by direction and speed") {
+        static constexpr FrictionShape shape{0.2, 0.6, 1.0, 0.5, 0.2};
+        scene.friction.stiffness = 200.0;
+        scene.friction.shape = &shape;
+        scene.friction.axes[0] = Vec3(0.6, 0.0, -0.8);
+        scene.friction.elapsed = 0.1;
+        CHECK(scene.force().slides);
+    }
     CHECK(tangent_error(scene) < 1e-7);
+}
+
+TEST_CASE("a place that touches: its force by the axis and by the normal force", "[contact]") {
+    static constexpr FrictionShape shape{0.2, 0.6, 1.0, 0.5, 0.2};
+    Scene scene;
+    scene.friction.stiffness = 200.0;
+    scene.friction.shape = &shape;
+    scene.friction.axes[0] = Vec3(0.6, 0.0, -0.8);
+    scene.friction.elapsed = 0.1;
+    const PlaceForceDerivative found =
+        compute_place_force_derivative(scene.touch(), scene.motion(), scene.normal(), scene.friction);
+    for (int k = 0; k < 3; ++k) {
+        const auto by_axis = [&](auto part) {
+            return differentiate(
+                [&](double amount) {
+                    Scene turned = scene;
+                    turned.friction.axes[0][k] += amount;
+                    return Vec3(part(turned.force()));
+                },
+                1e-4);
+        };
+        CHECK((found.force_by_axis.col(k) - by_axis([](const PlaceForce& all) { return all.force; })).norm() <
+              1e-7);
+        CHECK((found.moment_by_axis.col(k) - by_axis([](const PlaceForce& all) {
+                   return all.moment;
+               })).norm() < 1e-7);
+    }
+    const Vec3 by_force = differentiate(
+        [&](double amount) {
+            const NormalForce normal{scene.normal().force + amount, 5.0};
+            return compute_place_force(scene.touch(), scene.motion(), normal, scene.friction).traction;
+        },
+        1e-4);
+    CHECK(
+        (compute_traction_by_force(scene.touch(), scene.motion(), scene.normal(), scene.friction) - by_force)
+            .norm() < 1e-7);
 }
 
 TEST_CASE("a place that touches: friction is in the cone, against the slip of the surface", "[contact]") {

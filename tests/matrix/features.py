@@ -730,12 +730,47 @@ def rough_floor(deck, draw):
     deck["obstacle"] = {"floor": {"plane": {"point": [0, 0, -0.07], "normal": [0, 0, 1]}, "friction": draw.uniform(0.1, 0.4)}}
 
 
+@feature("contact", kinked=True, follows_load=True)
+def scaly_floor(deck, draw):
+    rough_floor(deck, draw)
+    deck["obstacle"]["floor"]["friction"] = {"forward": draw.uniform(0.1, 0.2), "backward": draw.uniform(0.2, 0.4), "across": draw.uniform(0.1, 0.4)}
+
+
+@feature("contact", kinked=True, follows_load=True)
+def weakening_floor(deck, draw):
+    rough_floor(deck, draw)
+    deck["obstacle"]["floor"]["friction"] = {"static": draw.uniform(0.3, 0.4), "kinetic": draw.uniform(0.1, 0.2), "stribeck_speed": draw.uniform(0.05, 0.5)}
+
+
+@feature("contact", kinked=True)
+def bouncing_floor(deck, draw):
+    section(deck)["radius"] = 0.02
+    deck["obstacle"] = {"floor": {"plane": {"point": [0, 0, -0.07], "normal": [0, 0, 1]}, "restitution": draw.uniform(0.3, 0.9)}}
+
+
+@feature("contact", kinked=True)
+def feet(deck, draw):
+    section(deck)["radius"] = 0.02
+    deck["body"] = deck.get("body", {}) | {"feet": {
+        "mass": 0.1, "inertia": [0.01, 0.01, 0.01], "at": "beam.end",
+        "sphere": [{"radius": 0.02, "centre": [0, y, -0.03]} for y in (-0.1, draw.uniform(0.05, 0.15))],
+        "capsule": {"from": [0.05, -0.1, 0], "to": [0.05, 0.1, 0], "radius": 0.02}}}
+    deck["obstacle"] = {"floor": {"plane": {"point": [0, 0, -0.07], "normal": [0, 0, 1]}}}
+
+
 @feature("contact", kinked=True)
 def rods_touch(deck, draw):
     section(deck)["radius"] = 0.02
     deck["rod"]["lower"] = {"section": "bar", "line": {"from": [0.7, -0.4, -0.08], "to": [0.7, 0.4, -0.08]}, "elements": 6}
     deck["support"] = deck["support"] + [{"at": "lower.start", "fix": "all"}, {"at": "lower.end", "fix": "all"}]
     deck["contact"] = {"skin": 0.1}
+
+
+@feature("contact", kinked=True, follows_load=True)
+def scaly_rods_touch(deck, draw):
+    rods_touch(deck, draw)
+    deck["contact"]["friction"] = {"forward": draw.uniform(0.05, 0.1), "backward": draw.uniform(0.1, 0.2), "across": draw.uniform(0.2, 0.3),
+                                   "kinetic": draw.uniform(0.1, 0.2), "stribeck_speed": draw.uniform(0.05, 0.5)}
 
 
 # What drives a motion

@@ -291,6 +291,17 @@ TEST_CASE("friction of rods on each other has no derivatives", "[sensitivity]") 
                       Contains("friction between rods and bodies that touch each other"));
 }
 
+TEST_CASE("friction that falls with the speed has no derivatives in motions", "[sensitivity]") {
+    const Problem base =
+        read(replaced(make_touching("kind = \"dynamic\"\nend_time = 0.1\ntime_step = 0.01\n"),
+                      "[contact]",
+                      "friction = { static = 0.2, kinetic = 0.1, stribeck_speed = 0.1 }\n[contact]"));
+    SteppedRun simulation(request_of(base));
+    REQUIRE(simulation.start());
+    CHECK_THROWS_WITH(Sensitivities(simulation.analysis(), base.analysis(), {vary(base, base)}),
+                      Contains("no derivatives of friction that falls with the speed"));
+}
+
 TEST_CASE("derivatives of equilibria of mechanisms are those of whole runs", "[sensitivity]") {
     check_all(as_static(swinging_rod + hinged_end), {"EI", "F", "L", "angle"}, false, 1e-8);
 }

@@ -30,6 +30,7 @@ ContactAssembly::ContactAssembly(const Model& model,
         moves_ = moves_ || obstacle.motion.has_value();
     }
     if (!model.contact.exceptions.empty()) find_exceptions();
+    find_restitutions();
     make_memories();
 }
 
@@ -59,8 +60,9 @@ void ContactAssembly::find_exceptions() {
         for (std::size_t e = 0; e < places_.elements.size(); ++e) {
             const ContactException* own = exceptions.find_at_obstacle(e, surface.obstacle);
             off_.push_back(own != nullptr && own->is_off ? 1 : 0);
-            coefficients_.push_back(own != nullptr ? own->friction.value_or(surface.body->friction)
-                                                   : surface.body->friction);
+            const bool is_own = own != nullptr && own->friction;
+            coefficients_.push_back(is_own ? *own->friction : surface.body->friction);
+            friction_shapes_.push_back(is_own ? &own->friction_shape : &surface.body->friction_shape);
             rubs_ = rubs_ || (off_.back() == 0 && coefficients_.back() > 0.0);
         }
     }
@@ -70,6 +72,7 @@ void ContactAssembly::lay_out(const Layout& layout) {
     equations_ = &layout.equations;
     pattern_ = &layout.pattern;
     memory_ = {layout.first_memory, memory_count()};
+    pairs_.set_memory({memory_.end() - pairs_.memory_count(), pairs_.memory_count()});
     for (ContactElement& element : places_.elements) {
         const std::span<const int> nodes(element.nodes.data(), static_cast<std::size_t>(element.count));
         element.slots.resize(36 * nodes.size() * nodes.size());
@@ -83,8 +86,8 @@ ContactAssembly::At ContactAssembly::find_obstacles(const State& state,
                                                     Rates rates) const {
     At at;
     at.has_impacts = has_impacts_;
-    const double elapsed = time - state.time;
-    if (at.has_impacts && elapsed > 0.0) at.damping = model_->contact.damping / elapsed;
+    at.elapsed = time - state.time;
+    if (at.has_impacts && at.elapsed > 0.0) at.damping = model_->contact.damping / at.elapsed;
     at.now.resize(surfaces_.size());
     at.before.resize(surfaces_.size());
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
@@ -94,7 +97,8 @@ ContactAssembly::At ContactAssembly::find_obstacles(const State& state,
         at.now[i] = between(at.before[i], place_obstacle(body, time), progress);
     }
     if (resolves_) at.rate_damping = model_->contact.damping;
-    if (resolves_ && (at.rate_damping > 0.0 || rates == Rates::always))
+    at.damps_rates = resolves_ && damps();
+    if (at.damps_rates || !numbers_.empty() || (resolves_ && rates == Rates::always))
         set_rates_of_obstacles(state, time, at);
     return at;
 }
@@ -250,9 +254,24 @@ CoulombFriction ContactAssembly::friction(std::size_t obstacle, std::size_t plac
         coefficients_.empty() ? surfaces_[obstacle].body->friction
                               : coefficients_[obstacle * places_.elements.size() + places_.index_of(element)];
     if (coefficient == 0.0) return {};
-    return {coefficient,
-            element.law.stiffness / element.law.skin,
-            Vec3(memory_.piece(pair(obstacle, place), 3).of(state).data())};
+    CoulombFriction result{coefficient,
+                           element.law.stiffness / element.law.skin,
+                           Vec3(memory_.piece(pair(obstacle, place), 3).of(state).data())};
+    result.shape = find_friction_shape(obstacle, element);
+    if (result.shape == nullptr) return result;
+    if (result.shape->is_directed() && !element.is_body)
+        result.axes[0] = places_.tangent(places_.places[place], state.trial).normalized();
+    if (has_impacts_ || resolves_) result.elapsed = state.trial_time - state.time;
+    return result;
+}
+
+const FrictionShape* ContactAssembly::find_friction_shape(std::size_t obstacle,
+                                                          const ContactElement& element) const {
+    const FrictionShape* shape =
+        friction_shapes_.empty()
+            ? &surfaces_[obstacle].body->friction_shape
+            : friction_shapes_[obstacle * places_.elements.size() + places_.index_of(element)];
+    return shape->is_plain() ? nullptr : shape;
 }
 
 // As the state's parameters take it for granted.
@@ -271,7 +290,7 @@ ImpactLaw ContactAssembly::impact_law(const At& at,
                                       std::size_t place,
                                       const State& state) const {
     ImpactLaw law{places_.element_of(place).law, at.has_impacts ? model_->contact.dissipation : 1.0};
-    law.damping = at.damping;
+    law.damping = impulse_damping(at, obstacle, place, state);
     if (law.dissipation < 1.0 || law.damping > 0.0) law.gap_before = gap_before(at, obstacle, place, state);
     return law;
 }
@@ -281,8 +300,8 @@ NormalForce ContactAssembly::law_force(
     if (const std::optional<double>& stiffness = surfaces_[obstacle].body->stiffness) {
         if (gap >= 0.0) return {};
         const NormalForce normal{-*stiffness * gap, *stiffness};
-        return at.damping == 0.0 ? normal
-                                 : damp(normal, at.damping, gap, gap_before(at, obstacle, place, state));
+        const double damping = impulse_damping(at, obstacle, place, state);
+        return damping == 0.0 ? normal : damp(normal, damping, gap, gap_before(at, obstacle, place, state));
     }
     const double dissipation = at.has_impacts ? model_->contact.dissipation : 1.0;
     if (dissipation == 1.0 && gap >= places_.element_of(place).law.skin) return {};
@@ -430,7 +449,7 @@ void ContactAssembly::add_tangents(const State& state,
     if (is_for_small_motions_) add_pair_tangents(state, weight, linearizations, values);
     // Other stages of a step move nothing here, but what damps depends on them.
     const bool is_still = !linearizations.empty() && linearizations.front().placement == 0.0;
-    if (is_still && (!resolves_ || model_->contact.damping == 0.0)) return;
+    if (is_still && (!resolves_ || !damps())) return;
     const bool is_mixed = state.contact.has_parameters;
     const At at = find_obstacles(state, time, is_mixed ? 1.0 : state.contact.progress);
     for (const ContactElement& element : places_.elements) {
@@ -457,8 +476,10 @@ void ContactAssembly::add_tangents(const State& state,
                     surface, places_.motion_of(place, state), touching.normal, touching.friction);
                 const ImpulseDirection direction = impulse_direction(at, obstacle, p, surface, state);
                 direction.add_to(surface, touching.normal, there);
-                if (at.rate_damping > 0.0)
+                if (at.damps_rates)
                     add_rate_tangent(at, obstacle, p, surface, state, weight, linearizations, tangent);
+                if (!touching.friction.axes[0].isZero(0.0))
+                    add_axis_tangent(p, there, state, weight * linearizations.front().placement, tangent);
                 for (int j = 0; j < element.count; ++j) {
                     const auto node = static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(j)]);
                     const double part = weight * linearizations[node].placement * place.weight *
@@ -483,6 +504,26 @@ void ContactAssembly::add_tangents(const State& state,
         const std::span<const int> nodes(element.nodes.data(), static_cast<std::size_t>(element.count));
         turn_to_own_axes(nodes, *equations_, tangent);
         add_to_values(tangent.data(), element.slots, values);
+    }
+}
+
+void ContactAssembly::add_axis_tangent(std::size_t place,
+                                       const PlaceForceDerivative& there,
+                                       const State& state,
+                                       double weight,
+                                       LoadMatrix& tangent) const {
+    const ContactPlace& own = places_.places[place];
+    const int count = places_.element_of(place).count;
+    const Vec3 along = places_.tangent(own, state.trial);
+    const double length = along.norm();
+    const Vec3 axis = along / length;
+    Eigen::Matrix<double, 6, 3> by_place;
+    by_place << there.force_by_axis, there.moment_by_axis;
+    by_place *= (weight * own.weight / length) * (Mat3::Identity() - axis * axis.transpose());
+    for (int i = 0; i < count; ++i) {
+        for (int j = 0; j < count; ++j)
+            tangent.block<6, 3>(6 * i, 6 * j) -=
+                own.shapes[static_cast<std::size_t>(i)] * own.slopes[static_cast<std::size_t>(j)] * by_place;
     }
 }
 

@@ -55,8 +55,11 @@ class ContactAssembly : public Contribution {
     // Contact of rods with each other.
     const ContactPairs& pairs() const { return pairs_; }
     // The numbers in State::memory: friction from obstacles at each place, per length, spatial; places of the
-    // first obstacle, then of the next.
-    std::size_t memory_count() const override { return 3 * traction_count(); }
+    // first obstacle, then of the next. With restitution, then the speed at which each element met each
+    // obstacle, 0 where it does not touch, and those of pairs.
+    std::size_t memory_count() const override {
+        return 3 * traction_count() + numbers_.size() + pairs_.memory_count();
+    }
     MemorySlice memory() const { return memory_; }
 
     // Forces are multiplied by a weight, which the schemes of time choose (Integrator::contact_weight).
@@ -125,15 +128,18 @@ class ContactAssembly : public Contribution {
         std::vector<ObstaclePlacement> now, before;
         bool has_impacts = false;
         double damping = 0.0;  // factor of the gap's change in the step: 0 without inertia, or at its start
+        double elapsed = 0.0;  // since the last accepted step
+        bool damps_rates = false;
         // Factor of the gap's rate, where contact is not an impulse, and what gives the rates of obstacles.
         double rate_damping = 0.0;
-        std::array<double, difference_points> difference_weights{};
+        std::array<double, difference_points> difference_weights{}, weights_before{};
         std::vector<std::array<ObstaclePlacement, difference_points>> around{};
     };
     // The rate of a gap, its derivative by the place's position, and the factor by which it damps the force.
     struct GapRate {
         double rate = 0.0;
         Vec3 by_position = Vec3::Zero();
+        double damping = 0.0;
         double factor = 1.0;
     };
     struct Touching {
@@ -164,6 +170,24 @@ class ContactAssembly : public Contribution {
                           std::size_t place,
                           const SurfaceTouch& touch,
                           const State& state) const;
+    void find_restitutions();
+    bool damps() const { return model_->contact.damping > 0.0 || !numbers_.empty(); }
+    MemorySlice speed_memory(std::size_t obstacle, const ContactElement& element) const {
+        return {memory_.first + 3 * traction_count() + obstacle * places_.elements.size() +
+                    places_.index_of(element),
+                1};
+    }
+    // Returns the speed at which a place approaches an obstacle at the last accepted step.
+    double approach_before(const At& at, std::size_t obstacle, std::size_t place, const State& state) const;
+    // Returns τ of (C17), of restitution by the speed at which both met.
+    double damping_time(const At& at, std::size_t obstacle, std::size_t place, const State& state) const;
+    double impulse_damping(const At& at, std::size_t obstacle, std::size_t place, const State& state) const;
+    void keep_tractions(const At& at, State& state) const;
+    void keep_speeds(const At& at, State& state) const;
+    double find_kept_speed(const At& at,
+                           std::size_t obstacle,
+                           const ContactElement& element,
+                           const State& state) const;
     // Multiplies a force by the factor of its gap's rate.
     NormalForce damp_by_rate(const At& at,
                              std::size_t obstacle,
@@ -242,6 +266,8 @@ class ContactAssembly : public Contribution {
                                      const State& state) const;
     double gap_before(const At& at, std::size_t obstacle, std::size_t place, const State& state) const;
     CoulombFriction friction(std::size_t obstacle, std::size_t place, const State& state) const;
+    // Returns how its coefficient depends on direction and speed; nullptr if it does not.
+    const FrictionShape* find_friction_shape(std::size_t obstacle, const ContactElement& element) const;
     // Returns the impact law of the step, for a rigid obstacle.
     ImpactLaw impact_law(const At& at, std::size_t obstacle, std::size_t place, const State& state) const;
     NormalForce law_force(
@@ -285,6 +311,13 @@ class ContactAssembly : public Contribution {
                           double weight,
                           const std::vector<NodeLinearization>& linearizations,
                           LoadMatrix& tangent) const;
+    // Adds to the tangent of a place, multiplied by the weight, what friction by the direction of the rod
+    // adds.
+    void add_axis_tangent(std::size_t place,
+                          const PlaceForceDerivative& there,
+                          const State& state,
+                          double weight,
+                          LoadMatrix& tangent) const;
     Mat6 take_to_node(const At& at,
                       const ContactPlace& place,
                       const State& state,
@@ -314,6 +347,9 @@ class ContactAssembly : public Contribution {
     // Flags by surface and element; empty without Contact::exceptions at obstacles.
     std::vector<char> off_;
     std::vector<double> coefficients_;
+    // τ v of restitution by surface and element, below 0 where there is none; empty without restitution.
+    std::vector<double> numbers_;
+    std::vector<const FrictionShape*> friction_shapes_;
     MemorySlice memory_;
     // Memories of meshes by surface and place, and by surface and element; empty without meshes. They do not
     // change results.

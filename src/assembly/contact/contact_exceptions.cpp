@@ -30,8 +30,10 @@ ContactExceptions::ContactExceptions(const Contact& contact, const ContactPlaces
 const ContactException* ContactExceptions::find_between(const std::vector<Sides>& own,
                                                         std::size_t one,
                                                         const std::vector<Sides>& others,
-                                                        std::size_t other) const {
+                                                        std::size_t other,
+                                                        bool (*is_wanted)(const ContactException&)) const {
     for (std::size_t i = own.size(); i-- > 0;) {
+        if (!is_wanted(contact_->exceptions[i])) continue;
         const unsigned a = own[i][one], b = others[i][other];
         if (((a & 1U) != 0 && (b & 2U) != 0) || ((a & 2U) != 0 && (b & 1U) != 0))
             return &contact_->exceptions[i];

@@ -217,8 +217,14 @@ ContactLimits ContactAssembly::limit(const std::vector<Vec6>& increments,
 void ContactAssembly::commit(State& state, double time) const {
     state.contact.has_parameters = false;
     pairs_.commit(state);
-    if (!rubs_) return;
+    if (!rubs_ && numbers_.empty()) return;
     const At at = find_obstacles(state, time, 1.0);
+    if (rubs_) keep_tractions(at, state);
+    // What rubs depends on those of the step before.
+    if (!numbers_.empty()) keep_speeds(at, state);
+}
+
+void ContactAssembly::keep_tractions(const At& at, State& state) const {
     team_->for_each_range(places_.places.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t p = first; p < last; ++p) {
             const ContactPlace& place = places_.places[p];

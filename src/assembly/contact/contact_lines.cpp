@@ -96,7 +96,8 @@ bool ContactLines::can_touch(const ContactPiece& a, const ContactPiece& b) const
     const ContactElement& of_a = element_of(a);
     const ContactElement& of_b = element_of(b);
     if (of_a.rod == of_b.rod) {
-        if (!is_within_rods) return false;
+        // Shapes of one body are parts of it.
+        if (of_a.is_body || !is_within_rods) return false;
         double between = std::abs(a.middle - b.middle);
         if (const double length = round[static_cast<std::size_t>(of_a.rod)]; length > 0.0)
             between = std::min(between, length - between);

@@ -25,18 +25,39 @@ const std::string& find_name(int index, const Model& model) {
     return part < model.rods.size() ? model.rods[part].name : model.bodies[part - model.rods.size()].name;
 }
 
+// "capsule 2 of ": a shape of a body that has several.
+std::string name_shape(int shape, const Contact& contact) {
+    if (shape < 0) return "";
+    const ContactBody& own = contact.bodies[static_cast<std::size_t>(shape)];
+    const auto is_sphere = [](const ContactBody& one) { return one.ends[0] == one.ends[1]; };
+    int all = 0, alike = 0, number = 0;
+    for (const ContactBody& one : contact.bodies) {
+        if (one.body != own.body) continue;
+        ++all;
+        if (is_sphere(one) == is_sphere(own)) ++alike;
+        if (&one == &own) number = alike;
+    }
+    if (all == 1) return "";
+    const char* kind = is_sphere(own) ? "sphere" : "capsule";
+    return alike == 1 ? fmt::format("{} of ", kind) : fmt::format("{} {} of ", kind, number);
+}
+
+// One side of an overlap.
+std::string name_side(const ContactOverlap& one, std::size_t side, const Model& model) {
+    return name_shape(one.shapes[side], model.contact) + find_name(one.rods[side], model);
+}
+
 // "b and c by 0.00012": a further pair of the list.
 std::string name_pair(const ContactOverlap& one, const Model& model) {
-    const auto name = [&](int index) -> const std::string& { return find_name(index, model); };
-    if (std::isinf(one.gap)) return fmt::format("{} crosses {}", name(one.rods[0]), name(one.rods[1]));
-    return one.rods[0] == one.rods[1]
-               ? fmt::format("{} itself by {:.2g}", name(one.rods[0]), -one.gap)
-               : fmt::format("{} and {} by {:.2g}", name(one.rods[0]), name(one.rods[1]), -one.gap);
+    const std::string first = name_side(one, 0, model), second = name_side(one, 1, model);
+    if (std::isinf(one.gap)) return fmt::format("{} crosses {}", first, second);
+    return one.rods[0] == one.rods[1] ? fmt::format("{} itself by {:.2g}", first, -one.gap)
+                                      : fmt::format("{} and {} by {:.2g}", first, second, -one.gap);
 }
 
 std::string describe_deepest(const ContactOverlap& one, const Model& model) {
     const auto place = [&](std::size_t side) {
-        const std::string& name = find_name(one.rods[side], model);
+        const std::string name = name_side(one, side, model);
         const bool is_rod = one.rods[side] < static_cast<int>(model.rods.size());
         return is_rod ? fmt::format("{}@{:.4g}", name, one.places[side]) : name;
     };
@@ -74,7 +95,10 @@ void ContactPairs::add_overlaps(const State& state, std::vector<ContactOverlap>&
                              lines_.element_of(lines_.pieces[near.second]).rod},
                             {fraction(near.first), fraction(near.second)},
                             gap,
-                            law_of(near).radii});
+                            law_of(near).radii,
+                            "",
+                            {lines_.element_of(lines_.pieces[near.first]).shape,
+                             lines_.element_of(lines_.pieces[near.second]).shape}});
     }
 }
 
@@ -91,6 +115,7 @@ std::vector<ContactOverlap> ContactAssembly::list_overlaps(const State& state, d
             const ObstacleSurface& surface = surfaces_[s];
             if (surface.body->stiffness || is_off(s, p)) continue;
             ContactOverlap own{{element.rod, -1 - static_cast<int>(surface.obstacle)}, {place.fraction, 0.0}};
+            own.shapes[0] = element.shape;
             if (const std::optional<int> crossed = surface.find_crossed(at.now[s], position, next)) {
                 own.gap = -std::numeric_limits<double>::infinity();
                 own.triangle = fmt::format("triangle {} of ", *crossed);

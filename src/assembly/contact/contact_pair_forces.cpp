@@ -33,12 +33,13 @@ const std::vector<ContactPairs::Touching>& ContactPairs::find_touching(const Sta
     team_->for_each_range(touching.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const NearPieces& pieces = near[touching[i].index];
+            const double own = at.dampings.empty() ? damping_ : at.dampings[touching[i].index];
             touching[i].energy = touching[i].impulse = find_energy(pieces, at.now);
             if (!at.rates.empty()) {
                 const Vec12 rates = find_ends(at.rates[pieces.first], at.rates[pieces.second]);
                 PairEnergy& energy = touching[i].energy;
                 const double undamped = energy.gradient.dot(rates);
-                touching[i].by_rates = damp_by_rates(energy, rates, damping_);
+                touching[i].by_rates = damp_by_rates(energy, rates, own);
                 touching[i].damping_power = energy.gradient.dot(rates) - undamped;
                 touching[i].impulse = energy;
             }
@@ -48,9 +49,9 @@ const std::vector<ContactPairs::Touching>& ContactPairs::find_touching(const Sta
             if (!start) start = find_start(pieces, at.before);
             turn_impulse(a, b, open_ends(pieces), *start, law_of(pieces).radii, touching[i].impulse);
             const Vec12 way = find_ends(a, b) - start->ends;
-            if (at.damping > 0.0) {
-                for (PairEnergy* one : {&touching[i].energy, &touching[i].impulse})
-                    damp(*one, way, at.damping);
+            const double damping = at.dampings.empty() ? at.damping : own;
+            if (damping > 0.0) {
+                for (PairEnergy* one : {&touching[i].energy, &touching[i].impulse}) damp(*one, way, damping);
             }
             if (at.drag > 0.0) add_drag(touching[i].impulse, *start, way, at.drag);
         }
@@ -95,7 +96,27 @@ CoulombFriction ContactPairs::friction_of(std::size_t index, const State& state)
     const std::vector<PairTraction>& memory = state.pair_tractions;
     const auto own = std::ranges::lower_bound(memory, near, {}, &PairTraction::pieces);
     if (own != memory.end() && own->pieces == near) friction.traction = own->traction;
+    set_friction_shape(near, state, friction);
     return friction;
+}
+
+void ContactPairs::set_friction_shape(const NearPieces& near,
+                                      const State& state,
+                                      CoulombFriction& friction) const {
+    const ContactException* one =
+        lines_.find_exception(lines_.pieces[near.first], lines_.pieces[near.second]);
+    const FrictionShape& shape =
+        one != nullptr && one->friction ? one->friction_shape : model_->contact.friction_shape;
+    if (shape.is_plain()) return;
+    friction.shape = &shape;
+    if (has_impacts_ || resolves_) friction.elapsed = state.trial_time - state.time;
+    if (!shape.is_directed()) return;
+    const auto find_axis = [&](std::uint32_t index, const std::vector<Segment>& segments) -> Vec3 {
+        if (lines_.element_of(lines_.pieces[index]).is_body) return Vec3::Zero();
+        return (segments[index].end - segments[index].start).normalized();
+    };
+    friction.axes = {find_axis(near.first, found_.placed.now),
+                     Vec3(-find_axis(near.second, found_.placed.now))};
 }
 
 CoulombFriction ContactPairs::taken_friction_of(std::size_t index, const State& state) const {
@@ -388,7 +409,12 @@ PairIncrement ContactPairs::find_increment(const NearPieces& near,
 }
 
 void ContactPairs::commit(State& state) const {
-    if (!rub()) return;
+    if (rub()) keep_tractions(state);
+    // What rubs depends on those of the step before.
+    if (bounces()) keep_speeds(state);
+}
+
+void ContactPairs::keep_tractions(State& state) const {
     std::vector<PairTraction> memory;
     for (const Touching& touching : find_touching(state)) {
         const NearPieces& near = state.contact.pieces[touching.index];

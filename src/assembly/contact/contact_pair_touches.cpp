@@ -49,11 +49,14 @@ void ContactPairs::add_touches(const State& state, std::vector<ContactTouch>& to
         own.gap = std::min(own.gap, least_gap(near, state.trial));
         if (!rub()) continue;
         const CoulombFriction friction = friction_of(touching.index, state);
-        const Vec3 traction = compute_pair_friction(touching.energy, motion, friction).traction.value;
-        own.friction += traction;
+        const Traction rubbing = compute_pair_friction(touching.energy, motion, friction).traction;
+        own.friction += rubbing.value;
         // What slides has a traction on the cone, as far as rounding lets it be.
         constexpr double nearly = 1.0 - 1e-9;
-        own.slides = own.slides && traction.norm() >= nearly * friction.coefficient * at.force;
+        const bool slides = friction.shape != nullptr
+                                ? rubbing.slides
+                                : rubbing.value.norm() >= nearly * friction.coefficient * at.force;
+        own.slides = own.slides && slides;
     }
     for (const auto& [elements, own] : of_elements) {
         const auto rod_of = [&](int element) {

@@ -43,7 +43,7 @@ double ContactPairs::compute_work(const State& state) const {
 }
 
 double ContactPairs::compute_damping_power(const State& state) const {
-    if (!resolves_ || damping_ == 0.0) return 0.0;
+    if (!resolves_ || (damping_ == 0.0 && !bounces())) return 0.0;
     return sum_of(find_touching(state), [](const Touching& one) { return one.damping_power; });
 }
 

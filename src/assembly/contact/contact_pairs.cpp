@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "rotation/rotation_map.hpp"
 
@@ -39,6 +40,7 @@ ContactPairs::ContactPairs(const Model& model,
     if (has_impacts_) damping_ = model.contact.damping;
     for (const ContactException& one : model.contact.exceptions)
         rubs_ = rubs_ || one.friction.value_or(0.0) > 0.0;
+    find_restitutions();
     for (ContactElement& element : lines_.places.elements)
         element.part = groups.part_of_node(element.nodes[0]);
 }
@@ -90,7 +92,8 @@ ContactPairs::PiecesPlaced ContactPairs::place_pieces(const State& state) const 
     PiecesPlaced placed;
     placed.now = find_segments(state.trial);
     if (has_impacts_ || rub()) placed.before = find_segments(state.previous);
-    if (resolves_ && damping_ > 0.0) placed.rates = find_rates(state.trial);
+    if (resolves_ && (damping_ > 0.0 || bounces())) placed.rates = find_rates(state.trial);
+    if (bounces() && (has_impacts_ || resolves_)) placed.dampings = find_dampings(state);
     if (!has_impacts_) return placed;
     const double elapsed = state.trial_time - state.time;
     if (elapsed > 0.0) placed.damping = damping_ / elapsed;
@@ -227,6 +230,10 @@ std::vector<NodeGroup> ContactPairs::list_groups(const State& state) const {
     elements.erase(std::ranges::unique(elements).begin(), elements.end());
     std::vector<NodeGroup> groups;
     for (const auto& [a, b] : elements) groups.push_back(list_nodes(a, b));
+    if (model_->contact.bodies.empty()) return groups;
+    // Shapes of a body have the same node.
+    std::set<NodeGroup> listed;
+    std::erase_if(groups, [&](const NodeGroup& group) { return !listed.insert(group).second; });
     return groups;
 }
 

@@ -17,6 +17,7 @@
 #include "contact/pairs/pair_impulse.hpp"
 #include "parallel/thread_team.hpp"
 #include "state/contact_touch.hpp"
+#include "state/memory_slice.hpp"
 
 namespace gxrod {
 
@@ -44,6 +45,10 @@ class ContactPairs {
         resolves_ = has_impacts_;
         has_impacts_ = false;
     }
+
+    // The numbers in State::memory, and where they are.
+    std::size_t memory_count() const { return numbers_.size(); }
+    void set_memory(const MemorySlice& memory) { memory_ = memory; }
 
     // Finds near pieces at the trial, for nodes that can move by `reach` from there.
     void search(double reach, State& state) const;
@@ -109,12 +114,26 @@ class ContactPairs {
     struct PiecesPlaced {
         std::vector<Segment> now, before;
         double damping = 0.0;  // factor of the gap's change in the step
+        // With restitution, of each near pair: that factor, or that of the rate where contact is no impulse.
+        std::vector<double> dampings{};
         double drag = 0.0;
         std::vector<Segment> rates;  // velocities of the ends, where they damp
 
         bool operator==(const PiecesPlaced&) const = default;
     };
     PiecesPlaced place_pieces(const State& state) const;
+    bool bounces() const { return !numbers_.empty(); }
+    // Returns the speed at which two pieces approach each other.
+    double find_approach(const NearPieces& near,
+                         const std::vector<Segment>& segments,
+                         const std::vector<Segment>& rates) const;
+    void find_restitutions();
+    // Return the numbers of a pair of shapes of bodies: among all such pairs, and τ v.
+    std::optional<std::size_t> find_shape_pair(const NearPieces& near) const;
+    double number_of(const NearPieces& near) const;
+    std::vector<double> find_dampings(const State& state) const;
+    void keep_tractions(State& state) const;
+    void keep_speeds(State& state) const;
     struct PairLimit {
         double fraction = 1.0;
         double gap = 0.0;
@@ -208,6 +227,8 @@ class ContactPairs {
     NearPieces find_nearest(NearPieces near, const std::vector<Segment>& segments) const;
     PairStart find_start(const NearPieces& near, const std::vector<Segment>& before) const;
     double coefficient_of(const NearPieces& near) const;
+    // Sets how the coefficient depends on direction and speed.
+    void set_friction_shape(const NearPieces& near, const State& state, CoulombFriction& friction) const;
     double friction_stiffness_of(const NearPieces& near) const;
     // Return the friction by the law, and as an iteration assumes it.
     CoulombFriction friction_of(std::size_t index, const State& state) const;
@@ -242,6 +263,9 @@ class ContactPairs {
     bool has_impacts_ = false;
     bool resolves_ = false;  // motions with inertia in which contact is not an impulse
     double damping_ = 0.0;   // with inertia
+    // τ v of restitution for each pair of shapes of bodies, below 0 where there is none; empty without.
+    std::vector<double> numbers_;
+    MemorySlice memory_;  // the speed at which each such pair met, 0 where it does not touch
     // The last result, cached since a Newton iteration asks for it several times.
     struct Found {
         std::vector<NearPieces> pieces;

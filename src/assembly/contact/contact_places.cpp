@@ -106,6 +106,7 @@ void add_element(
         place.element = static_cast<int>(all.elements.size());
         place.weight = places.weights[i] * jacobian(shapes);
         std::copy_n(shapes.value.begin(), nodes, place.shapes.begin());
+        std::copy_n(shapes.slope.begin(), nodes, place.slopes.begin());
         for (std::size_t j = 0; j < nodes; ++j)
             place.fraction += shapes.value[j] * rod.arc_length[first + j] / rod.length;
         all.places.push_back(place);
@@ -120,6 +121,7 @@ void add_body(const Model& model, const ContactBody& shape, int pieces, ContactP
     ContactElement own;
     own.rod = static_cast<int>(model.rods.size()) + shape.body;
     own.is_body = true;
+    own.shape = static_cast<int>(&shape - model.contact.bodies.data());
     own.count = 1;
     own.nodes[0] = body.node;
     own.radius = shape.radius;

@@ -21,13 +21,15 @@ struct ContactPlace {
     double fraction = 0.0;                            // fraction of the rod's length, from its start
     double weight = 0.0;                              // a length at t = 0
     std::array<double, most_element_nodes> shapes{};  // values of the element's shape functions
+    std::array<double, most_element_nodes> slopes{};  // their slopes; zero on bodies
     Vec3 arm = Vec3::Zero();                          // from the node of a body, at t = 0
 };
 
-// An element of a rod that can touch, or a body, which has one node and turns its places about it.
+// An element of a rod that can touch, or a shape of a body, which has one node and turns its places about it.
 struct ContactElement {
     int rod = 0;  // as in ContactTouch
     bool is_body = false;
+    int shape = -1;  // in Contact::bodies
     int element = 0;
     int part = 0;  // part of the model in ScaleGroups
     int count = 0;
@@ -86,6 +88,15 @@ struct ContactPlaces {
         for (int i = 0; i < element.count; ++i)
             sum += place.shapes[static_cast<std::size_t>(i)] *
                    (motions[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])].*member);
+        return sum;
+    }
+    // Returns the vector along the line, by the slopes of shape functions; zero on bodies.
+    Vec3 tangent(const ContactPlace& place, const std::vector<NodeMotion>& motions) const {
+        const ContactElement& element = elements[static_cast<std::size_t>(place.element)];
+        Vec3 sum = Vec3::Zero();
+        for (int i = 0; i < element.count; ++i)
+            sum += place.slopes[static_cast<std::size_t>(i)] *
+                   motions[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])].r;
         return sum;
     }
     // The node nearest to the place a part t of the way from one place of an element to another.

@@ -11,6 +11,8 @@ void ContactAssembly::set_rates_of_obstacles(const State& state, double time, At
     if (!moves_ || !(elapsed > 0.0)) return;
     const StepDifferences differences = compute_step_differences(time, {state.time, elapsed});
     at.difference_weights = differences.first;
+    if (!numbers_.empty())
+        at.weights_before = compute_step_differences(state.time, {state.time, elapsed}).first;
     at.around.resize(surfaces_.size());
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
         if (!surfaces_[i].body->motion) continue;
@@ -49,7 +51,8 @@ ContactAssembly::GapRate ContactAssembly::find_gap_rate(const At& at,
     GapRate gap;
     gap.rate = touch.slope * touch.normal.dot(velocity);
     gap.by_position = touch.curvature * velocity;
-    gap.factor = std::max(1.0 - at.rate_damping * gap.rate, 0.0);
+    gap.damping = numbers_.empty() ? at.rate_damping : damping_time(at, obstacle, place, state);
+    gap.factor = std::max(1.0 - gap.damping * gap.rate, 0.0);
     return gap;
 }
 
@@ -59,7 +62,7 @@ NormalForce ContactAssembly::damp_by_rate(const At& at,
                                           const SurfaceTouch& touch,
                                           const State& state,
                                           const NormalForce& normal) const {
-    if (at.rate_damping == 0.0 || (normal.force == 0.0 && normal.stiffness == 0.0)) return normal;
+    if (!at.damps_rates || (normal.force == 0.0 && normal.stiffness == 0.0)) return normal;
     const double factor = find_gap_rate(at, obstacle, place, touch, state).factor;
     return {factor * normal.force, factor * normal.stiffness};
 }
@@ -90,6 +93,12 @@ void ContactAssembly::add_rate_tangent(const At& at,
     if (there.slides && normal.force != 0.0) {
         by_force.head<3>() += there.traction / normal.force;
         by_force.tail<3>() += there.moment / normal.force;
+        if (rubs.shape != nullptr) {
+            const Vec3 rubbing =
+                compute_traction_by_force(surface, places_.motion_of(own, state), normal, rubs);
+            by_force.head<3>() = surface.slope * surface.normal + rubbing;
+            by_force.tail<3>() = -element.radius * surface.normal.cross(rubbing);
+        }
     }
     const Vec3 arm = element.is_body ? places_.arm(own, state.trial) : Vec3(Vec3::Zero());
     by_force.tail<3>() += arm.cross(by_force.head<3>());
@@ -107,7 +116,7 @@ void ContactAssembly::add_rate_tangent(const At& at,
             rate_by.tail<3>() =
                 turn.transpose() * along - one.placement * spin(arm).transpose() * gap.by_position;
         }
-        const double part = weight * own.weight * undamped * at.rate_damping;
+        const double part = weight * own.weight * undamped * gap.damping;
         for (int i = 0; i < element.count; ++i)
             tangent.block<6, 6>(6 * i, 6 * j) +=
                 part * own.shapes[static_cast<std::size_t>(i)] * by_force * rate_by.transpose();

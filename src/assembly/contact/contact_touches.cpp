@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include "assembly/contact/contact_assembly.hpp"
 
@@ -26,6 +27,20 @@ void merge(const ContactTouch& more, ContactTouch& touch) {
     touch.slides = touch.slides && more.slides;
 }
 
+// Sorted, with one for each place at an obstacle.
+std::vector<ContactTouch> merge_same_places(std::vector<ContactTouch> touches) {
+    std::ranges::stable_sort(touches, comes_before);
+    std::vector<ContactTouch> merged;
+    for (const ContactTouch& one : touches) {
+        if (!merged.empty() && is_same_place(merged.back(), one)) {
+            merge(one, merged.back());
+        } else {
+            merged.push_back(one);
+        }
+    }
+    return merged;
+}
+
 }  // namespace
 
 void ContactAssembly::list_element_touches(std::size_t index,
@@ -49,38 +64,41 @@ void ContactAssembly::list_element_touches(std::size_t index,
             constexpr double nearly = 1.0 - 1e-9;
             const double most =
                 touching.friction.coefficient * surface.slope * std::max(touching.normal.force, 0.0);
-            touches.push_back({{element.rod, -1 - static_cast<int>(surfaces_[obstacle].obstacle)},
-                               {std::clamp(place.fraction, 0.0, 1.0), 0.0},
-                               position - (element.radius + 0.5 * surface.gap) * surface.normal,
-                               place.weight * (there.force - there.traction),
-                               place.weight * there.traction,
-                               surface.gap,
-                               there.traction.norm() >= nearly * most});
+            touches.push_back(
+                {{element.rod, -1 - static_cast<int>(surfaces_[obstacle].obstacle)},
+                 {std::clamp(place.fraction, 0.0, 1.0), 0.0},
+                 position - (element.radius + 0.5 * surface.gap) * surface.normal,
+                 place.weight * (there.force - there.traction),
+                 place.weight * there.traction,
+                 surface.gap,
+                 touching.friction.shape != nullptr ? there.slides : there.traction.norm() >= nearly * most});
         }
     }
 }
 
 std::vector<ContactTouch> ContactAssembly::list_touches(const State& state, double time) const {
-    std::vector<ContactTouch> all;
+    std::vector<ContactTouch> all, of_bodies;
     if (!surfaces_.empty()) {
         const At at = find_obstacles(state, time, 1.0);
         std::vector<std::vector<ContactTouch>> of_elements(places_.elements.size());
         team_->for_each_range(of_elements.size(), [&](std::size_t first, std::size_t last) {
             for (std::size_t e = first; e < last; ++e) list_element_touches(e, at, state, of_elements[e]);
         });
-        for (const std::vector<ContactTouch>& own : of_elements)
-            all.insert(all.end(), own.begin(), own.end());
-    }
-    if (!pairs_.empty()) pairs_.add_touches(state, all);
-    std::ranges::stable_sort(all, comes_before);
-    std::vector<ContactTouch> merged;
-    for (const ContactTouch& one : all) {
-        if (!merged.empty() && is_same_place(merged.back(), one)) {
-            merge(one, merged.back());
-        } else {
-            merged.push_back(one);
+        for (std::size_t e = 0; e < of_elements.size(); ++e) {
+            // Places of two shapes of a body are not the same.
+            if (places_.elements[e].is_body) {
+                const std::vector<ContactTouch> own = merge_same_places(std::move(of_elements[e]));
+                of_bodies.insert(of_bodies.end(), own.begin(), own.end());
+            } else {
+                all.insert(all.end(), of_elements[e].begin(), of_elements[e].end());
+            }
         }
     }
+    if (!pairs_.empty()) pairs_.add_touches(state, all);
+    std::vector<ContactTouch> merged = merge_same_places(std::move(all));
+    if (of_bodies.empty()) return merged;
+    merged.insert(merged.end(), of_bodies.begin(), of_bodies.end());
+    std::ranges::stable_sort(merged, comes_before);
     return merged;
 }
 
@@ -109,9 +127,12 @@ std::vector<double> ContactAssembly::compute_gaps(const State& state, double tim
     for (const double radius : contact.radii) largest = std::max(largest, radius);
     for (const ContactBody& body : contact.bodies) largest = std::max(largest, body.radius);
     std::vector<double> gaps(state.trial.size(), contact.skin * largest);
-    for (const ContactBody& body : contact.bodies)
-        gaps[static_cast<std::size_t>(model_->bodies[static_cast<std::size_t>(body.body)].node)] =
-            contact.skin * body.radius;
+    std::map<int, double> of_nodes;  // of shapes of bodies, the largest
+    for (const ContactBody& body : contact.bodies) {
+        double& own = of_nodes[model_->bodies[static_cast<std::size_t>(body.body)].node];
+        own = std::max(own, contact.skin * body.radius);
+    }
+    for (const auto& [node, skin] : of_nodes) gaps[static_cast<std::size_t>(node)] = skin;
     for (std::size_t rod = 0; rod < contact.radii.size(); ++rod) {
         if (contact.radii[rod] == 0.0) continue;
         for (const int node : model_->rods[rod].nodes)

@@ -10,7 +10,7 @@
 #include "assembly/scatter.hpp"
 #include "check/summaries/direction_words.hpp"
 #include "linear/scalar_pivots.hpp"
-#include "model/contact_friction.hpp"
+#include "model/contact.hpp"
 #include "solvers/path/soft_modes.hpp"
 
 namespace gxrod {

@@ -30,22 +30,50 @@ Vec3 sum(const double (&shares)[4], const std::array<Vec3, 4>& of_ends) {
     return shares[0] * of_ends[0] + shares[1] * of_ends[1] + shares[2] * of_ends[2] + shares[3] * of_ends[3];
 }
 
+// The friction with its axes along the parts, where they have one: the second is reversed.
+CoulombFriction with_axes(const PairMotion& motion, CoulombFriction friction) {
+    if (friction.shape == nullptr) return friction;
+    const auto& x = motion.positions;
+    if (!friction.axes[0].isZero(0.0)) friction.axes[0] = (x[1] - x[0]).normalized();
+    if (!friction.axes[1].isZero(0.0)) friction.axes[1] = (x[2] - x[3]).normalized();
+    return friction;
+}
+
 // What the traction follows from.
 struct Slipping {
     Vec3 distance, distance_before, rotation;
     Mat3 turn;
     Vec3 pull;
+    CoulombFriction friction;  // with the traction before, turned with the rods
 
-    Slipping(const PairPlace& at, const PairMotion& motion, const CoulombFriction& friction) {
+    Slipping(const PairPlace& at, const PairMotion& motion, const CoulombFriction& given)
+        : friction(with_axes(motion, given)) {
         const Shares shares(at, motion);
         distance = sum(shares.of_distance, motion.positions);
         distance_before = sum(shares.of_distance, motion.positions_before);
         rotation = sum(shares.of_rotation, motion.rotations);
         turn = exp_matrix(rotation);
-        pull =
-            turn * (friction.traction + friction.stiffness * distance_before) - friction.stiffness * distance;
+        pull = turn * (given.traction + given.stiffness * distance_before) - given.stiffness * distance;
+        friction.traction = turn * given.traction;
     }
 };
+
+// Adds the derivatives of the traction by positions through the axes.
+void add_by_axes(const TractionDerivative& there,
+                 const CoulombFriction& friction,
+                 const PairMotion& motion,
+                 Mat312& traction_by) {
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Vec3& axis = friction.axes[i];
+        if (axis.isZero(0.0)) continue;
+        const double length = (motion.positions[2 * i + 1] - motion.positions[2 * i]).norm();
+        const double sign = i == 0 ? 1.0 : -1.0;
+        const Mat3 by_end = sign / length * there.by_axes[i] * (Mat3::Identity() - axis * axis.transpose());
+        const auto column = static_cast<Eigen::Index>(6 * i);
+        traction_by.middleCols<3>(column) -= by_end;
+        traction_by.middleCols<3>(column + 3) += by_end;
+    }
+}
 
 }  // namespace
 
@@ -75,8 +103,8 @@ PairFriction compute_pair_friction(const PairEnergy& energy,
     const PairPlace at = find_pair_place(energy, motion);
     if (!friction.acts(at.force)) return result;
     const Slipping slipping(at, motion, friction);
-    result.traction = compute_traction(slipping.pull, at.normal, at.force, friction);
-    result.traction_before = slipping.turn * friction.traction;
+    result.traction = compute_traction(slipping.pull, at.normal, at.force, slipping.friction);
+    result.traction_before = slipping.friction.traction;
     result.slip = slipping.distance - slipping.turn * slipping.distance_before;
     const Shares shares(at, motion);
     const Vec3 moment = -slipping.distance.cross(result.traction.value);
@@ -118,13 +146,20 @@ Mat24 compute_pair_friction_derivative(const PairEnergy& energy,
     const Mat3 pull_by_rotation = -spin(slipping.turn * (friction.traction + k * slipping.distance_before)) *
                                   tangent_map(slipping.rotation);
     const TractionDerivative there =
-        compute_traction_derivative(slipping.pull, at.normal, at.force, friction);
-    const Vec3 t = compute_traction(slipping.pull, at.normal, at.force, friction).value;
-    const Mat312 traction_by =
+        compute_traction_derivative(slipping.pull, at.normal, at.force, slipping.friction);
+    const Vec3 t = compute_traction(slipping.pull, at.normal, at.force, slipping.friction).value;
+    Mat312 traction_by =
         there.by_pull * (k * slipping.turn * along(motion.positions_before, 1.0, -1.0) - k * distance_by +
                          pull_by_rotation * along(motion.rotations, ratio_a, ratio_b)) +
         there.by_normal * normal_by + there.by_force * size_by;
-    const Mat3 traction_by_rotation = there.by_pull * pull_by_rotation;
+    Mat3 traction_by_rotation = there.by_pull * pull_by_rotation;
+    if (friction.shape != nullptr) {
+        const Mat3 by_turning =
+            -there.by_traction * spin(slipping.friction.traction) * tangent_map(slipping.rotation);
+        traction_by_rotation += by_turning;
+        traction_by += by_turning * along(motion.rotations, ratio_a, ratio_b);
+        add_by_axes(there, slipping.friction, motion, traction_by);
+    }
     const Mat3 arm = spin(slipping.distance);
     const Vec3 moment = -arm * t;
     const Mat312 moment_by = spin(t) * distance_by - arm * traction_by;
@@ -159,8 +194,10 @@ CoulombFriction advance_pair_slip(const PairEnergy& energy,
     }
     const Vec3 change = -(energy.hessian.middleRows<3>(0) + energy.hessian.middleRows<3>(3)) * move;
     const Slipping slipping(at, moved, friction);
-    return decide_slip(
-        slipping.pull, at.normal, at.force > 0.0 ? at.force + at.normal.dot(change) : 0.0, friction);
+    CoulombFriction decided = decide_slip(
+        slipping.pull, at.normal, at.force > 0.0 ? at.force + at.normal.dot(change) : 0.0, slipping.friction);
+    decided.traction = friction.traction;
+    return decided;
 }
 
 }  // namespace gxrod

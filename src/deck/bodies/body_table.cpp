@@ -109,20 +109,22 @@ const TableSpec& body_table() {
             .unit("angle/time").also("omega w spin rotation_rate initial_angular_velocity")
         .key("angular_velocity_material", &T::angular_velocity_material, "At t = 0, components in the body axes.")
             .unit("angle/time").otherwise("what angular_velocity says")
-        .key("sphere", &T::sphere, sphere_table(),
-             "With which it touches every [obstacle.NAME], and rods and other bodies if there is [contact].")
-        .key("capsule", &T::capsule, capsule_table(), "The same: all within a radius of a segment.")
+        .key("sphere", &T::spheres, sphere_table(),
+             "With which it touches every [obstacle.NAME], and rods and other bodies if there is [contact]. Spheres "
+             "and capsules together are one body; they do not touch each other.")
+            .or_one().also("spheres ball balls collision contact")
+        .key("capsule", &T::capsules, capsule_table(), "The same: all within a radius of a segment.")
+            .or_one().also("capsules")
         .key("fluid", &T::fluid, fluid_of_body_table(),
              "What [fluid] and [air] see of it. Without it they pass it by. The ground does not touch bodies.")
             .also("hydro drag buoyancy volume")
         .key("looks", &T::looks, look_table(), "What it looks like in reports and pictures, part by part; no "
-             "force depends on it. Without it a sphere or capsule of contact, or the cuboid of its mass and inertia, "
+             "force depends on it. Without it the spheres and capsules of contact, or the cuboid of its mass and inertia, "
              "and lines to its joints.")
             .also("shape outline shapes geometry graphics visual appearance")
         .with(add_copies<T>)
         .not_here("force moment torque load", "a [[load]] at the body has its forces and moments")
         .at_most_one_of({"angular_velocity", "angular_velocity_material"})
-        .at_most_one_of({"sphere", "capsule"})
         .shown_by(
             "[body.gyroscope]\n"
             "mass            = 1.0\n"

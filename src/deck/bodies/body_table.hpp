@@ -5,7 +5,7 @@
 
 namespace gxrod {
 
-// A shape with which a body touches.
+// A shape with which a body touches; it can have several.
 struct BodyShapeTable : TableHead {
     double radius = 0.0;
     std::optional<double> force;
@@ -39,8 +39,8 @@ struct BodyTable : TableHead {
     Vec3 velocity = Vec3::Zero();
     Vec3 angular_velocity = Vec3::Zero();
     std::optional<Vec3> angular_velocity_material;
-    std::optional<BodySphereTable> sphere;
-    std::optional<BodyCapsuleTable> capsule;
+    std::vector<BodySphereTable> spheres;
+    std::vector<BodyCapsuleTable> capsules;
     std::optional<BodyFluidTable> fluid;
     Copies copies;
 };

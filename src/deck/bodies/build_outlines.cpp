@@ -48,7 +48,9 @@ class BodyOutliner {
 
     BodyOutline build(const DrawnBodyTable& given, std::size_t number) {
         const Body& body = context_.model.bodies[number];
-        BodyOutline outline{.body = static_cast<int>(number), .is_given = !given.looks.empty()};
+        BodyOutline outline{
+            .body = static_cast<int>(number),
+            .is_given = !given.looks.empty() || given.spheres.size() + given.capsules.size() > 1};
         for (const LookTable& look : given.looks) {
             if (look.box) add(*look.box, outline);
             if (look.cylinder) add(*look.cylinder, outline);
@@ -86,11 +88,11 @@ class BodyOutliner {
 
     // A default: from mass and inertia, or the shape of contact.
     void add_default(const BodyTable& given, const Body& body, BodyOutline& outline) const {
-        if (given.sphere) {
-            add_capsule(given.sphere->centre, given.sphere->centre, given.sphere->radius, outline);
-        } else if (given.capsule) {
-            add_capsule(given.capsule->from, given.capsule->to, given.capsule->radius, outline);
-        } else {
+        for (const BodySphereTable& sphere : given.spheres)
+            add_capsule(sphere.centre, sphere.centre, sphere.radius, outline);
+        for (const BodyCapsuleTable& capsule : given.capsules)
+            add_capsule(capsule.from, capsule.to, capsule.radius, outline);
+        if (given.spheres.empty() && given.capsules.empty()) {
             const Cuboid cuboid = find_cuboid(body.mass, body.inertia);
             if (cuboid.half_sizes.maxCoeff() > 0.0)
                 add_box(cuboid.half_sizes, {body.centre_of_mass, cuboid.axes}, outline);

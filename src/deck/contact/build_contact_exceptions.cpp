@@ -21,8 +21,8 @@ std::vector<std::string> list_partner_names(const Model& model) {
     std::vector<std::string> names;
     for (const Rod& rod : model.rods) names.push_back(rod.name);
     for (const Obstacle& obstacle : model.contact.obstacles) names.push_back(obstacle.name);
-    for (const ContactBody& body : model.contact.bodies)
-        names.push_back(model.bodies[static_cast<std::size_t>(body.body)].name);
+    for (const int body : model.contact.touching_bodies())
+        names.push_back(model.bodies[static_cast<std::size_t>(body)].name);
     return names;
 }
 
@@ -98,12 +98,12 @@ std::vector<ContactPart> find_side(const CheckedWord& word, const BuildContext& 
         }
         parts.push_back(part);
     }
-    for (const ContactBody& body : model.contact.bodies) {
-        const std::string& name = model.bodies[static_cast<std::size_t>(body.body)].name;
+    for (const int body : model.contact.touching_bodies()) {
+        const std::string& name = model.bodies[static_cast<std::size_t>(body)].name;
         if (!matches_pattern(name, pattern)) continue;
         if (range && pattern.find('*') == std::string::npos)
             return add_fault(fmt::format("\"{}\" is a body; only rods have parts", pattern));
-        if (!range) parts.push_back({.index = static_cast<int>(model.rods.size()) + body.body});
+        if (!range) parts.push_back({.index = static_cast<int>(model.rods.size()) + body});
     }
     for (std::size_t i = 0; i < model.contact.obstacles.size(); ++i) {
         if (!matches_pattern(model.contact.obstacles[i].name, pattern)) continue;
@@ -170,7 +170,12 @@ std::vector<ContactException> build_contact_exceptions(const ContactKeys& contac
         const Partners& words = table.between;
         for (std::size_t side = 0; side < 2; ++side) one.between[side] = find_side(words[side], context);
         if (one.between[0].empty() || one.between[1].empty()) continue;
-        one.friction = table.friction;
+        if (table.friction) {
+            const ContactFriction friction = find_contact_friction(table.friction, context);
+            one.friction = friction.coefficient;
+            one.friction_shape = friction.shape;
+        }
+        one.restitution = table.restitution;
         one.is_off = table.off.value_or(false);
         if (!has_touching(one, context.model.contact))
             context.add_fault(table,
@@ -186,6 +191,7 @@ std::vector<ContactException> build_contact_exceptions(const ContactKeys& contac
 bool is_left_out(const Contact& contact, int a, int b) {
     bool is_off = false;
     for (const ContactException& one : contact.exceptions) {
+        if (one.restitution && !one.friction) continue;
         bool fits = false, is_whole = false;
         for (const auto& [own, other] : {std::pair(0, 1), std::pair(1, 0)}) {
             for (const ContactPart& x : one.between[static_cast<std::size_t>(own)]) {

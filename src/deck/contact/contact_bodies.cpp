@@ -12,10 +12,21 @@
 namespace gxrod {
 namespace {
 
-// The shape of a body, nullptr without one.
-const BodyShapeTable* find_shape(const BodyTable& body) {
-    if (body.sphere) return &*body.sphere;
-    return body.capsule ? &*body.capsule : nullptr;
+// A shape of a body, as the deck has it and as contact sees it, without its force.
+struct GivenShape {
+    const BodyShapeTable* table;
+    ContactBody shape{};
+};
+
+// The spheres of a body, then its capsules.
+std::vector<GivenShape> list_shapes(const BodyTable& body) {
+    std::vector<GivenShape> shapes;
+    const auto add = [&](const BodyShapeTable& table, const Vec3& from, const Vec3& to) {
+        shapes.push_back({&table, {.ends = {from, to}, .radius = table.radius}});
+    };
+    for (const BodySphereTable& one : body.spheres) add(one, one.centre, one.centre);
+    for (const BodyCapsuleTable& one : body.capsules) add(one, one.from, one.to);
+    return shapes;
 }
 
 // The largest of gravity and of a rotation there, at a few times: they can be ramped up.
@@ -75,38 +86,36 @@ void set_contact_bodies(Contact& contact, const BuildContext& context) {
     int body = -1;
     for (const BodyTable& given : tables_of<BodyTable>(context.deck, body_table())) {
         ++body;
-        const BodyShapeTable* shape = find_shape(given);
-        if (shape == nullptr || context.body_nodes[static_cast<std::size_t>(body)] < 0) continue;
-        ContactBody own{.body = body, .radius = shape->radius};
-        if (given.sphere) {
-            own.ends.fill(given.sphere->centre);
-        } else {
-            own.ends = {given.capsule->from, given.capsule->to};
-            if (own.ends[0] == own.ends[1])
-                context.add_fault(*shape,
-                                  given.capsule->to,
-                                  "expected an end away from its start; a `sphere` has no length");
+        if (context.body_nodes[static_cast<std::size_t>(body)] < 0) continue;
+        for (const BodyCapsuleTable& capsule : given.capsules) {
+            if (capsule.from == capsule.to)
+                context.add_fault(
+                    capsule, capsule.to, "expected an end away from its start; a `sphere` has no length");
         }
         const Body& built = context.model.bodies[static_cast<std::size_t>(body)];
-        own.force =
-            shape->force ? *shape->force : find_force(built, contact.skin * own.radius, contact, context);
-        if (own.force == 0.0 && context.stage == 0)
-            context.add_fault(
-                *shape,
-                shape->force,
-                "missing: neither weight nor velocity, nor rods that touch, say how large forces "
-                "are; expected that which leaves half the skin, well above the largest to expect");
-        check_room(*shape, own, contact, context);
-        contact.bodies.push_back(own);
+        for (auto& [table, own] : list_shapes(given)) {
+            own.body = body;
+            own.force =
+                table->force ? *table->force : find_force(built, contact.skin * own.radius, contact, context);
+            if (own.force == 0.0 && context.stage == 0)
+                context.add_fault(
+                    *table,
+                    table->force,
+                    "missing: neither weight nor velocity, nor rods that touch, say how large forces "
+                    "are; expected that which leaves half the skin, well above the largest to expect");
+            check_room(*table, own, contact, context);
+            contact.bodies.push_back(own);
+        }
     }
 }
 
 void check_contact_bodies(const BuildContext& context) {
     const Contact& contact = context.model.contact;
-    std::vector<const BodyShapeTable*> shapes;
+    std::vector<const BodyShapeTable*> shapes;  // of each body the first
     for (const BodyTable& given : tables_of<BodyTable>(context.deck, body_table())) {
-        const BodyShapeTable* shape = find_shape(given);
-        if (shape == nullptr) continue;
+        const std::vector<GivenShape> all = list_shapes(given);
+        if (all.empty()) continue;
+        const BodyShapeTable* shape = all.front().table;
         shapes.push_back(shape);
         if (contact.obstacles.empty() && !contact.between_rods)
             context.faults.add(

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "deck/contact/friction_table.hpp"
 #include "deck/places/build_context.hpp"
 #include "deck/table/kinds.hpp"
 
@@ -12,7 +13,8 @@ namespace gxrod {
 
 struct ContactPairTable : TableHead {
     Partners between;
-    std::optional<double> friction;
+    ContactFrictionKey friction;
+    std::optional<double> restitution;
     std::optional<bool> off;
 };
 
@@ -21,10 +23,11 @@ struct ContactKeys : TableHead {
     bool each_other = true;
     bool self = true;
     std::optional<double> bend_radius;
-    double friction = 0.0;
+    ContactFrictionKey friction;
     double skin = 0.02;
-    double dissipation = 1.0;
+    std::optional<double> dissipation;
     double damping = 0.0;
+    std::optional<double> restitution;
     std::vector<ContactPairTable> pairs;
 };
 

@@ -98,6 +98,7 @@ const TableSpec& obstacle_move_table() {
 
 const TableSpec& obstacle_table() {
     using T = ObstacleTable;
+    static const TableSpec friction = contact_friction_table("obstacle.NAME");
     // clang-format off
     static const TableSpec table = Table<T>("[obstacle.NAME]",
             "What does not deform, and what rods, and bodies with a sphere or capsule, touch and never pass.")
@@ -110,8 +111,10 @@ const TableSpec& obstacle_table() {
         .key("tube", &T::tube, tube_obstacle_table(),
              "About a curve; its ends continue straight if it is hollow, else they are hemispheres.")
         .key("mesh", &T::mesh, mesh_obstacle_table(), "Triangles of a file, which stop rods on both sides.")
-        .key("friction", &T::friction, "Coulomb's coefficient.")
+        .key("friction", &T::friction, friction, "Coulomb's coefficient.")
             .unit("1").at_least(0).otherwise("that of [contact]").also("mu friction_coefficient")
+        .key("restitution", &T::restitution, "Coefficient of impacts, as in [contact].")
+            .unit("1").above(0).at_most(1).otherwise("that of [contact]").also("e cor coefficient_of_restitution")
         .key("stiffness", &T::stiffness, "Of a bed that yields instead of a rigid body: force per length and depth.")
             .unit("force/length²").above(0).also("k penalty contact_stiffness")
         .key("move", &T::move, obstacle_move_table(),
@@ -245,7 +248,11 @@ void build_obstacles(Contact& contact, const BuildContext& context) {
         Obstacle obstacle;
         obstacle.name = given.name;
         obstacle.shape = build_shape(given, context);
-        obstacle.friction = given.friction.value_or(contact.friction);
+        const ContactFriction friction = given.friction
+                                             ? find_contact_friction(given.friction, context)
+                                             : ContactFriction{contact.friction, contact.friction_shape};
+        obstacle.friction = friction.coefficient;
+        obstacle.friction_shape = friction.shape;
         obstacle.stiffness = given.stiffness;
         if (given.move) obstacle.motion = build_motion(*given.move, context);
         contact.obstacles.push_back(std::move(obstacle));

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "deck/contact/friction_table.hpp"
 #include "deck/places/build_context.hpp"
 #include "deck/rods/curve_table.hpp"
 #include "deck/schema/choices.hpp"
@@ -51,7 +52,8 @@ struct ObstacleTable : TableHead {
     std::optional<CylinderObstacleTable> cylinder;
     std::optional<TubeObstacleTable> tube;
     std::optional<MeshObstacleTable> mesh;
-    std::optional<double> friction;
+    ContactFrictionKey friction;
+    std::optional<double> restitution;
     std::optional<double> stiffness;
     std::optional<ObstacleMoveTable> move;
 };

@@ -210,8 +210,8 @@ void set_other(const HistoryKeys& table,
         std::vector<std::string> names;
         for (const Obstacle& one : model.contact.obstacles) names.push_back(one.name);
         for (const Rod& one : model.rods) names.push_back(one.name);
-        for (const ContactBody& one : model.contact.bodies)
-            names.push_back(model.bodies[static_cast<std::size_t>(one.body)].name);
+        for (const int body : model.contact.touching_bodies())
+            names.push_back(model.bodies[static_cast<std::size_t>(body)].name);
         context.add_fault(table,
                           table.with,
                           fmt::format("no obstacle and no rod \"{}\"{}", with, did_you_mean(with, names)));

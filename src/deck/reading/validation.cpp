@@ -233,7 +233,8 @@ class Validator {
 
     Value check_table_list(const DeckEntry& entry, const std::string& path, const KeySpec& key) const {
         const DeckNode::Array* array = entry.node.array();
-        if (array == nullptr) {
+        if (key.takes_one && entry.node.table() != nullptr) return check_single_table(entry, path, key);
+        if (array == nullptr || (key.takes_one && array->empty())) {
             expect(entry, path, key);
             return std::monostate{};
         }

@@ -71,6 +71,7 @@ std::string spell(const KeySpec& key) {
 }
 
 std::string describe_expected(const KeySpec& key) {
+    if (key.takes_one) return "a table " + spell(key) + " or a list of them";
     if (key.shape == KeyShape::table_list) return "tables " + key.table->heading;
     if (key.shape != KeyShape::value) return "a table " + spell(key);
     const std::string words = find_kind(key)->words(key);

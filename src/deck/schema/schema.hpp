@@ -69,6 +69,7 @@ struct KeySpec {
     const TableSpec* table = nullptr;                  // of what has tables
     std::shared_ptr<const Binding> binding = nullptr;  // of a key that is bound to a field of a struct
     bool may_change = false;                           // when a run is resumed
+    bool takes_one = false;                            // of a list of tables: also a single one
 };
 
 enum class GroupRule { exactly_one, at_least_one, at_most_one };

@@ -51,7 +51,7 @@ f(t, s) at 101 points of the rod at 101 of the steps.
 
 std::string describe_type(const KeySpec& key) {
     const ValueKind* kind = find_kind(key);
-    if (kind == nullptr) return "table";
+    if (kind == nullptr) return key.takes_one ? "table or list of tables" : "table";
     const bool has_table =
         key.table != nullptr &&
         (kind->nature == ValueNature::number || kind->nature == ValueNature::word || !key.refers_to.empty());
@@ -111,7 +111,8 @@ std::string write_rows(const TableSpec& table, const std::string& prefix) {
         if (has_table && key.table != nullptr) rows += write_rows(*key.table, prefix + key.name + ".");
         if (key.shape == KeyShape::named_tables && key.binding)
             rows += write_rows(*key.table, prefix + key.name + ".NAME.");
-        if (key.shape == KeyShape::table_list) rows += write_rows(*key.table, prefix + key.name + "[].");
+        if (key.shape == KeyShape::table_list)
+            rows += write_rows(*key.table, prefix + key.name + (key.takes_one ? "." : "[]."));
     }
     return rows;
 }

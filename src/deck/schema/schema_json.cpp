@@ -46,8 +46,10 @@ Json make_type(const KeySpec& key) {
             }
             return named_tables(is_for_expressions(key) ? "^[A-Za-z_][A-Za-z0-9_]*$" : "^[A-Za-z0-9_-]+$",
                                 make_table(*key.table));
-        case KeyShape::table_list:
-            return {{"type", "array"}, {"items", make_table(*key.table)}};
+        case KeyShape::table_list: {
+            Json list{{"type", "array"}, {"items", make_table(*key.table)}};
+            return key.takes_one ? any_of({make_table(*key.table), list}) : list;
+        }
         case KeyShape::parameters:
             return named_tables("^[A-Za-z_][A-Za-z0-9_]*$", reference("number"));
         case KeyShape::variations:

@@ -126,6 +126,12 @@ class Table {
         return *this;
     }
 
+    // The key takes a single table as well as a list.
+    Table& or_one() {
+        last().takes_one = true;
+        return *this;
+    }
+
     // Adds keys of another table, whose struct is a base of T: all of them, or those of these names.
     template <class Base>
         requires std::is_base_of_v<Base, T>

@@ -122,7 +122,8 @@ class Walk {
     // Whether the schema has exactly one such table here, which can be added.
     bool deck_has_once(const std::string& name) const {
         const KeySpec* key = table_ == nullptr ? nullptr : table_->find(name);
-        return key != nullptr && (key->shape == KeyShape::table || key->shape == KeyShape::parameters);
+        return key != nullptr &&
+               (key->shape == KeyShape::table || key->shape == KeyShape::parameters || key->takes_one);
     }
 
     std::string explain_missing(const DeckNode::Table& table, const std::string& name) const {
@@ -154,7 +155,8 @@ class Walk {
         }
         const KeySpec* key = table_ == nullptr ? nullptr : table_->find(name);
         const TableSpec* found = key == nullptr ? nullptr : key->table;
-        const bool is_group = found != nullptr && key->shape != KeyShape::table;
+        const bool is_one = key != nullptr && key->takes_one && node_->find(name)->node.table() != nullptr;
+        const bool is_group = found != nullptr && key->shape != KeyShape::table && !is_one;
         table_ = is_group ? nullptr : found;
         named_ = is_group ? found : nullptr;
     }

@@ -62,7 +62,8 @@ void ExactMatrix::find_pairs(const StagesOfStep& stages, SolverWorkspace& worksp
     if (!contacts.couple_rods()) return;
     std::vector<NodeGroup> needed;
     const auto count = stages.count();
-    const bool are_damped = stages.system.model().contact.damping > 0.0;
+    const Contact& contact = stages.system.model().contact;
+    const bool are_damped = contact.damping > 0.0 || contact.has_restitution();
     for (std::size_t j = 0; j < count; ++j) {
         for (std::size_t k = 0; k < count; ++k) {
             if (k != j && !are_damped) continue;

@@ -85,6 +85,51 @@ TEST_CASE("Friction of two pieces: its tangent is the derivative of its forces",
     }
 }
 
+TEST_CASE("Friction of two pieces by direction and speed: its tangent is the derivative of its forces",
+          "[contact]") {
+    static constexpr FrictionShape shape{0.2, 0.6, 1.0, 0.5, 0.1};
+    for (unsigned seed = 1; seed < 6; ++seed) {
+        Crossing crossing(seed);
+        INFO(seed);
+        crossing.friction.coefficient = 0.01;
+        crossing.friction.stiffness = 200.0;
+        crossing.friction.shape = &shape;
+        crossing.friction.elapsed = 0.2;
+        // Of the second axis only whether it has one.
+        crossing.friction.axes = {Vec3::UnitX(), seed % 2 == 0 ? Vec3(Vec3::Zero()) : Vec3(Vec3::UnitY())};
+        CHECK(crossing.force().traction.slides);
+        CHECK(tangent_error(crossing) < 1e-7);
+        crossing.friction.slip = Slip::slides;
+        crossing.friction.direction = Vec3(0.6, -0.8, 0.0);
+        CHECK(tangent_error(crossing) < 1e-7);
+    }
+}
+
+TEST_CASE(
+    "Friction of two pieces: a rod that slides along itself meets its own coefficient and that across "
+    "of the other",
+    "[contact]") {
+    static constexpr FrictionShape shape{0.2, 0.6, 1.0, 1.0, 0.0};
+    Crossing crossing(1);
+    crossing.motion.positions = {Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(0, -1, 0.32), Vec3(0, 1, 0.32)};
+    crossing.motion.rotations.fill(Vec3::Zero());
+    crossing.friction = {0.4, 2e6};
+    crossing.friction.shape = &shape;
+    crossing.friction.axes = {Vec3::UnitX(), Vec3::UnitY()};
+    const double pressed = find_pair_place(crossing.energy(), crossing.motion).force;
+    // What the first part meets that moves so past the second.
+    const auto traction_of = [&](const Vec3& slip) {
+        crossing.motion.positions_before = crossing.motion.positions;
+        for (std::size_t i = 0; i < 2; ++i) crossing.motion.positions_before[i] -= slip;
+        return Vec3(crossing.force().traction.value / (0.4 * pressed));
+    };
+    CHECK((traction_of(Vec3(0.01, 0, 0)) - Vec3(-0.5 * (0.2 + 1.0), 0, 0)).norm() < 1e-9);
+    CHECK((traction_of(Vec3(-0.01, 0, 0)) - Vec3(0.5 * (0.6 + 1.0), 0, 0)).norm() < 1e-9);
+    // The second slides backward along itself if the first moves along it, and the other way around.
+    CHECK((traction_of(Vec3(0, 0.01, 0)) - Vec3(0, -0.5 * (0.6 + 1.0), 0)).norm() < 1e-9);
+    CHECK((traction_of(Vec3(0, -0.01, 0)) - Vec3(0, 0.5 * (0.2 + 1.0), 0)).norm() < 1e-9);
+}
+
 TEST_CASE("Friction of two pieces: forces and moments are in balance, do work as the slip does",
           "[contact]") {
     Crossing crossing(1);

@@ -70,6 +70,44 @@ TEST_CASE("Obstacles that cannot be are reported", "[deck][touch]") {
     CHECK_THAT(faults(floor + "move = { z = \"1 + t\" }\n"), Contains("obstacle.floor.move.z"));
 }
 
+TEST_CASE("Friction by direction and speed says what it lacks", "[deck][touch]") {
+    const auto of_friction = [](const std::string& keys) {
+        return faults(floor + "friction = { " + keys + " }\n");
+    };
+    CHECK_THAT(of_friction("static = 0.4, kinetic = 0.3"),
+               Contains("obstacle.floor.friction.kinetic: says how much is left at great speed; expected "
+                        "`stribeck_speed` with it"));
+    CHECK_THAT(of_friction("static = 0.4, stribeck_speed = 0.1"),
+               Contains("obstacle.floor.friction.stribeck_speed: expected `kinetic` with it"));
+    CHECK_THAT(
+        of_friction("static = 0.4, kinetic = 0.5, stribeck_speed = 0.1"),
+        Contains("obstacle.floor.friction.kinetic: friction that grows with the speed is not there yet; "
+                 "expected at most 0.4"));
+    CHECK_THAT(of_friction("forward = 0.1"), Contains("obstacle.floor.friction: missing; expected"));
+    CHECK_THAT(of_friction("static = 0.4, across = 0.3"), Contains("obstacle.floor.friction"));
+    CHECK_THAT(of_friction("static = 0.4, forward = 0.3"), Contains("obstacle.floor.friction"));
+    CHECK_THAT(of_friction("static = 0.4, backward = 0.3"), Contains("obstacle.floor.friction"));
+    const std::string weak = floor + "friction = { static = 0.4, kinetic = 0.3, stribeck_speed = 0.1 }\n";
+    for (const std::string scheme : {"time_step = 0.1\nintegrator = \"radau-5\"",
+                                     "time_step = 0.1\nintegrator = \"sdirk-4\"",
+                                     "accuracy = 1e-3"})
+        CHECK_THAT(
+            faults(weak, circle, "[analysis]\nkind = \"dynamic\"\nend_time = 1\n" + scheme + "\n"),
+            Contains("friction that falls with the speed (`kinetic`) does not go with schemes that resolve "
+                     "impacts; expected integrator = \"generalized-alpha\" or \"newmark-simplified\""));
+    CHECK(faults(weak).empty());
+    // What is left out: backward as forward, and along as across.
+    const auto shape_of = [](const std::string& keys) {
+        return read(deck(floor + "friction = { " + keys + " }\n"))
+            .model.contact.obstacles.at(0)
+            .friction_shape;
+    };
+    CHECK(shape_of("across = 0.4, forward = 0.1") == FrictionShape{0.25, 0.25, 1.0});
+    CHECK(shape_of("across = 0.4").is_plain());
+    CHECK(shape_of("static = 0.4, kinetic = 0.4, stribeck_speed = 1").is_plain());
+    CHECK(shape_of("across = 0, forward = 0").is_plain());
+}
+
 TEST_CASE("Pairs of contact name rods, parts of them and obstacles", "[deck][touch]") {
     const auto pair = [](const std::string& between, const std::string& more = "off = true") {
         return floor + "[contact]\n[[contact.pair]]\nbetween = [" + between + "]\n" + more + "\n";
@@ -108,7 +146,7 @@ TEST_CASE("Pairs of contact name rods, parts of them and obstacles", "[deck][tou
     CHECK_THAT(faults(pair("\"a\", \"floor\"", "friction = 0.1\noff = true")),
                Contains("friction is given too; only one of them can be"));
     CHECK_THAT(faults(pair("\"a\", \"floor\"", "")),
-               Contains("contact.pair[0]: missing; expected friction or off"));
+               Contains("contact.pair[0]: missing; expected friction or restitution or off"));
     CHECK_THAT(faults(pair("\"a\", \"floor\"", "friction = -1")), Contains("expected a number at least 0"));
 }
 
@@ -322,6 +360,89 @@ TEST_CASE("Bodies touch by a sphere or a capsule", "[deck][touch][bodies]") {
                       "[[history]]\nname = \"h\"\nat = \"b\"\nquantities = \"contact_force\"\n" + dynamic),
             Contains("this body touches nothing; expected its `sphere` or `capsule`"));
     }
+}
+
+TEST_CASE("A body touches by several shapes", "[deck][touch][bodies]") {
+    const std::string heavy = "gravity = [0, 0, -10]\n";
+    const std::string cart = "[body.cart]\nmass = 2\ninertia = [1, 1, 1]\nat = [0, 0, 5]\n";
+    const std::string stick = "capsule = { from = [-1, 0, 0], to = [1, 0, 0], radius = 0.2 }\n";
+    const auto bodies_of = [&](const std::string& lines) {
+        return read(heavy + cart + lines + floor + dynamic).model.contact.bodies;
+    };
+    SECTION("as a list, as tables of their own, and of both kinds") {
+        const std::vector<ContactBody> shapes = bodies_of(
+            "sphere = [{ radius = 0.5 }, { radius = 0.3, centre = [1, 0, 0], force = 7 }]\n" + stick);
+        REQUIRE(shapes.size() == 3);
+        for (const ContactBody& one : shapes) CHECK(one.body == 0);
+        CHECK(shapes[1].radius == 0.3);
+        CHECK(shapes[1].ends[1] == Vec3(1, 0, 0));
+        CHECK(shapes[1].force == 7.0);
+        CHECK(shapes[2].ends == std::array{Vec3(-1, 0, 0), Vec3(1, 0, 0)});
+        CHECK(bodies_of("[[body.cart.sphere]]\nradius = 0.5\n[[body.cart.sphere]]\nradius = 0.4\n").size() ==
+              2);
+        CHECK(bodies_of(stick).size() == 1);
+    }
+    SECTION("and is one thing for all that names it") {
+        const Problem problem =
+            read(heavy + cart + "sphere = [{ radius = 0.5 }, { radius = 0.3 }]\n" + stick + floor +
+                 "[contact]\n[[contact.pair]]\nbetween = [\"cart\", \"floor\"]\nfriction = 0.1\n" + dynamic);
+        CHECK(problem.model.contact.touching_bodies() == std::vector{0});
+        CHECK(problem.model.contact.exceptions.at(0).between[0].size() == 1);
+    }
+    SECTION("which overrides reach") {
+        const auto radius_of = [&](const std::string& lines, const std::string& change) {
+            return read(heavy + cart + lines + floor + dynamic, {change}).model.contact.bodies.at(0).radius;
+        };
+        CHECK(radius_of("sphere = { radius = 0.5 }\n", "body.cart.sphere.radius=0.25") == 0.25);
+        CHECK(radius_of("sphere = [{ radius = 0.5 }]\n", "body.cart.sphere[0].radius=0.25") == 0.25);
+        CHECK(radius_of("", "body.cart.sphere.radius=0.25") == 0.25);
+    }
+    SECTION("and errors say where") {
+        const auto errors = [&](const std::string& lines) {
+            return faults_of(heavy + cart + lines + floor + dynamic);
+        };
+        CHECK_THAT(errors("sphere = []\n"),
+                   Contains("body.cart.sphere: expected a table sphere = { … } or a list of them, found"));
+        CHECK_THAT(errors("sphere = 3\n"),
+                   Contains("body.cart.sphere: expected a table sphere = { … } or a list of them, found"));
+        CHECK_THAT(errors("sphere = [{ radius = 0.5 }, { radius = -1 }]\n"),
+                   Contains("body.cart.sphere[1].radius: "));
+        CHECK_THAT(errors("capsule = [{ from = [0, 0, 0], to = [0, 0, 0], radius = 1 }]\n"),
+                   Contains("body.cart.capsule[0].to: expected an end away from its start"));
+        CHECK_THAT(
+            faults_of(cart + "sphere = [{ radius = 0.5, force = 2 }, { radius = 0.4 }]\n" + floor + dynamic),
+            Contains("body.cart.sphere[1].force: missing: neither weight nor velocity"));
+        CHECK_THAT(faults_of(heavy + cart + "sphere = [{ radius = 0.5 }, { radius = 0.4 }]\n" + floor +
+                             "[analysis]\nkind = \"path\"\nuntil = { t = 1, steps = 5 }\n"),
+                   Contains("expected one radius for all shapes of cart"));
+    }
+}
+
+TEST_CASE("Restitution takes the place of damping and dissipation", "[deck][touch]") {
+    const auto contact_of_deck = [&](const std::string& lines) { return read(deck(lines)).model.contact; };
+    CHECK(contact_of_deck(floor).dissipation == 1.0);
+    CHECK(contact_of_deck(floor + "restitution = 0.5\n").dissipation == 0.0);
+    CHECK(contact_of_deck(floor + "restitution = 0.5\n[contact]\ndissipation = 0.4\n").dissipation == 0.4);
+    // Obstacles have their own, or that of [contact].
+    const Contact both =
+        contact_of_deck("[contact]\nrestitution = 0.3\n" + floor +
+                        "[obstacle.wall]\nplane = { point = [-1, 0, 0], normal = [1, 0, 0] }\n"
+                        "restitution = 0.9\n");
+    REQUIRE(both.exceptions.size() == 2);
+    CHECK(both.exceptions[0].restitution == 0.3);
+    CHECK(both.exceptions[0].between[1].size() == 3);
+    CHECK(both.exceptions[1].restitution == 0.9);
+    CHECK(both.exceptions[1].between[1].at(0).index == -2);
+    CHECK_THAT(faults("[contact]\nrestitution = 0.3\ndamping = 2\n"),
+               Contains("contact.restitution: damping is given too"));
+    CHECK_THAT(faults("[contact]\nrestitution = 0\n"),
+               Contains("contact.restitution: expected a number greater than 0, at most 1"));
+    CHECK_THAT(faults(floor + "restitution = 1.5\n"), Contains("obstacle.floor.restitution: "));
+    CHECK_THAT(faults(floor + "[contact]\n[[contact.pair]]\nbetween = [\"a\", \"floor\"]\n"),
+               Contains("expected friction or restitution or off"));
+    CHECK_THAT(faults(floor + "[contact]\n[[contact.pair]]\nbetween = [\"a\", \"floor\"]\nrestitution = 0.4\n"
+                              "off = true\n"),
+               Contains("contact.pair[0]"));
 }
 
 }  // namespace gxrod::test

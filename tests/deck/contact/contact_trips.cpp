@@ -1,3 +1,4 @@
+#include <cmath>
 #include <memory>
 #include <variant>
 
@@ -181,6 +182,49 @@ void add_body_trips(std::vector<RoundTrip>& trips) {
     add("capsule.from", capsule, [](const ContactBody& one) { return one.ends[0] == Vec3(1, 2, 3); });
     add("capsule.to", capsule, [](const ContactBody& one) { return one.ends[1] == Vec3(3, 2, 1); });
     add("capsule.force", capsule, has_force);
+    trips.push_back({"obstacle.NAME.restitution",
+                     wires("[obstacle.o]\n" + floor_keys + "restitution = 0.7\n"),
+                     [](const Problem& problem) { return exception(problem).restitution == 0.7; }});
+}
+
+// Friction of [contact], of an obstacle and of a pair: each a table with the same keys.
+struct Rubbing {
+    double coefficient = 0.0;
+    FrictionShape shape{};
+};
+
+void add_friction_trips(std::vector<RoundTrip>& trips) {
+    const auto add = [&](const std::string& key,
+                         const std::string& keys,
+                         const std::function<bool(const Rubbing&)>& is_seen) {
+        const std::string table = "friction = { " + keys + " }\n";
+        trips.push_back({"contact.friction." + key,
+                         wires("[contact]\n" + table + "[obstacle.o]\n" + floor_keys),
+                         [is_seen](const Problem& p) {
+                             const Contact& contact = p.model.contact;
+                             return is_seen({contact.friction, contact.friction_shape}) &&
+                                    is_seen({obstacle(p).friction, obstacle(p).friction_shape});
+                         }});
+        trips.push_back(trip("friction." + key, floor_keys + table, [is_seen](const Obstacle& one) {
+            return is_seen({one.friction, one.friction_shape});
+        }));
+        trips.push_back(
+            {"contact.pair.friction." + key,
+             wires("[contact]\n[[contact.pair]]\nbetween = [\"a\", \"b\"]\n" + table),
+             [is_seen](const Problem& p) {
+                 return is_seen({exception(p).friction.value_or(0.0), exception(p).friction_shape});
+             }});
+    };
+    const std::string weak = "static = 0.4, kinetic = 0.3, stribeck_speed = 0.02";
+    const std::string scaly = "forward = 0.2, backward = 0.5, across = 0.25";
+    add("static", weak, [](const Rubbing& one) { return one.coefficient == 0.4; });
+    add("kinetic", weak, [](const Rubbing& one) { return std::abs(one.shape.kinetic - 0.75) < 1e-15; });
+    add("stribeck_speed", weak, [](const Rubbing& one) { return one.shape.stribeck_speed == 0.02; });
+    add("forward", scaly, [](const Rubbing& one) { return one.shape.forward == 0.4; });
+    add("backward", scaly, [](const Rubbing& one) {
+        return one.coefficient == 0.5 && one.shape.backward == 1.0;
+    });
+    add("across", scaly, [](const Rubbing& one) { return one.shape.across == 0.5; });
 }
 
 }  // namespace
@@ -216,6 +260,12 @@ std::vector<RoundTrip> contact_trips() {
         {"contact.damping",
          wires("[contact]\ndamping = 0.5\n"),
          [](const Problem& p) { return p.model.contact.damping == 0.5; }},
+        {"contact.restitution",
+         wires("[contact]\nrestitution = 0.5\n"),
+         [](const Problem& p) { return exception(p).restitution == 0.5; }},
+        {"contact.pair.restitution",
+         wires("[contact]\n[[contact.pair]]\nbetween = [\"a\", \"b\"]\nrestitution = 0.2\n"),
+         [](const Problem& p) { return exception(p).restitution == 0.2; }},
         {"contact.pair.between",
          wires("[contact]\n[[contact.pair]]\nbetween = [\"*@0.5..1\", \"b\"]\noff = true\n"),
          [](const Problem& p) {
@@ -254,6 +304,7 @@ std::vector<RoundTrip> contact_trips() {
     add_move_trips(trips);
     add_mesh_trips(trips);
     add_body_trips(trips);
+    add_friction_trips(trips);
     return trips;
 }
 
