@@ -113,8 +113,8 @@ class Ledger {
     void add_contact_work(const State& state, double time);
     // Updates the largest energy after a step, in statics.
     void measure_largest_energy();
-    // Books what a step has lost, where steps must not gain energy.
-    void book_loss(const State& state, double time);
+    // Books what a step has lost, where steps must not gain energy. `touches`: whether anything touched in it.
+    void book_loss(const State& state, double time, bool touches);
     double compute_scheme_dissipation(const State& state, double time_step) const;
 
     const System* system_;

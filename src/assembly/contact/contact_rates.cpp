@@ -135,6 +135,7 @@ ContactPower ContactAssembly::compute_power(const State& state, double time) con
             const SurfaceTouch surface = touch(at, obstacle, p, position);
             const NormalForce undamped = law_force(at, obstacle, p, surface.gap, state);
             if (undamped.force == 0.0) continue;
+            power.touches = true;
             const GapRate gap = find_gap_rate(at, obstacle, p, surface, state);
             power.damping += place.weight * undamped.force * (1.0 - gap.factor) * gap.rate;
             if (at.around.empty()) continue;
@@ -147,6 +148,7 @@ ContactPower ContactAssembly::compute_power(const State& state, double time) con
         }
     }
     power.damping += pairs_.compute_damping_power(state);
+    power.touches = power.touches || pairs_.compute_energy(state) != 0.0;
     return power;
 }
 

@@ -6,6 +6,7 @@ namespace gxrod {
 struct ContactPower {
     double by_obstacles = 0.0;  // power of moving obstacles on rods
     double damping = 0.0;       // dissipated by damping
+    bool touches = false;       // whether anything is within its skin
 };
 
 // Work of contact in a step.
