@@ -6,7 +6,7 @@
 
 #include "machine/file_error.hpp"
 #include "machine/temporary_folder.hpp"
-#include "mesh/triangle_file.hpp"
+#include "mesh/triangles/triangle_file.hpp"
 
 namespace gxrod {
 

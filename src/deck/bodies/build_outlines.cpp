@@ -10,7 +10,7 @@
 #include "deck/text/table_files.hpp"
 #include "mesh/line_mesh.hpp"
 #include "mesh/outline_shapes.hpp"
-#include "mesh/triangle_file.hpp"
+#include "mesh/triangles/triangle_file.hpp"
 #include "model/body_moments.hpp"
 #include "model/ties/ties.hpp"
 #include "rotation/rotation_map.hpp"

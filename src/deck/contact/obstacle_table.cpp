@@ -78,7 +78,10 @@ const TableSpec& mesh_obstacle_table() {
             .unit("1").above(0)
         .key("feature_angle", &T::feature_angle,
              "Edges that turn by more are sharp: what is next to them is touched on its own.")
-            .unit("angle").above(0).at_most(M_PI);
+            .unit("angle").above(0).at_most(M_PI).otherwise("0.1; with smooth 0.6")
+        .key("smooth", &T::smooth,
+             "Whether facets stand for a curved surface: edges that are not sharp are rounded, through the corners.")
+            .also("round rounded smoothing");
     // clang-format on
     return table;
 }

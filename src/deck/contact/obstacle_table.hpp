@@ -39,7 +39,8 @@ struct TubeObstacleTable : CurveTable {
 struct MeshObstacleTable : TableHead {
     std::string file;
     double scale = 1.0;
-    double feature_angle = 0.1;
+    std::optional<double> feature_angle{};
+    bool smooth = false;
 };
 
 struct ObstacleMoveTable : MoveTable {

@@ -11,7 +11,7 @@
 
 #include "machine/child_process.hpp"
 #include "mesh/gmsh_session.hpp"
-#include "mesh/triangle_file.hpp"
+#include "mesh/triangles/triangle_file.hpp"
 
 namespace gxrod {
 namespace {

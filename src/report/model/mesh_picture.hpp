@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "mesh/triangle_examination.hpp"
+#include "mesh/triangles/triangle_examination.hpp"
 
 namespace gxrod {
 

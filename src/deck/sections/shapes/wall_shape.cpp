@@ -14,7 +14,7 @@
 #include "deck/sections/shapes/section_materials.hpp"
 #include "deck/text/table_files.hpp"
 #include "mesh/sections/section_file.hpp"
-#include "mesh/triangle_file.hpp"
+#include "mesh/triangles/triangle_file.hpp"
 
 namespace gxrod {
 namespace {

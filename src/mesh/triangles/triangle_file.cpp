@@ -1,4 +1,4 @@
-#include "mesh/triangle_file.hpp"
+#include "mesh/triangles/triangle_file.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 
 #include "machine/child_process.hpp"
 #include "mesh/gmsh_session.hpp"
-#include "mesh/stl_file.hpp"
+#include "mesh/triangles/stl_file.hpp"
 
 namespace gxrod {
 

@@ -1,4 +1,4 @@
-#include "mesh/stl_file.hpp"
+#include "mesh/triangles/stl_file.hpp"
 
 #include <fmt/format.h>
 

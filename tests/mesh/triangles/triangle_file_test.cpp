@@ -1,10 +1,10 @@
-#include "mesh/triangle_file.hpp"
+#include "mesh/triangles/triangle_file.hpp"
 
 #include <cstring>
 
 #include "deck/decks.hpp"
 #include "mesh/line_mesh.hpp"
-#include "mesh/stl_file.hpp"
+#include "mesh/triangles/stl_file.hpp"
 #include "tools/catch.hpp"
 
 namespace gxrod::test {

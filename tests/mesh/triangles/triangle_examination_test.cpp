@@ -1,10 +1,10 @@
-#include "mesh/triangle_examination.hpp"
+#include "mesh/triangles/triangle_examination.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "contact/meshes.hpp"
-#include "mesh/stl_file.hpp"
+#include "mesh/triangles/stl_file.hpp"
 #include "report/model/mesh_picture.hpp"
 #include "tools/catch.hpp"
 
