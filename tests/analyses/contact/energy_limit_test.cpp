@@ -3,6 +3,7 @@
 
 #include "analyses/contact/contact_run.hpp"
 #include "assembly/system_measures.hpp"
+#include "tools/problem_run.hpp"
 
 namespace gxrod::test {
 namespace {
@@ -138,6 +139,60 @@ TEST_CASE("What steps lose where something could touch falls with their square",
         CHECK(losses[1] < 0.4 * losses[0]);
         CHECK(losses[2] < 0.4 * losses[1]);
     }
+}
+
+TEST_CASE("Nothing is limited until something touches", "[analyses][touch]") {
+    // A support that sets a rod off at once does work that the first steps do not resolve, next to which all
+    // energy is small.
+    ContactRun run(section + "[obstacle.floor]\nplane = { point = [0, 0, -0.5], normal = [0, 0, 1] }\n" +
+                   rod("r", "0, 0, 0", "1, 0, 0", 10) + R"deck([[support]]
+at = "r.start"
+fix = ["y", "z", "rotation"]
+move = { x = "t < 0.1 ? 0.5*t^2 : 0.1*t - 0.005" }
+[analysis]
+kind = "dynamic"
+end_time = 0.05
+time_step = 1e-3
+gamma = 0.6
+beta = 0.3
+)deck");
+    run.finish();
+    CHECK(run.rejected() == 0);
+    CHECK(run.ledger().energy_error == 0.0);
+    CHECK(run.at("r.start").r.x() == Approx(0.5 * 0.05 * 0.05).epsilon(1e-12));
+}
+
+TEST_CASE("A motion after statics with contact gains nothing from the errors of load steps",
+          "[analyses][touch]") {
+    // A cantilever that bends to the floor in few steps, whose work the trapezoidal rule misses by much, and
+    // then rests.
+    const RunSummary summary = tools::run_problem(read(R"(
+gravity = [0, 0, -1]
+[section.s]
+stiffness = { EA = 1000.0, GAy = 500.0, GAz = 500.0, GJ = 1.0, EIy = 1.0, EIz = 1.5 }
+inertia = { rhoA = 1.0, rhoJ = 0.02, rhoIy = 0.01, rhoIz = 0.01 }
+radius = 0.02
+[obstacle.floor]
+plane = { point = [0, 0, -0.07], normal = [0, 0, 1] }
+[[support]]
+at = "r.start"
+fix = "all"
+[[load]]
+at = "r.end"
+force = [0, 0.1, 0.05]
+)" + rod("r", "0, 0, 0", "1, 0, 0", 6) + R"(
+[[stage]]
+name = "press"
+kind = "static"
+steps = 4
+[[stage]]
+name = "rest"
+kind = "dynamic"
+end_time = 0.25
+steps = 25
+)"));
+    INFO(summary.reason);
+    CHECK(summary.status == RunStatus::complete);
 }
 
 namespace {

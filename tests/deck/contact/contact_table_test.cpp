@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -203,6 +205,41 @@ TEST_CASE("What is in a mesh is noted", "[deck][touch]") {
         CHECK(rebuild_problem(problem.record).model.contact.obstacles.at(0).mesh()->positions ==
               mesh.positions);
     }
+}
+
+TEST_CASE("What rounding makes of a mesh is noted, and where it may be missing", "[deck][touch]") {
+    // A quarter of a round bar below, by four facets: three edges turn by π/8.
+    constexpr int facets = 4;
+    std::string text = "solid bar\n";
+    const auto corner = [](int i, double x) {
+        const double angle = 0.5 * M_PI * i / facets;
+        return fmt::format("vertex {} {:.9f} {:.9f}\n", x, std::cos(angle), std::sin(angle) - 5.0);
+    };
+    for (int i = 0; i < facets; ++i) {
+        for (const std::string& corners : {corner(i, 0) + corner(i + 1, 0) + corner(i, 3),
+                                           corner(i, 3) + corner(i + 1, 0) + corner(i + 1, 3)})
+            text += "facet normal 0 0 0\nouter loop\n" + corners + "endloop\nendfacet\n";
+    }
+    const ScratchFile bar("bar.stl", text + "endsolid bar\n"), flat("flat.stl", two_triangles);
+    const auto with = [](const ScratchFile& file, const std::string& more) {
+        return read(deck("[obstacle.o]\nmesh = { file = \"" + file.path().string() + "\"" + more + " }\n"));
+    };
+    const std::string hint =
+        ": 3 edges turn by 0.1 to 0.39 and count as sharp; if the facets stand for a curved "
+        "surface, smooth = true rounds them, which costs less";
+    CHECK_THAT(with(bar, "").notes, Catch::VectorContains(bar.path().string() + hint));
+    for (const auto& [file, more] : {std::pair(&bar, ", feature_angle = 0.2"), std::pair(&flat, "")}) {
+        for (const std::string& note : with(*file, more).notes) CHECK_THAT(note, !Contains("smooth"));
+    }
+    const Problem round = with(bar, ", smooth = true");
+    // Facets of 22.5 degrees become six; those at both ends have one neighbour and bow by half.
+    CHECK_THAT(
+        round.notes,
+        Catch::VectorContains(bar.path().string() +
+                              ": rounded into 288 triangles, which stand off its facets by up to 0.0194"));
+    CHECK(round.model.contact.obstacles.at(0).mesh()->triangles.size() == 288);
+    CHECK_THAT(with(flat, ", smooth = true").notes,
+               Catch::VectorContains(flat.path().string() + ": no edge to round; smooth has no effect"));
 }
 
 TEST_CASE("Analyses that contact does not go with are reported", "[deck][touch]") {

@@ -139,6 +139,16 @@ std::string triangle_file(const char* name, const char* height) {
     return files.back()->path().string();
 }
 
+// Two faces of a rounded ridge, far below.
+std::string ridge_file() {
+    static const ScratchFile file("ridge.stl",
+                                  "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 -9\nvertex 1 0 -9\n"
+                                  "vertex 0.5 1 -9.2\nendloop\nendfacet\nfacet normal 0 0 1\nouter loop\n"
+                                  "vertex 1 0 -9\nvertex 0 0 -9\nvertex 0.5 -1 -9.2\nendloop\nendfacet\n"
+                                  "endsolid s\n");
+    return file.path().string();
+}
+
 void add_mesh_trips(std::vector<RoundTrip>& trips) {
     const std::string low = triangle_file("low.stl", "-5"), lower = triangle_file("lower.STL", "-7");
     const auto add = [&](const std::string& key, const std::string& keys, auto is_seen) {
@@ -154,6 +164,9 @@ void add_mesh_trips(std::vector<RoundTrip>& trips) {
     });
     add("feature_angle", "file = \"" + low + "\", feature_angle = 0.6", [](const TriangleMesh& mesh) {
         return mesh.feature_angle == 0.6;
+    });
+    add("smooth", "file = \"" + ridge_file() + "\", smooth = true", [](const TriangleMesh& mesh) {
+        return mesh.triangles.size() > 2 && mesh.feature_angle == 0.6;
     });
 }
 
