@@ -69,7 +69,7 @@ class FactorFinder {
             record_.failure = "the state is unstable as it is: its tangent has negative pivots";
             return record_;
         }
-        take_over(found);
+        take_over(found, K);
         if (found.values.size() == 0) count_within_strains(K, S);
         record_.failure = find_pushing_tendon(pulls_only);
         return record_;
@@ -236,12 +236,14 @@ class FactorFinder {
         return largest;
     }
 
-    void take_over(const SmallestFactors& found) {
+    // Shapes that joints hold, so that only their equations yield, are none of the structure's.
+    void take_over(const SmallestFactors& found, const std::vector<double>& K) {
         record_.limit = found.limit;
         record_.counted_positive = found.counted_positive;
         record_.counted_negative = found.counted_negative;
         record_.is_complete = found.complete();
         for (Eigen::Index i = 0; i < found.values.size(); ++i) {
+            if (measure_gap_share(system_, K, found.vectors.col(i)) > 0.5) continue;
             BucklingFactor factor{
                 found.values[i], found.residuals[i], make_unit_shape(system_, state_, found.vectors.col(i))};
             (factor.factor > 0.0 ? record_.factors : record_.reversed).push_back(std::move(factor));

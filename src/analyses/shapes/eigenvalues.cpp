@@ -56,7 +56,15 @@ class EigenvalueFinder {
         record_.is_complete = pairs_.missing == 0;
         record_.is_all = pairs_.is_all;
         record_.steps = pairs_.steps;
-        for (const Index i : order_modes()) add_mode(i);
+        for (const Index i : order_modes()) {
+            if (measure_gap_share(system_, problem_.K, pairs_.vectors.col(i)) > 0.5) {
+                record_.is_all = true;  // joints hold what is faster
+            } else {
+                add_mode(i);
+            }
+        }
+        if (record_.failure.empty() && record_.modes.empty())
+            record_.failure = "joints and supports hold all that has inertia";
         return record_;
     }
 

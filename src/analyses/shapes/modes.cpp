@@ -62,7 +62,14 @@ class ModeFinder {
         take_over_count();
         align_copies();
         measure_unsymmetry();
-        for (Eigen::Index i = 0; i < pairs_.values.size(); ++i) add_mode(i);
+        for (Eigen::Index i = 0; i < pairs_.values.size(); ++i) {
+            if (is_held(i)) {
+                leave_out(i);
+            } else {
+                add_mode(i);
+            }
+        }
+        if (record_.modes.empty()) record_.failure = "joints and supports hold all that has inertia";
         record_.total_mass = inertia_.total;
         for (int axis = 0; axis < 6; ++axis) {
             if (inertia_.total[axis] > 0.0) record_.effective_share[axis] /= inertia_.total[axis];
@@ -136,6 +143,20 @@ class ModeFinder {
         }
         record_.is_symmetric = record_.unsymmetry < most_unsymmetry;
         if (record_.is_symmetric) record_.cause.clear();
+    }
+
+    // Whether joints hold the motion, so that only their equations yield.
+    bool is_held(Eigen::Index i) const {
+        return pairs_.values[i] > round_off * pairs_.shift &&
+               measure_gap_share(system_, matrices_.stiffness, pairs_.vectors.col(i)) > 0.5;
+    }
+
+    // All motions of the model are slower than what its joints hold.
+    void leave_out(Eigen::Index i) {
+        record_.is_all = true;
+        if (pairs_.values[i] >= record_.limit) return;
+        --record_.found;
+        if (record_.counted > 0) --record_.counted;
     }
 
     void add_mode(Eigen::Index i) {

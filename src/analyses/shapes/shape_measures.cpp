@@ -6,6 +6,7 @@
 #include "analyses/shapes/shape_words.hpp"
 #include "assembly/scatter.hpp"
 #include "assembly/system_values.hpp"
+#include "linear/eigen/pencil.hpp"
 
 namespace gxrod {
 
@@ -96,6 +97,25 @@ Shape make_unit_shape(const System& system, const State& state, const Eigen::Vec
     const Largest largest = find_largest(system, shape);
     if (largest.size > 0.0) scale(shape, 1.0 / largest.size);
     return shape;
+}
+
+double measure_gap_share(const System& system, const std::vector<double>& K, const Eigen::VectorXcd& x) {
+    const EquationNumbers& equations = system.equations();
+    if (equations.attached_count() == 0) return 0.0;
+    double gaps = 0.0;
+    for (int node = 0; node < static_cast<int>(equations.node_count()); ++node) {
+        const std::array<std::int64_t, 6> numbers = equations.of_node(node);
+        const auto unknowns = std::ranges::count_if(numbers, [](std::int64_t one) { return one >= 0; });
+        for (std::int64_t i = equations.first_of(node) + unknowns; i < equations.end_of(node); ++i) {
+            const double yields = -K[static_cast<std::size_t>(system.pattern().slot(i, i))];
+            gaps += std::max(yields, 0.0) * std::norm(x[i]);
+        }
+    }
+    Eigen::VectorXd real, imaginary;
+    multiply(system.pattern(), K, x.real(), real);
+    multiply(system.pattern(), K, x.imag(), imaginary);
+    const double energy = std::abs(real.dot(x.real()) + imaginary.dot(x.imag()));
+    return energy > 0.0 ? gaps / energy : 0.0;
 }
 
 }  // namespace gxrod

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <vector>
 
 #include "assembly/system.hpp"
 #include "state/records/mode_record.hpp"
@@ -22,5 +23,10 @@ Shape make_shape(const System& system, const State& state, const Eigen::VectorXd
 
 // Makes the shape with its largest displacement scaled to 1, or its largest rotation if nothing is displaced.
 Shape make_unit_shape(const System& system, const State& state, const Eigen::VectorXd& solution);
+
+// Returns the part of the energy xᴴ K x that is in the gaps of joints, whose equations yield by very little
+// (docs/theory/joints.md, (J19)): next to 0 of a motion, 1 of what joints hold. Gaps of multipliers μ have
+// −μ* K_μμ μ.
+double measure_gap_share(const System& system, const std::vector<double>& K, const Eigen::VectorXcd& x);
 
 }  // namespace gxrod

@@ -144,3 +144,63 @@ quantities = "reaction_force"
         CHECK((welded.responses[i].reactions.real[0] - expected).norm() < 1e-7 * expected.norm());
     }
 }
+
+namespace {
+
+// A wheel on a torsion spring, and a block that slides up with it along a link: one motion is free, where
+// `shaft` leaves it.
+std::string crank(const std::string& shaft) {
+    return R"([body.wheel]
+mass = 0.5
+inertia = [1e-4, 1e-4, 2e-4]
+at = [0, 0, 0]
+[body.block]
+mass = 0.4
+inertia = [1e-4, 1e-4, 1e-4]
+at = [0.03, 0.05, 0]
+[joint.shaft]
+type = "hinge"
+between = ["ground", "wheel"]
+axis = [0, 0, 1]
+)" + shaft +
+           R"([joint.guide]
+type = "slider"
+between = ["ground", "block"]
+axis = [0, 1, 0]
+[joint.link]
+type = "distance"
+between = ["wheel", "block"]
+at_a = [0.03, 0, 0]
+[[stage]]
+name = "tones"
+kind = "modes"
+count = 3
+[[stage]]
+name = "values"
+kind = "eigenvalues"
+count = 6
+)";
+}
+
+}  // namespace
+
+TEST_CASE("Motions that joints hold are no shapes", "[analyses][joints]") {
+    const RunSummary summary = run_problem(test::read(crank("spring = { stiffness = 3 }\n")));
+    INFO(summary.reason);
+    REQUIRE(summary.status == RunStatus::complete);
+    // The link is upright, so the block goes with the end of the crank.
+    const double omega = std::sqrt(3.0 / (2e-4 + 0.4 * 0.03 * 0.03));
+    const auto& modes = std::get<ModesRecord>(summary.shapes.at(0).record);
+    REQUIRE(modes.modes.size() == 1);
+    CHECK(modes.modes[0].omega == Approx(omega).epsilon(1e-7));
+    CHECK(modes.is_all);
+    CHECK(modes.counted == modes.found);
+    const auto& values = std::get<EigenvaluesRecord>(summary.shapes.at(1).record);
+    CHECK(values.is_all);
+    REQUIRE(values.modes.size() == 2);
+    for (const Eigenmode& mode : values.modes) CHECK(std::abs(mode.omega) == Approx(omega).epsilon(1e-6));
+
+    const RunSummary held = run_problem(test::read(crank("move = \"0.1*t\"\n")));
+    CHECK(held.status == RunStatus::failed);
+    CHECK_THAT(held.reason, Catch::Contains("joints and supports hold all that has inertia"));
+}
