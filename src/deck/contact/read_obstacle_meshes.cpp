@@ -47,7 +47,7 @@ std::string suggest_rounding(const TriangleMesh& mesh) {
     if (blunt == 0 || 4 * blunt < turned) return {};
     return fmt::format(
         "{}: {} edges turn by {:.2g} to {:.2g} and count as sharp; if the facets stand for a curved surface, "
-        "smooth = true rounds them, which costs less",
+        "smooth = true rounds them",
         mesh.file,
         blunt,
         mesh.feature_angle,
@@ -63,6 +63,8 @@ TriangleMesh round(TriangleMesh mesh, std::vector<std::string>& notes) {
                           mesh.file,
                           rounded.mesh.triangles.size(),
                           rounded.depth));
+    // What is left of the facets is touched one by one: slopes of a place between two of them change less.
+    rounded.mesh.feature_angle = std::min(mesh.feature_angle, usual_angle);
     return std::move(rounded.mesh);
 }
 

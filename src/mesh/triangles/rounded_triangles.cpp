@@ -153,7 +153,7 @@ class Rounder {
     }
 
     void choose_pieces() {
-        constexpr double most_turn = 0.07;
+        constexpr double least_turn = 0.1;
         constexpr int most_pieces = 16;
         constexpr double most_triangles = 4e5;
         std::vector<double> turns(mesh_.triangles.size(), 0.0);
@@ -166,7 +166,7 @@ class Rounder {
             }
         }
         const auto pieces_for = [&](double turn, double share) {
-            const int wanted = std::clamp(static_cast<int>(std::ceil(turn / most_turn)), 1, most_pieces);
+            const int wanted = std::clamp(static_cast<int>(turn / least_turn), 1, most_pieces);
             return std::max(1, static_cast<int>(share * wanted));
         };
         double total = 0.0;

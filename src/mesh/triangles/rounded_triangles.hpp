@@ -14,7 +14,7 @@ struct RoundedTriangles {
 // angle the surface becomes smooth, through all corners; sharp edges stay sharp. Each facet becomes a
 // quadratic patch through its corners, by the mean normals there (T. Nagata, Simple local interpolation of
 // surfaces using normal vectors, Computer Aided Geometric Design 22, 2005; docs/theory/contact.md), and is
-// cut into so many that each turns little. What is flat stays as it is.
+// cut into as many as turn by 0.1 rad or more, which touch one by one. What is flat stays as it is.
 RoundedTriangles round_triangles(const TriangleMesh& mesh);
 
 }  // namespace gxrod

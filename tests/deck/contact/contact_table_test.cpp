@@ -226,18 +226,18 @@ TEST_CASE("What rounding makes of a mesh is noted, and where it may be missing",
     };
     const std::string hint =
         ": 3 edges turn by 0.1 to 0.39 and count as sharp; if the facets stand for a curved "
-        "surface, smooth = true rounds them, which costs less";
+        "surface, smooth = true rounds them";
     CHECK_THAT(with(bar, "").notes, Catch::VectorContains(bar.path().string() + hint));
     for (const auto& [file, more] : {std::pair(&bar, ", feature_angle = 0.2"), std::pair(&flat, "")}) {
         for (const std::string& note : with(*file, more).notes) CHECK_THAT(note, !Contains("smooth"));
     }
     const Problem round = with(bar, ", smooth = true");
-    // Facets of 22.5 degrees become six; those at both ends have one neighbour and bow by half.
+    // Facets of 22.5 degrees become three; those at both ends have one neighbour and bow by half.
     CHECK_THAT(
         round.notes,
         Catch::VectorContains(bar.path().string() +
-                              ": rounded into 288 triangles, which stand off its facets by up to 0.0194"));
-    CHECK(round.model.contact.obstacles.at(0).mesh()->triangles.size() == 288);
+                              ": rounded into 72 triangles, which stand off its facets by up to 0.0172"));
+    CHECK(round.model.contact.obstacles.at(0).mesh()->triangles.size() == 72);
     CHECK_THAT(with(flat, ", smooth = true").notes,
                Catch::VectorContains(flat.path().string() + ": no edge to round; smooth has no effect"));
 }

@@ -166,7 +166,7 @@ void add_mesh_trips(std::vector<RoundTrip>& trips) {
         return mesh.feature_angle == 0.6;
     });
     add("smooth", "file = \"" + ridge_file() + "\", smooth = true", [](const TriangleMesh& mesh) {
-        return mesh.triangles.size() > 2 && mesh.feature_angle == 0.6;
+        return mesh.triangles.size() > 2 && mesh.feature_angle == 0.1;
     });
 }
 
