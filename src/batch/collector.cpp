@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "batch/component_row.hpp"
+#include "batch/counted_quantity.hpp"
 #include "check/findings/found_values.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "model/settings/analysis_traits.hpp"
@@ -81,7 +82,11 @@ void check_history(const Collection& collection, const Problem& problem, FaultLi
     }
     const std::string wrong =
         explain_component(collection.component, quantity_of(history->target, word).columns);
-    if (!wrong.empty()) faults.add(collection.place, collection.path() + ".component", word + " " + wrong);
+    if (!wrong.empty())
+        return faults.add(collection.place, collection.path() + ".component", word + " " + wrong);
+    if (!collection.fatigue) return;
+    const auto [key, message] = find_count_fault(collection, *history);
+    if (!message.empty()) faults.add(collection.place, collection.path() + "." + key, message);
 }
 
 }  // namespace

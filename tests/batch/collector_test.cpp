@@ -147,6 +147,48 @@ TEST_CASE("Cycles are counted from a time on", "[batch]") {
     CHECK(std::isnan(broken.value()));
 }
 
+TEST_CASE("Cycles of what has no sign, or is of no point, are refused", "[batch]") {
+    const std::string deck =
+        replaced(cantilever_deck,
+                 "stiffness = { EA = 1e4, GAy = 2e4, GAz = 3e4, GJ = 500, EIy = \"EI\", EIz = \"EI\" }\n",
+                 "shape = { circle = { radius = 0.2 } }\nmaterial = { E = \"EI\", nu = 0.3 }\n") +
+        "[[history]]\nname = \"worst\"\nat = \"r.start\"\n"
+        "quantities = [\"stress\", \"von_mises\", \"principal_stress\", \"moment\", \"bending_moment\", "
+        "\"shear_force\"]\n"
+        "[[history]]\nname = \"edge\"\nat = \"r.start\"\npoint = [0, 0.2]\n"
+        "quantities = [\"stress\", \"von_mises\"]\n";
+    const auto faults = [&](const std::string& entry, const std::string& count = "damage = { detail = 71 }") {
+        return PlanFiles("deck = \"deck.toml\"\n[vary]\n\"parameters.load\" = [2.0]\n[collect]\na = { " +
+                             entry + ", " + count + " }\n",
+                         deck)
+            .faults();
+    };
+    const std::string effect =
+        " has no sign: what changes its sign would count with half of its range; take ";
+    const std::string stress =
+        "quantity = \"stress\" and a component, such as \"xx\", of a history with point = [y, z]";
+    for (const std::string history : {"worst", "edge"}) {
+        CHECK(faults("history = \"" + history + "\", quantity = \"von_mises\"") ==
+              "plan.toml:5:5: collect.a.quantity: von_mises" + effect + stress);
+    }
+    CHECK(faults("history = \"worst\", quantity = \"principal_stress\", component = \"x\"") ==
+          "plan.toml:5:5: collect.a.quantity: principal_stress" + effect + stress);
+    CHECK(faults("history = \"worst\", quantity = \"bending_moment\"") ==
+          "plan.toml:5:5: collect.a.quantity: bending_moment" + effect +
+              "quantity = \"moment\" and component \"y\" or \"z\"");
+    CHECK(faults("history = \"worst\", quantity = \"shear_force\"", "range = { slope = 4, cycles = 1 }") ==
+          "plan.toml:5:5: collect.a.quantity: shear_force" + effect +
+              "quantity = \"force\" and component \"y\" or \"z\"");
+    CHECK(faults("history = \"worst\", quantity = \"moment\", component = \"magnitude\"") ==
+          "plan.toml:5:5: collect.a.component: \"magnitude\"" + effect + "\"x\", \"y\" or \"z\"");
+    CHECK(faults("history = \"worst\", quantity = \"stress\", component = \"xx\"") ==
+          "plan.toml:5:5: collect.a.history: \"worst\" has the stress of another point of the section at "
+          "each time, "
+          "the worst one, and cycles are those of one point; give the history point = [y, z]");
+    CHECK(faults("history = \"edge\", quantity = \"stress\", component = \"xx\"").empty());
+    CHECK(faults("history = \"worst\", quantity = \"von_mises\"", "take = \"max\"").empty());
+}
+
 TEST_CASE("A run of no step, or one, collects what there is", "[batch]") {
     CHECK(std::isnan(TakenNumber(Take::mean, {}).value()));
     TakenNumber mean(Take::mean, {});

@@ -79,7 +79,8 @@ class SNCurve:
 def damage(values: ArrayLike, curve: SNCurve, ultimate: float | None = None) -> float:
     """The damage of a series by Miner's rule, Σ count/N; a detail fails at about 1.
 
-    ultimate: the ultimate stress; ranges then count as those without a mean that do the same damage (Goodman): range/(1 − |mean|/ultimate) where the
+    values: of one place, with a sign, such as a component of `stress` of a history with `point`; a von Mises stress has half the range of a stress that
+    changes its sign. ultimate: the ultimate stress; ranges then count as those without a mean that do the same damage (Goodman): range/(1 − |mean|/ultimate) where the
     mean is tension.
     """
     cycles = _count(values)

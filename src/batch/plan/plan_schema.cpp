@@ -165,7 +165,7 @@ const TableSpec& collect_table() {
              "straight from step to step; `max_abs` is the largest absolute value.")
         .key("at", &T::at, "The value at this time (load factor, in statics), linear between steps.")
             .unit("time").at_least(0)
-        .key("damage", &T::damage, damage_table(), "The damage of the value's cycles over the accepted steps, by an S-N curve.")
+        .key("damage", &T::damage, damage_table(), "The damage of the value's cycles over the accepted steps, by an S-N curve. Of a component, which has a sign; of stress in a history with `point`.")
         .key("range", &T::range, equivalent_table(), "The equivalent range of the value's cycles: of equal ones that do the same damage.")
         .key("reference", &T::reference, "If given, the column is the distance from it: the error, if it is exact.")
         .exactly_one_of({"history", "ledger", "stage"})
@@ -176,7 +176,7 @@ const TableSpec& collect_table() {
             "tip_peak = { history = \"tip\", quantity = \"position\", component = \"z\", take = \"max\" }\n"
             "energy = { ledger = \"energy_error\", take = \"max_abs\" }\n"
             "first = { stage = \"tones\", found = \"frequency\", number = 1 }\n"
-            "life = { history = \"root\", quantity = \"von_mises\", damage = { detail = 71e6 } }\n"
+            "life = { history = \"root_edge\", quantity = \"stress\", component = \"xx\", damage = { detail = 71e6 } }\n"
             "load = { history = \"root\", quantity = \"moment\", component = \"z\", range = { slope = 4, cycles = 600 } }\n");
     // clang-format on
     return table;
