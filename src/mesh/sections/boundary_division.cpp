@@ -1,5 +1,7 @@
 #include "mesh/sections/boundary_division.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +11,7 @@
 
 #include "cross_section/outlines/wall_thickness.hpp"
 #include "mesh/grading.hpp"
+#include "mesh/line_mesh.hpp"
 
 namespace gxrod {
 namespace {
@@ -21,13 +24,13 @@ struct SizeAt {
 };
 using PieceSizes = std::map<const OutlinePiece*, std::vector<SizeAt>>;
 
-double find_least_extent(const Outline& outline) {
+PlanePoint find_extents(const Outline& outline) {
     PlanePoint least = outline.outer.front().from, greatest = least;
     for (const OutlinePiece& piece : outline.outer) {
         least = least.cwiseMin(piece.from);
         greatest = greatest.cwiseMax(piece.from);
     }
-    return (greatest - least).minCoeff();
+    return greatest - least;
 }
 
 // Whether the area has an angle of more than 195 degrees, and no arc, at the start of a piece. Stresses at
@@ -41,7 +44,7 @@ bool is_sharp(const OutlinePiece& before, const OutlinePiece& piece) {
 class SizeField {
   public:
     SizeField(const Outline& outline, const SectionMeshSize& size)
-        : outline_(outline), size_(size), most_(size.per_extent * find_least_extent(outline)) {
+        : outline_(outline), size_(size), most_(size.per_extent * find_extents(outline).minCoeff()) {
         for (const OutlineLoop* loop : outline.loops()) {
             for (const OutlinePiece& piece : *loop) measure(piece);
         }
@@ -130,18 +133,31 @@ class SizeField {
 };
 
 // At most 18 degrees of an arc for one edge.
-int count_edges(const OutlinePiece& piece, const Grading& grading) {
+double count_edges(const OutlinePiece& piece, const Grading& grading) {
     constexpr double round_off = 1e-3, of_arc = std::numbers::pi / 10.0;
     const double by_size = std::ceil(grading.count_steps() - round_off);
     const double by_turn = std::ceil(std::abs(piece.turn) / of_arc - round_off);
-    return static_cast<int>(std::max({1.0, by_size, by_turn}));
+    return std::max({1.0, by_size, by_turn});
+}
+
+Grading grade(const OutlinePiece& piece, const std::vector<SizeAt>& sizes) {
+    std::vector<std::pair<double, double>> steps;
+    for (const SizeAt& one : sizes) steps.emplace_back(one.fraction, one.size / piece.length());
+    return Grading(steps);
+}
+
+// Each edge is one of another triangle, but for ears.
+void check_count(const Outline& outline, const SizeField& field) {
+    double count = 0.0;
+    for (const OutlineLoop* loop : outline.loops()) {
+        for (const OutlinePiece& piece : *loop) count += count_edges(piece, grade(piece, field.of(piece)));
+    }
+    if (!(count <= most_section_triangles)) throw MeshError(explain_too_many(outline));
 }
 
 void divide(const OutlinePiece& piece, const std::vector<SizeAt>& sizes, BoundaryEdges& edges) {
-    std::vector<std::pair<double, double>> steps;
-    for (const SizeAt& one : sizes) steps.emplace_back(one.fraction, one.size / piece.length());
-    const Grading grading(steps);
-    const int count = count_edges(piece, grading);
+    const Grading grading = grade(piece, sizes);
+    const int count = static_cast<int>(count_edges(piece, grading));
     double from = 0.0;
     for (int i = 0; i < count; ++i) {
         const double to = i + 1 == count ? 1.0 : grading.fraction_at((i + 1.0) / count);
@@ -152,8 +168,25 @@ void divide(const OutlinePiece& piece, const std::vector<SizeAt>& sizes, Boundar
 
 }  // namespace
 
+std::string explain_too_many(const Outline& outline) {
+    double thinnest = find_extents(outline).minCoeff();
+    for (const OutlineLoop* loop : outline.loops()) {
+        for (const OutlinePiece& piece : *loop) {
+            if (const auto opposite = find_opposite_wall(outline, piece, 0.5))
+                thinnest = std::min(thinnest, opposite->thickness);
+        }
+    }
+    return fmt::format(
+        "takes more than {} triangles: it is {:.3g} thick somewhere, and {:.3g} across; draw thin parts as a "
+        "rectangle, walls or a mesh, whose cells are long",
+        most_section_triangles,
+        thinnest,
+        find_extents(outline).maxCoeff());
+}
+
 BoundaryDivision divide_boundary(const Outline& outline, const SectionMeshSize& size) {
     const SizeField field(outline, size);
+    check_count(outline, field);
     BoundaryDivision division{.loops = {}, .sharp_corners = field.sharp_corners()};
     for (const OutlineLoop* loop : outline.loops()) {
         BoundaryEdges& edges = division.loops.emplace_back();
