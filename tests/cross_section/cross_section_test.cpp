@@ -51,6 +51,13 @@ TEST_CASE("A rectangle has the closed forms of torsion and shear", "[cross_secti
         CHECK(K(4, 4) == Approx(1.0 / 12.0).epsilon(1e-12));
         CHECK(K(0, 0) == Approx(1.0).epsilon(1e-12));
     }
+    SECTION("of side 0.1, benchmark X4") {
+        const Mat6 K =
+            solve(make_rectangle(0.1, 0.1, {8, 8, 4}), isotropic(100.0, 0.2))->properties.stiffness;
+        CHECK(K(1, 1) == Approx(0.34610677).epsilon(2e-8));
+        CHECK(K(3, 3) == Approx(5.8573756e-4).epsilon(2e-7));
+        CHECK(K(4, 4) == Approx(8.3333333e-4).epsilon(1e-8));
+    }
     SECTION("two by one, and of triangles") {
         const SectionMesh mesh = cut_into_triangles(make_rectangle(2.0, 1.0, {20, 10, 4}));
         const Mat6 K = solve(mesh, isotropic(1.0, nu))->properties.stiffness;

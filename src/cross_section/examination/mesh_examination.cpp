@@ -87,6 +87,15 @@ std::vector<PlaneSegment> list_boundary(const SectionMesh& mesh, const MeshSides
     return segments;
 }
 
+// Whether an element with a node has its middle to the left of a side, where that side has its own element.
+bool is_on_left(const SectionMesh& mesh, int node, const PlanePoint& from, const PlanePoint& along) {
+    return std::ranges::any_of(mesh.cells, [&](const SectionCell& cell) {
+        if (std::ranges::find(cell.nodes, node) == cell.nodes.end()) return false;
+        const PlanePoint to = middle_of(mesh, cell) - from;
+        return along.x() * to.y() > along.y() * to.x();
+    });
+}
+
 // A node of the boundary that lies on a side to which it does not belong.
 std::string find_hanging_fault(const SectionMesh& mesh, const MeshSides& sides, double extent) {
     std::set<int> on_boundary;
@@ -108,6 +117,8 @@ std::string find_hanging_fault(const SectionMesh& mesh, const MeshSides& sides, 
                 const PlanePoint to = node_of(mesh, *node) - from;
                 const double place = to.dot(along) / along.squaredNorm();
                 if (place < -1e-6 || place > 1.0 + 1e-6 || (to - place * along).norm() > within) continue;
+                if (is_on_left(mesh, *node, from, along))
+                    return "elements overlap near " + place_text(node_of(mesh, *node));
                 return fmt::format(
                     "the side from {} to {} has a node of another element on it, at {}, that it does not "
                     "share",
@@ -136,8 +147,8 @@ std::string find_mesh_fault(const SectionMesh& mesh) {
     const MeshSides sides = sort_sides(mesh);
     fault = find_repeated_fault(mesh, sides);
     if (fault.empty()) fault = find_hanging_fault(mesh, sides, extent);
-    if (fault.empty()) fault = find_pivot_fault(mesh, sides);
-    return fault.empty() ? find_overlap_fault(mesh, sides) : fault;
+    if (fault.empty()) fault = find_overlap_fault(mesh, sides);
+    return fault.empty() ? find_pivot_fault(mesh, sides) : fault;
 }
 
 }  // namespace gxrod

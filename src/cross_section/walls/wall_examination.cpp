@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cross_section/examination/segment_crossing.hpp"
 #include "cross_section/walls/wall_outline.hpp"
 #include "cross_section/walls/wall_overlap.hpp"
 #include "cross_section/walls/wall_pieces.hpp"
@@ -47,6 +48,22 @@ Fault find_count_fault(const WallOutline& outline) {
     return std::nullopt;
 }
 
+// Two sides that cross, as lines without radii.
+Fault find_line_crossing(const WallOutline& outline) {
+    std::vector<PlaneSegment> sides;
+    for (std::size_t i = 0; i < outline.side_count(); ++i) {
+        const PlanePoint& next = outline.corners[(i + 1) % outline.corners.size()].at;
+        sides.push_back({outline.corners[i].at, next, static_cast<int>(i)});
+    }
+    const std::optional<SegmentCrossing> found = find_crossing(std::move(sides));
+    if (!found) return std::nullopt;
+    const auto [first, second] = std::minmax({found->a.owner, found->b.owner});
+    return WallFault{
+        "corners",
+        fmt::format(
+            "sides {} and {} cross at ({:.4g}, {:.4g})", first, second, found->at.x(), found->at.y())};
+}
+
 Fault find_place_fault(const WallOutline& outline) {
     double area = 0.0;
     const std::size_t count = outline.corners.size();
@@ -59,6 +76,7 @@ Fault find_place_fault(const WallOutline& outline) {
                              fmt::format("is at the same place as corners[{}]", i)};
     }
     if (!outline.is_closed || area > 0.0) return std::nullopt;
+    if (Fault fault = find_line_crossing(outline)) return fault;
     return WallFault{
         "corners",
         "go clockwise; a closed wall is walked anticlockwise, as seen with y to the right and z up, "

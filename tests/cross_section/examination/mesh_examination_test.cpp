@@ -90,4 +90,9 @@ TEST_CASE("Elements that overlap are found", "[cross_section]") {
     CHECK(find_mesh_fault(make_mesh({{0, 0}, {4, 0}, {4, 1}, {0, 1}, {6, 0}, {6, 3}, {2, 3}, {1, 0.5}},
                                     {{0, 1, 2, 3}, {1, 4, 5, 2}, {2, 5, 6, 7}})) ==
           "elements overlap near (1.2, 1)");
+    // Those that share one node, and cross elsewhere.
+    CHECK(find_mesh_fault(make_mesh({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.5}, {1.5, 0.5}, {1.5, 1.5}},
+                                    {{0, 1, 2, 3}, {2, 4, 5, 6}})) == "elements overlap near (1, 0.5)");
+    // A node on a side, of an element on the same side of it.
+    CHECK(find_mesh_fault(make_mesh(six, {{0, 1, 4, 3}, {0, 2, 5, 4}})) == "elements overlap near (1, 0)");
 }

@@ -55,6 +55,8 @@ TEST_CASE("Walls with missing or misplaced corners are refused", "[cross_section
           "corners: go clockwise; a closed wall is walked anticlockwise, as seen with y to the right and z "
           "up, and "
           "its plies are listed from outside in: reverse the corners");
+    outline.corners = {{{0, 0}}, {{4, 4}}, {{4, 0}}, {{0, 4}}};
+    CHECK(fault_of(outline) == "corners: sides 0 and 2 cross at (2, 2)");
 }
 
 TEST_CASE("Walls whose corners do not work are refused", "[cross_section]") {
