@@ -40,6 +40,7 @@
 #include "deck/schema/choices.hpp"
 #include "deck/schema/top_level.hpp"
 #include "deck/sections/build_sections.hpp"
+#include "deck/sections/large_shapes.hpp"
 #include "deck/sections/section_files.hpp"
 #include "deck/sections/shapes/section_materials.hpp"
 #include "deck/sections/shapes/wall_shape.hpp"
@@ -293,6 +294,9 @@ Problem build_overridden(const DeckNode& tree,
     for (const MeshRecord& table : tables) keep_file(table.file, table.bytes, problem.record.meshes);
     problem.record.name = std::filesystem::path(source.file).filename().string();
     if (source.is_varied) return problem;
+    FaultList questions(source.file, overrides);
+    question_large_shapes(deck, problem.model, questions);
+    for (const DeckFault& question : questions.list()) problem.notes.push_back(describe(question));
     problem.record.text =
         overrides.empty() ? source.text : write_overridden_deck(problem.record.name, overrides, tree);
     prepare_sweeps(tree, deck, problem, faults);

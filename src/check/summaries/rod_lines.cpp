@@ -113,6 +113,8 @@ std::string describe_thick_rods(const Model& model) {
         // With a slender line in the part its units agree: the rest are stubs and stiff links.
         if (is_thick) thick.insert(thick.end(), part.rods.begin(), part.rods.end());
     }
+    // The deck asks about shapes on cells, whose size it knows.
+    std::erase_if(thick, [&](int rod) { return model.sections[model.rods[rod].section].shape != nullptr; });
     if (thick.empty()) return "";
     std::sort(thick.begin(), thick.end());
     thick.erase(std::unique(thick.begin(), thick.end()), thick.end());
