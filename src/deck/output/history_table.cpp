@@ -7,14 +7,17 @@
 #include <cctype>
 #include <set>
 
+#include "cross_section/cross_section.hpp"
 #include "deck/contact/build_contact_exceptions.hpp"
 #include "deck/output/history_place.hpp"
+#include "deck/output/stress_checks.hpp"
 #include "deck/output/stress_criterion.hpp"
 #include "deck/rods/rod_table.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "deck/schema/synonyms.hpp"
 #include "deck/sections/section_axes.hpp"
+#include "model/sections/section_at.hpp"
 #include "watch/quantities.hpp"
 #include "watch/quantity_tables.hpp"
 
@@ -47,11 +50,11 @@ const TableSpec& history_table() {
              "(from its start to its end): where an end fitting bends nothing. relative_to carries it.")
             .unit("1").otherwise("the axis at t = 0").also("no_load_direction no_moment_direction fitting_axis")
         .key("point", &T::point, "Where in the section, [y, z] in its axes, stresses are recorded: at the nearest node "
-             "of the cells.")
+             "of the cells, at most a tenth of the section's extent away.")
             .unit("length").otherwise("where they are worst")
         .key("criterion", &T::criterion, "Which exposure is recorded, and where stresses are worst: \"von-mises\" with "
              "yield_stress of the material; \"tsai-wu\", \"hashin\" or \"max-stress\" with its strength, of materials "
-             "without it von-mises.")
+             "without it von-mises. One material at least must have what it needs.")
             .otherwise("exposure by von-mises; stresses where the von Mises stress is largest")
         .key("quantities", &T::quantities, "rotation_vector and quaternion are the rotation since t = 0 of a rod's "
              "point, the attitude of a body; orientation is that of section or body axes for both. force, moment "
@@ -151,6 +154,24 @@ void set_no_load(const HistoryKeys& table, HistoryRequest& request, const BuildC
         context.add_fault(table, table.no_load, "expected a direction, found a vector of zero length");
 }
 
+// Where the exposure of a history is by a criterion that none of the materials there allows.
+void check_exposure(const HistoryKeys& table,
+                    const HistoryRequest& request,
+                    const CrossSection& shape,
+                    const BuildContext& context) {
+    if (table.criterion)
+        return check_materials_of(*table.criterion,
+                                  shape.materials,
+                                  table.place_of(&table.criterion),
+                                  table.path_of(&table.criterion),
+                                  context);
+    const auto exposure = std::ranges::find(table.quantities.words, "exposure", &CheckedWord::word);
+    if (exposure == table.quantities.words.end() ||
+        !explain_missing("exposure", request.target, context.model).empty())
+        return;
+    check_materials_of("von-mises", shape.materials, exposure->place, exposure->path, context);
+}
+
 void set_stress_keys(const HistoryKeys& table, HistoryRequest& request, const BuildContext& context) {
     const bool has_stress = std::ranges::any_of(request.quantities, is_stress_quantity);
     const auto refuse = [&](const auto& key) {
@@ -162,9 +183,21 @@ void set_stress_keys(const HistoryKeys& table, HistoryRequest& request, const Bu
     if (table.point && !has_stress) refuse(table.point);
     if (table.criterion && !has_stress) refuse(table.criterion);
     if (table.point) request.section_point = Eigen::Vector2d((*table.point)[0], (*table.point)[1]);
-    if (!table.criterion) return;
-    request.criterion = *table.criterion;
-    check_criterion(table, table.criterion, context);
+    if (table.criterion) {
+        request.criterion = *table.criterion;
+        check_criterion(table, table.criterion, context);
+    }
+    const auto* point = std::get_if<WatchedPoint>(&request.target);
+    if (!has_stress || point == nullptr) return;
+    const std::shared_ptr<const CrossSection> shape = section_at(context.model, point->place).shape;
+    if (!shape) return;  // the quantities are refused
+    if (request.section_point)
+        check_section_point(*request.section_point,
+                            *shape,
+                            table.place_of(&table.point),
+                            table.path_of(&table.point),
+                            context);
+    check_exposure(table, request, *shape, context);
 }
 
 // A rod, or a body that touches, as ContactTouch has them.

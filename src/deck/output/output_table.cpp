@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cross_section/cross_section.hpp"
 #include "deck/output/line_ends.hpp"
+#include "deck/output/stress_checks.hpp"
 #include "deck/output/stress_criterion.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/table/table.hpp"
@@ -147,15 +149,28 @@ std::string list_without_stress(const Model& model) {
     return list;
 }
 
+// What the exposure of all rods compares. Without any yield stress and strength it has only von Mises'
+// stresses.
+void check_exposures(const OutputTable& table, const BuildContext& context) {
+    std::vector<ElasticMaterial> materials;
+    for (const ListedShape& one : list_shapes(context.model))
+        materials.insert(materials.end(), one.shape->materials.begin(), one.shape->materials.end());
+    const std::string path = table.path_of(&table.stresses);
+    if (*table.stresses != "von-mises")
+        return check_materials_of(*table.stresses, materials, table.place_of(&table.stresses), path, context);
+    const auto has_limit = [](const ElasticMaterial& one) { return one.yield_stress || one.strength; };
+    if (std::ranges::any_of(materials, has_limit)) note_other_criteria("von-mises", materials, path, context);
+}
+
 void set_stresses(const OutputTable& table, const BuildContext& context, OutputSettings& output) {
     if (!table.stresses) return;
     check_criterion(table, table.stresses, context);
     output.stresses = *table.stresses;
     const std::string without = list_without_stress(context.model);
     if (list_shapes(context.model).empty())
-        context.add_fault(table, table.stresses, "no rod has stresses: " + without);
-    else if (!without.empty())
-        context.notes.push_back("output.stresses: not those of " + without);
+        return context.add_fault(table, table.stresses, "no rod has stresses: " + without);
+    if (!without.empty()) context.notes.push_back("output.stresses: not those of " + without);
+    check_exposures(table, context);
 }
 
 void set_output(const OutputTable& table, const BuildContext& context, OutputSettings& output) {

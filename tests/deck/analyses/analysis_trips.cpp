@@ -123,6 +123,9 @@ std::vector<RoundTrip> analysis_trips() {
                  "stiffness = { EA = 1e4, GAy = 2e4, GAz = 3e4, GJ = 500, EIy = 600, EIz = 700 }\n"
                  "inertia = { rhoA = 1.0, rhoJ = 20, rhoIy = 10, rhoIz = 11 }\n",
                  "shape = { circle = { radius = 0.02 } }\nmaterial = { E = 2e11, nu = 0.3 }\n");
+    const std::string strong = replaced(shaped, "material = { E = 2e11, nu = 0.3 }", "material = \"ply\"") +
+                               "[material.ply]\nE = 2e11\nnu = 0.3\nstrength = { Xt = 2, Xc = 1, Yt = 2, Yc "
+                               "= 1, S12 = 1, S23 = 1 }\n";
     return {
         {"analysis.kind",
          static_rod_deck,
@@ -204,7 +207,7 @@ std::vector<RoundTrip> analysis_trips() {
          body_deck + "[output]\ncompression = \"deflate\"",
          [](const Problem& p) { return p.output.compression == Compression::deflate; }},
         {"output.stresses",
-         shaped + "[output]\nstresses = \"hashin\"",
+         strong + "[output]\nstresses = \"hashin\"",
          [](const Problem& p) { return p.output.stresses == "hashin"; }},
         {"output.line_ends",
          shaped + "[output]\nline_ends = \"r\"",
@@ -217,7 +220,7 @@ std::vector<RoundTrip> analysis_trips() {
              return p.output.histories[0].section_point == Eigen::Vector2d(0.01, -0.02);
          }},
         {"history.criterion",
-         shaped +
+         strong +
              "[[history]]\nname = \"n\"\nat = \"r.end\"\ncriterion = \"tsai-wu\"\nquantities = \"stress\"",
          [](const Problem& p) { return p.output.histories[0].criterion == "tsai-wu"; }},
         {"history.name",
