@@ -108,7 +108,14 @@ plies = [["ply", 1e-3, 0]]
 
     def test_check_asks_about_lengths_in_another_unit(self):
         self.write("frame.toml", DECK.replace('profile = "IPE 200"', 'profile = "IPE 200", millimetre = 1'))
-        self.assertIn("rod post is thicker than long; are all lengths in one unit?", self.gxrod("check", "frame.toml").stdout)
+        said = self.gxrod("check", "frame.toml").stdout
+        self.assertIn("note: frame.toml:3:1: section.post.shape: is 200 across, and rod post is 2 long; are all lengths in one unit?", said)
+        self.assertNotIn("thicker than long", said)
+
+    def test_a_mesh_by_itself_is_refused_with_how_a_deck_has_it(self):
+        self.write("blade.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n")
+        self.assertIn('blade.msh is a mesh without materials; give a deck that has it: [section.NAME] with shape = { mesh = { file = "blade.msh", '
+                      'material = … } }', self.gxrod("section", "blade.msh", code=2).stderr)
 
     def test_a_deck_without_shapes_on_cells_says_so(self):
         self.write("wire.toml", DECK.replace('profile = "IPE 200"', "rectangle = { width_y = 0.1, height_z = 0.2 }"))

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -74,8 +75,26 @@ std::vector<NamedSection> read_sections(const SectionArguments& arguments) {
     return found;
 }
 
+// Gmsh's own files say what they are.
+void refuse_mesh(const std::string& path) {
+    constexpr std::string_view mark = "$MeshFormat";
+    std::string start(mark.size(), ' ');
+    std::ifstream(path, std::ios::binary).read(start.data(), static_cast<std::streamsize>(start.size()));
+    if (start != mark) return;
+    throw CLI::ValidationError(
+        "section",
+        fmt::format(
+            "{} is a mesh without materials; give a deck that has it: [section.NAME] with shape = {{ mesh = "
+            "{{ file = \"{}\", material = … }} }}",
+            path,
+            std::filesystem::path(path).filename().string()));
+}
+
 std::vector<NamedSection> find_sections(const SectionArguments& arguments) {
-    if (std::filesystem::exists(arguments.source)) return read_sections(arguments);
+    if (std::filesystem::exists(arguments.source)) {
+        refuse_mesh(arguments.source);
+        return read_sections(arguments);
+    }
     if (const CatalogueProfile* profile = find_profile(arguments.source))
         return {compute_profile(*profile, arguments)};
     const std::vector<std::string> nearest = find_nearest_profiles(arguments.source);
