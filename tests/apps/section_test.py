@@ -109,7 +109,7 @@ plies = [["ply", 1e-3, 0]]
     def test_check_asks_about_lengths_in_another_unit(self):
         self.write("frame.toml", DECK.replace('profile = "IPE 200"', 'profile = "IPE 200", millimetre = 1'))
         said = self.gxrod("check", "frame.toml").stdout
-        self.assertIn("note: frame.toml:3:1: section.post.shape: is 200 across, and rod post is 2 long; are all lengths in one unit?", said)
+        self.assertIn("note: frame.toml:3:12: section.post.shape: is 200 across, and rod post is 2 long; are all lengths in one unit?", said)
         self.assertNotIn("thicker than long", said)
 
     def test_a_mesh_by_itself_is_refused_with_how_a_deck_has_it(self):

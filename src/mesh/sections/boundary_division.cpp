@@ -146,13 +146,33 @@ Grading grade(const OutlinePiece& piece, const std::vector<SizeAt>& sizes) {
     return Grading(steps);
 }
 
-// Each edge is one of another triangle, but for ears.
+// Sections with as many edges have some 30,000 triangles, which take a minute.
+constexpr int most_edges = 6000;
+
+// Says that an outline has too many edges, by its thinnest wall.
+std::string explain_too_many(const Outline& outline) {
+    double thinnest = find_extents(outline).minCoeff();
+    for (const OutlineLoop* loop : outline.loops()) {
+        for (const OutlinePiece& piece : *loop) {
+            if (const auto opposite = find_opposite_wall(outline, piece, 0.5))
+                thinnest = std::min(thinnest, opposite->thickness);
+        }
+    }
+    return fmt::format(
+        "has more than {} edges of triangles around it: it is {:.3g} thick somewhere, and {:.3g} across; "
+        "draw thin parts as a "
+        "rectangle, walls or a mesh, whose cells are long",
+        most_edges,
+        thinnest,
+        find_extents(outline).maxCoeff());
+}
+
 void check_count(const Outline& outline, const SizeField& field) {
     double count = 0.0;
     for (const OutlineLoop* loop : outline.loops()) {
         for (const OutlinePiece& piece : *loop) count += count_edges(piece, grade(piece, field.of(piece)));
     }
-    if (!(count <= most_section_triangles)) throw MeshError(explain_too_many(outline));
+    if (!(count <= most_edges)) throw MeshError(explain_too_many(outline));
 }
 
 void divide(const OutlinePiece& piece, const std::vector<SizeAt>& sizes, BoundaryEdges& edges) {
@@ -167,22 +187,6 @@ void divide(const OutlinePiece& piece, const std::vector<SizeAt>& sizes, Boundar
 }
 
 }  // namespace
-
-std::string explain_too_many(const Outline& outline) {
-    double thinnest = find_extents(outline).minCoeff();
-    for (const OutlineLoop* loop : outline.loops()) {
-        for (const OutlinePiece& piece : *loop) {
-            if (const auto opposite = find_opposite_wall(outline, piece, 0.5))
-                thinnest = std::min(thinnest, opposite->thickness);
-        }
-    }
-    return fmt::format(
-        "takes more than {} triangles: it is {:.3g} thick somewhere, and {:.3g} across; draw thin parts as a "
-        "rectangle, walls or a mesh, whose cells are long",
-        most_section_triangles,
-        thinnest,
-        find_extents(outline).maxCoeff());
-}
 
 BoundaryDivision divide_boundary(const Outline& outline, const SectionMeshSize& size) {
     const SizeField field(outline, size);

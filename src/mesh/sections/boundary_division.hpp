@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "cross_section/outlines/outline.hpp"
@@ -33,14 +32,8 @@ struct BoundaryDivision {
     std::vector<SharpCorner> sharp_corners;
 };
 
-// A section of as many triangles takes about a minute.
-inline constexpr int most_section_triangles = 40'000;
-
-// Says that an outline takes more triangles than that, by its thinnest wall.
-std::string explain_too_many(const Outline& outline);
-
 // Divides the boundary of an outline, which must outlive the division, into edges of elements. Throws
-// MeshError if these are more than most_section_triangles.
+// MeshError if these are too many.
 BoundaryDivision divide_boundary(const Outline& outline, const SectionMeshSize& size);
 
 }  // namespace gxrod

@@ -1,6 +1,5 @@
 #include "mesh/sections/section_mesher.hpp"
 
-#include "mesh/line_mesh.hpp"
 #include "mesh/sections/curved_triangles.hpp"
 #include "mesh/sections/flat_ears.hpp"
 #include "mesh/sections/held_meshes.hpp"
@@ -23,7 +22,6 @@ OutlineTriangles divide(const Outline& outline, const SectionMeshSize& size, con
         }
     }
     mesh.triangles = mesh_area(loops, gmsh);
-    if (mesh.triangles.triangles.size() > most_section_triangles) throw MeshError(explain_too_many(outline));
     divide_flat_ears(mesh.triangles);
     remember_triangles(outline, mesh);
     return mesh;

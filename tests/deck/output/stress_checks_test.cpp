@@ -39,16 +39,16 @@ std::string notes_of(const std::string& deck) {
 TEST_CASE("A criterion for which no material has the numbers is refused", "[deck]") {
     const std::string hashin = history("criterion = \"hashin\"");
     CHECK(faults_of(strip_deck(yield, nothing, hashin)) ==
-          "x.toml:25:13: history[0].criterion: \"hashin\" needs the strength of a material, and inner, outer "
+          "x.toml:24:13: history[0].criterion: \"hashin\" needs the strength of a material, and inner, outer "
           "have "
           "none; give it, or take \"von-mises\"");
     CHECK(faults_of(strip_deck(yield, nothing, "[output]\nstresses = \"tsai-wu\"\n")) ==
-          "x.toml:22:12: output.stresses: \"tsai-wu\" needs the strength of a material, and inner, outer "
+          "x.toml:21:12: output.stresses: \"tsai-wu\" needs the strength of a material, and inner, outer "
           "have none; "
           "give it, or take \"von-mises\"");
     // Exposure without a criterion is by yield stresses.
     CHECK(faults_of(strip_deck(strength, strength, history(""))) ==
-          "x.toml:24:25: history[0].quantities[1]: \"von-mises\" needs the yield_stress of a material, and "
+          "x.toml:23:25: history[0].quantities[1]: \"von-mises\" needs the yield_stress of a material, and "
           "inner, "
           "outer have none; give it, or take \"tsai-wu\", \"hashin\", \"max-stress\"");
     CHECK(faults_of(strip_deck(yield, yield, "[output]\nstresses = \"von-mises\"\n" + history(""))).empty());
@@ -74,7 +74,7 @@ TEST_CASE("A point that is not in the section is refused, and one next to it not
     };
     CHECK(
         faults_of(at("[5, 5]")) ==
-        "x.toml:25:9: history[0].point: (5, 5) is not in walls; its nearest point is (0.1, 0.01), 6.99 away");
+        "x.toml:24:9: history[0].point: (5, 5) is not in walls; its nearest point is (0.1, 0.01), 6.99 away");
     CHECK(notes_of(at("[0.1, 0.013]")) ==
           "history[0].point: stresses are those of the nearest point of walls, (0.1, 0.01), 0.003 away\n");
     CHECK(notes_of(at("[0.1, 0.0105]")).empty());

@@ -32,14 +32,14 @@ std::string questions_of(const std::string& deck) {
 
 TEST_CASE("A shape in another unit than its rods is asked about, with its place", "[deck]") {
     CHECK(questions_of(bars("rectangle = { width_y = 100, height_z = 50 }")) ==
-          "x.toml:2:1: section.s.shape: is 100 across, and rod r0 is 2 long; are all lengths in one unit?");
+          "x.toml:2:9: section.s.shape: is 100 across, and rod r0 is 2 long; are all lengths in one unit?");
     CHECK(questions_of(bars("rectangle = { width_y = 0.41, height_z = 0.05 }")) ==
-          "x.toml:2:1: section.s.shape: is 0.41 across, and rod r0 is 2 long; are all lengths in one unit?");
+          "x.toml:2:9: section.s.shape: is 0.41 across, and rod r0 is 2 long; are all lengths in one unit?");
     CHECK(questions_of(bars("rectangle = { width_y = 0.39, height_z = 0.05 }")).empty());
     // All rods of a part count.
     CHECK(questions_of(bars("rectangle = { width_y = 0.41, height_z = 0.05 }", 2)).empty());
     CHECK(questions_of(bars("rectangle = { width_y = 41, height_z = 0.05 }", 6)) ==
-          "x.toml:2:1: section.s.shape: is 41 across, and rods r0, r1, r2, r3 and 2 more are 12 long "
+          "x.toml:2:9: section.s.shape: is 41 across, and rods r0, r1, r2, r3 and 2 more are 12 long "
           "together; are "
           "all lengths in one unit?");
 }
