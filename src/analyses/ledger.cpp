@@ -171,25 +171,27 @@ bool Ledger::limits_energy() const {
 void Ledger::book_loss(const State& state, double time, bool touches) {
     balance_ = SystemMeasures(*system_).compute_balance(state, time);
     const LedgerRow at_end = row(state);
-    // Until something touches for the first time nothing is limited, and the largest energy stays 0: no
-    // impact has excited vibrations, and the work of supports that set a motion off is uncertain by much of
-    // all energy that there is at its start.
-    if (largest_energy_ == 0.0 && !touches) {
+    const double size =
+        std::max(at_end.kinetic_energy + std::abs(at_end.strain_energy) + at_end.contact_energy,
+                 std::abs(at_end.external_work));
+    // Until something touches for the first time nothing is limited: no impact has excited vibrations, and
+    // the work of supports that set a motion off is uncertain by much of all energy that there is at its
+    // start.
+    const bool has_touched = touches || largest_energy_ > 0.0;
+    largest_energy_ = (has_touched ? 1.0 : -1.0) * std::max(std::abs(largest_energy_), size);
+    if (!has_touched) {
         dissipated_by_scheme_ -= at_end.energy_error;
         energy_error_ = 0.0;
         return;
     }
-    largest_energy_ =
-        std::max({largest_energy_,
-                  at_end.kinetic_energy + std::abs(at_end.strain_energy) + at_end.contact_energy,
-                  std::abs(at_end.external_work)});
     energy_error_ = at_end.energy_error;
     if (energy_error_ < 0.0) dissipated_by_scheme_ -= std::exchange(energy_error_, 0.0);
 }
 
 double Ledger::surplus() const {
     constexpr double tolerated = 1e-4;
-    if (!limits_energy() || energy_error_ <= tolerated * largest_energy_) return 0.0;
+    const bool has_touched = largest_energy_ > 0.0;
+    if (!limits_energy() || !has_touched || energy_error_ <= tolerated * largest_energy_) return 0.0;
     return energy_error_ - 0.5 * tolerated * largest_energy_;
 }
 

@@ -113,7 +113,8 @@ class Ledger {
     void add_contact_work(const State& state, double time);
     // Updates the largest energy after a step, in statics.
     void measure_largest_energy();
-    // Books what a step has lost, where steps must not gain energy. `touches`: whether anything touched in it.
+    // Books what a step has lost, where steps must not gain energy. `touches`: whether anything touched in
+    // it.
     void book_loss(const State& state, double time, bool touches);
     double compute_scheme_dissipation(const State& state, double time_step) const;
 
@@ -133,9 +134,10 @@ class Ledger {
     double drive_work_ = 0.0;       // work of actions within sections, in the last step
     double law_dissipation_ = 0.0;  // dissipation of sections, in the last step
     double largest_energy_before_ = 0.0;
-    double largest_energy_ = 0.0;  // strain energy or work in statics, all energy where it is limited
-    double energy_error_ = 0.0;    // after the last step, where energy is limited
-    StepWork step_work_;           // work of the last load step
+    // Strain energy or work in statics; all energy where it is limited, negative until something touches.
+    double largest_energy_ = 0.0;
+    double energy_error_ = 0.0;  // after the last step, where energy is limited
+    StepWork step_work_;         // work of the last load step
     std::vector<Vec6>
         held_;  // forces that would hold the start in place, in statics; empty from the first step on
     double release_ = 0.0;      // the work of these forces in the last step, if they vanish there
