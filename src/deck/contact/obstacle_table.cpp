@@ -81,7 +81,7 @@ const TableSpec& mesh_obstacle_table() {
             .unit("angle").above(0).at_most(M_PI).otherwise("0.1; with smooth 0.6")
         .key("smooth", &T::smooth,
              "Whether facets stand for a curved surface: edges that are not sharp are rounded, through the corners.")
-            .also("round rounded smoothing");
+            .otherwise("false").also("round rounded smoothing");
     // clang-format on
     return table;
 }

@@ -143,8 +143,8 @@ std::string triangle_file(const char* name, const char* height) {
 std::string ridge_file() {
     static const ScratchFile file("ridge.stl",
                                   "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 -9\nvertex 1 0 -9\n"
-                                  "vertex 0.5 1 -9.2\nendloop\nendfacet\nfacet normal 0 0 1\nouter loop\n"
-                                  "vertex 1 0 -9\nvertex 0 0 -9\nvertex 0.5 -1 -9.2\nendloop\nendfacet\n"
+                                  "vertex 0.5 1 -9.28\nendloop\nendfacet\nfacet normal 0 0 1\nouter loop\n"
+                                  "vertex 1 0 -9\nvertex 0 0 -9\nvertex 0.5 -1 -9.28\nendloop\nendfacet\n"
                                   "endsolid s\n");
     return file.path().string();
 }

@@ -10,7 +10,8 @@ using Json = nlohmann::json;
 
 // The part of the JSON Schema that describes the inside of a key's table or tables.
 const Json& inside(const Json& schema, KeyShape shape) {
-    if (shape == KeyShape::table_list) return schema.at("items");
+    if (shape == KeyShape::table_list)  // or one table
+        return (schema.contains("items") ? schema : schema.at("anyOf").back()).at("items");
     if (shape == KeyShape::named_tables) {
         const Json& named = schema.at("patternProperties").begin().value();
         return named.contains("type") ? named : named.at("anyOf").front();  // and a short form
