@@ -20,6 +20,7 @@
 #include "model/sections/section_at.hpp"
 #include "watch/quantities.hpp"
 #include "watch/quantity_tables.hpp"
+#include "watch/signless_words.hpp"
 
 namespace gxrod {
 
@@ -165,9 +166,9 @@ void check_exposure(const HistoryKeys& table,
                                   table.place_of(&table.criterion),
                                   table.path_of(&table.criterion),
                                   context);
-    const auto exposure = std::ranges::find(table.quantities.words, "exposure", &CheckedWord::word);
+    const auto exposure = std::ranges::find_if(table.quantities.words, is_exposure, &CheckedWord::word);
     if (exposure == table.quantities.words.end() ||
-        !explain_missing("exposure", request.target, context.model).empty())
+        !explain_missing(exposure->word, request.target, context.model).empty())
         return;
     check_materials_of("von-mises", shape.materials, exposure->place, exposure->path, context);
 }
