@@ -154,10 +154,10 @@ void Ledger::add_any_step(const State& state, const Step& step) {
     add_contact_work(state, step.time);
     if (integrator_->conserves()) balance_ = SystemMeasures(*system_).compute_balance(state, step.time);
     if (limits_energy()) {
-        const bool touches =
-            this->touches() || contact_loss_ != 0.0 ||
+        const bool has_touched =
+            touches() || contact_loss_ != 0.0 ||
             std::ranges::any_of(step.stage_powers, [](const Power& one) { return one.contact.touches; });
-        book_loss(state, step.time, touches);
+        book_loss(state, step.time, has_touched);
     } else {
         dissipated_by_scheme_ += compute_scheme_dissipation(state, step.time_step);
     }

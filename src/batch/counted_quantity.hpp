@@ -7,8 +7,7 @@
 
 namespace gxrod {
 
-// What is wrong with counting the cycles of a quantity: the key of the collection that shows it, and a
-// sentence.
+// Says why cycles of a quantity cannot be counted: the key of the collection that shows it, and a sentence.
 struct CountFault {
     std::string key, message;
 };

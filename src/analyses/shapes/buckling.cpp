@@ -236,7 +236,7 @@ class FactorFinder {
         return largest;
     }
 
-    // Shapes that joints hold, so that only their equations yield, are none of the structure's.
+    // Leaves out shapes that joints hold, where only their equations yield.
     void take_over(const SmallestFactors& found, const std::vector<double>& K) {
         record_.limit = found.limit;
         record_.counted_positive = found.counted_positive;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -56,13 +57,17 @@ class EigenvalueFinder {
         record_.is_complete = pairs_.missing == 0;
         record_.is_all = pairs_.is_all;
         record_.steps = pairs_.steps;
+        double slowest_held = std::numeric_limits<double>::infinity(), fastest = 0.0;
         for (const Index i : order_modes()) {
+            const double size = std::abs(pairs_.values[i]);
             if (measure_gap_share(system_, problem_.K, pairs_.vectors.col(i)) > 0.5) {
-                record_.is_all = true;  // joints hold what is faster
+                slowest_held = std::min(slowest_held, size);
             } else {
+                fastest = std::max(fastest, size);
                 add_mode(i);
             }
         }
+        if (std::isfinite(slowest_held) && fastest < slowest_held) record_.is_all = true;
         if (record_.failure.empty() && record_.modes.empty())
             record_.failure = "joints and supports hold all that has inertia";
         return record_;

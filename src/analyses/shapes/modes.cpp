@@ -69,7 +69,8 @@ class ModeFinder {
                 add_mode(i);
             }
         }
-        if (record_.modes.empty()) record_.failure = "joints and supports hold all that has inertia";
+        if (record_.modes.empty() && pairs_.values.size() > 0)
+            record_.failure = "joints and supports hold all that has inertia";
         record_.total_mass = inertia_.total;
         for (int axis = 0; axis < 6; ++axis) {
             if (inertia_.total[axis] > 0.0) record_.effective_share[axis] /= inertia_.total[axis];
@@ -151,9 +152,9 @@ class ModeFinder {
                measure_gap_share(system_, matrices_.stiffness, pairs_.vectors.col(i)) > 0.5;
     }
 
-    // All motions of the model are slower than what its joints hold.
+    // Where the fastest one found is held, all motions of the model are slower.
     void leave_out(Eigen::Index i) {
-        record_.is_all = true;
+        if (i + 1 == pairs_.values.size()) record_.is_all = true;
         if (pairs_.values[i] >= record_.limit) return;
         --record_.found;
         if (record_.counted > 0) --record_.counted;

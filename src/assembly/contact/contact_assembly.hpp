@@ -347,7 +347,7 @@ class ContactAssembly : public Contribution {
     // Flags by surface and element; empty without Contact::exceptions at obstacles.
     std::vector<char> off_;
     std::vector<double> coefficients_;
-    // τ v of restitution by surface and element, below 0 where there is none; empty without restitution.
+    // τ v of restitution by surface and element, negative without it; empty if nothing has restitution.
     std::vector<double> numbers_;
     std::vector<const FrictionShape*> friction_shapes_;
     MemorySlice memory_;

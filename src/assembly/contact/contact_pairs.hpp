@@ -263,7 +263,7 @@ class ContactPairs {
     bool has_impacts_ = false;
     bool resolves_ = false;  // motions with inertia in which contact is not an impulse
     double damping_ = 0.0;   // with inertia
-    // τ v of restitution for each pair of shapes of bodies, below 0 where there is none; empty without.
+    // τ v of restitution for each pair of shapes of bodies, negative without it; empty if none has it.
     std::vector<double> numbers_;
     MemorySlice memory_;  // the speed at which each such pair met, 0 where it does not touch
     // The last result, cached since a Newton iteration asks for it several times.
