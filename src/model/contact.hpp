@@ -31,7 +31,6 @@ struct Obstacle {
     std::optional<double> stiffness{};  // force per length and depth, for a bed that yields
     std::optional<ObstacleMotion> motion{};
     FrictionShape friction_shape{};
-    double rolling = 0.0;  // length: the largest moment against rolling for each unit of normal force
 
     // Returns the shape as one of these; nullptr if it is another one.
     const PlaneShape* plane() const { return std::get_if<PlaneShape>(&shape); }
@@ -55,13 +54,11 @@ struct Obstacle {
     bool is_hollow() const { return round() != nullptr && round()->is_hollow; }
 };
 
-// A shape of a rigid body for contact: all points within a radius of a segment, or of the rim of a disc, that
-// turns with it. A body can have several, which follow each other.
+// A shape of a rigid body for contact: all points within a radius of a segment that turns with it. A body can
+// have several, which follow each other.
 struct ContactBody {
     int body = 0;
     std::array<Vec3, 2> ends{Vec3::Zero(), Vec3::Zero()};  // from the node, body axes; equal for a sphere
-    double rim = 0.0;           // radius of a rim about the first end; 0: the shape is a segment
-    Vec3 axis = Vec3::UnitZ();  // of the rim, body axes
     double radius = 0.0;
     double force = 0.0;  // force at which half the skin is left
 };
